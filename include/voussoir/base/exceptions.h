@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_exceptions_h
+#define voussoir_base_exceptions_h
+
+#include <stdexcept>
+
+namespace Voussoir
+{
+/**
+ * The user's input cannot be used. The message says what is wrong, which value,
+ * where, and what to do. The program ends with exit status 2.
+ */
+class InputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/**
+ * A solver ended without an answer on valid input. The program ends with exit
+ * status 4.
+ */
+class SolverError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_expression_h
+#define voussoir_base_expression_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A formula that the user wrote, evaluated by muParser: + - * / ^, comparisons,
+ * &&, ||, the conditional c ? a : b, if(c, a, b), sin, cos, tan, sqrt, exp,
+ * log, abs, min, max, pow, floor, ceil, ... and the constant pi.
+ */
+class Expression
+{
+public:
+  /**
+   * @param formula the text of the formula.
+   * @param variables the names it may use, in the order of the values that
+   *   operator() takes.
+   * @param parameter the parameter that the formula came from, for messages.
+   * @throws InputError if the formula cannot be parsed.
+   */
+  Expression(const std::string &formula,
+             const std::vector<std::string> &variables,
+             const std::string &parameter);
+  ~Expression();
+  Expression(Expression &&) noexcept;
+  Expression &operator=(Expression &&) noexcept;
+
+  /**
+   * The value of the formula; it may be infinite or NaN, which is for the
+   * caller to refuse, who knows where it was asked for. Not thread safe.
+   */
+  double operator()(const std::vector<double> &values) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_parameters_h
+#define voussoir_base_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * One of the values that an entry with a fixed set of values accepts: its name
+ * in a .prm file and what it means.
+ */
+template <typename Enum>
+struct Choice
+{
+  Enum value;
+  std::string name;
+  std::string meaning;
+};
+
+/**
+ * Declare an entry that accepts exactly the names in @p choices, and bind it to
+ * @p value, whose present state is the default. The documentation lists the
+ * choices from the same table, so that it cannot go out of date.
+ */
+template <typename Enum>
+void add_choice(dealii::ParameterHandler &prm,
+                const std::string &entry,
+                Enum &value,
+                const std::vector<Choice<Enum>> &choices,
+                const std::string &documentation);
+
+/**
+ * Read the file @p file into @p prm.
+ *
+ * @throws InputError if the file cannot be read, or has an entry that is not
+ *   declared or a value that its pattern refuses; the message names the line.
+ */
+void read_parameters(dealii::ParameterHandler &prm,
+                     const std::filesystem::path &file);
+
+/**
+ * Carry out one command-line assignment "Section/Subsection/Name=value".
+ *
+ * @throws InputError as read_parameters() does.
+ */
+void assign_parameter(dealii::ParameterHandler &prm,
+                      const std::string &assignment);
+
+/** The sentence that tells a user where to find every parameter. */
+extern const std::string how_to_list_parameters;
+
+// ------------------------------------------------------------------ template
+
+template <typename Enum>
+void add_choice(dealii::ParameterHandler &prm,
+                const std::string &entry,
+                Enum &value,
+                const std::vector<Choice<Enum>> &choices,
+                const std::string &documentation)
+{
+  std::string names, meanings, default_name;
+  for (const Choice<Enum> &choice : choices)
+  {
+    names += (names.empty() ? "" : "|") + choice.name;
+    meanings += " '" + choice.name + "': " + choice.meaning;
+    if (choice.value == value)
+      default_name = choice.name;
+  }
+  prm.declare_entry(entry, default_name, dealii::Patterns::Selection(names),
+                    documentation + meanings);
+  prm.add_action(entry, [&value, choices](const std::string &name) {
+    for (const Choice<Enum> &choice : choices)
+      if (choice.name == name)
+        value = choice.value;
+  });
+}
+} // namespace Voussoir
+
+#endif

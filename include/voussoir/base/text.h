@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_text_h
+#define voussoir_base_text_h
+
+#include <deal.II/base/point.h>
+
+#include <sstream>
+#include <string>
+
+namespace Voussoir
+{
+/** All arguments written one after the other, numbers with six digits. */
+template <typename... Arguments>
+std::string text(const Arguments &...arguments)
+{
+  std::ostringstream out;
+  out.precision(6);
+  (out << ... << arguments);
+  return out.str();
+}
+
+/** A point as "(x, y)", with digits enough to find it in a drawing. */
+inline std::string text_of_point(const dealii::Point<2> &p)
+{
+  std::ostringstream out;
+  out.precision(9);
+  out << '(' << p[0] << ", " << p[1] << ')';
+  return out.str();
+}
+} // namespace Voussoir
+
+#endif

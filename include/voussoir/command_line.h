@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_command_line_h
+#define voussoir_command_line_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The program: read the arguments and the .prm file, run, and report.
+ *
+ * @param arguments those after the name of the program.
+ * @param out takes the stages and the summary.
+ * @param error takes the one message of a run that did not solve its scene.
+ * @return the exit status, see ExitStatus. Never throws.
+ */
+int run_command_line(const std::vector<std::string> &arguments,
+                     std::ostream &out,
+                     std::ostream &error);
+} // namespace Voussoir
+
+#endif

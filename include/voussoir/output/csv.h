@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_csv_h
+#define voussoir_output_csv_h
+
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+
+namespace Voussoir
+{
+/**
+ * One line per interface, in the order of Packing::interfaces(), with 17
+ * digits: the cells, the ends, the normal from c- to c+, the length, f_e^n and
+ * f_e^t (forces per unit thickness on c-, f_e^n negative in compression), s_e
+ * (a stress) and |f_e^t| / (s_e |e|).
+ */
+void write_interfaces_csv(std::ostream &out, const Results &results);
+
+/**
+ * One line per cell with 17 digits: its number, centre and area, the load F_c
+ * (a force per unit thickness), the displacement, the residual torque about the
+ * centre (a force) and the mean stress.
+ */
+void write_cells_csv(std::ostream &out, const Results &results);
+} // namespace Voussoir
+
+#endif

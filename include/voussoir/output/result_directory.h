@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_result_directory_h
+#define voussoir_output_result_directory_h
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The directory that takes the results of a run, complete or not at all: files
+ * are written into a hidden directory beside their final place, and publish()
+ * renames them, over those of an earlier run. Whatever ends the run before that
+ * leaves the earlier results untouched.
+ */
+class ResultDirectory
+{
+public:
+  /**
+   * @throws InputError if nothing can be written there; so a long run does not
+   *   find that out at its end. Nothing is created yet.
+   */
+  explicit ResultDirectory(std::filesystem::path directory);
+  /** Remove what was written and not published. */
+  ~ResultDirectory();
+  ResultDirectory(const ResultDirectory &) = delete;
+  ResultDirectory &operator=(const ResultDirectory &) = delete;
+
+  /**
+   * Write the file @p name through @p writer.
+   *
+   * @throws InputError if it cannot be written to the end, for example because
+   *   the disk is full.
+   */
+  void write(const std::string &name,
+             const std::function<void(std::ostream &)> &writer);
+
+  /**
+   * Put all written files in place, in the order in which they were written,
+   * and remove those files of an earlier run that this run did not write.
+   */
+  void publish();
+
+private:
+  [[noreturn]] void refuse(const std::string &reason) const;
+
+  std::filesystem::path directory;
+  std::filesystem::path staging;
+  std::vector<std::string> written;
+};
+} // namespace Voussoir
+
+#endif

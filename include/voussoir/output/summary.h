@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_summary_h
+#define voussoir_output_summary_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+
+namespace Voussoir
+{
+/** The summary of a run as JSON, for programs. */
+void write_summary_json(std::ostream &out, const Results &results);
+
+/** The summary of a run in a few lines, for people. */
+void show_summary(Terminal &terminal, const Results &results);
+} // namespace Voussoir
+
+#endif

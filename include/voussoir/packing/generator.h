@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_generator_h
+#define voussoir_packing_generator_h
+
+#include <voussoir/packing/packing.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** One source of packings, with the parameters that it needs. */
+class PackingGenerator
+{
+public:
+  virtual ~PackingGenerator() = default;
+
+  /** The name in `set Generator = ...`; also the name of its subsection. */
+  virtual std::string name() const = 0;
+
+  /** One line on what it makes, for the documentation of the parameters. */
+  virtual std::string meaning() const = 0;
+
+  /** Declare the parameters in the current subsection and bind them. */
+  virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+
+  /**
+   * Make the packing.
+   *
+   * @param directory where relative paths among the parameters start.
+   * @throws InputError if the parameters describe no packing.
+   */
+  virtual CellLoops generate(const std::filesystem::path &directory) const = 0;
+};
+
+/** The section `Packing`: which generator makes the packing, and from what. */
+class PackingParameters
+{
+public:
+  PackingParameters();
+
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /** The packing that the parameters describe; see PackingGenerator. */
+  Packing make_packing(const std::filesystem::path &directory) const;
+
+private:
+  std::vector<std::unique_ptr<PackingGenerator>> generators;
+  unsigned int chosen = 0;
+};
+} // namespace Voussoir
+
+#endif

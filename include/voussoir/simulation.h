@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_simulation_h
+#define voussoir_simulation_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/output/results.h>
+#include <voussoir/packing/generator.h>
+#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/friction.h>
+#include <voussoir/statics/loads.h>
+#include <voussoir/stress/reconstruction.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <string>
+
+namespace Voussoir
+{
+/** How a run ended; the exit status of the program. */
+enum class ExitStatus
+{
+  solved = 0,
+  bad_input = 2,
+  load_not_carried = 3,
+  solver_failed = 4
+};
+
+/**
+ * One run, from the parameters to the files: packing, statics, stress, output.
+ */
+class Simulation
+{
+public:
+  explicit Simulation(Terminal &terminal);
+
+  /** Declare all parameters and bind them to the parts of the simulation. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Run the scene that the parameters describe and write its results.
+   *
+   * @param prm the parsed parameters, to be saved beside the results.
+   * @param directory that of the .prm file, where relative paths begin.
+   * @throws InputError, SolverError.
+   */
+  ExitStatus run(const dealii::ParameterHandler &prm,
+                 const std::filesystem::path &directory);
+
+private:
+  Scene make_scene(const std::filesystem::path &directory) const;
+  void check_certificate(const Certificate &certificate,
+                         const Solution &solution) const;
+  void report_collapse(const Scene &scene, const Mechanism &mechanism) const;
+  void write(const Results &results, const dealii::ParameterHandler &prm) const;
+
+  Terminal &terminal;
+  std::string title;
+  std::string output_directory = "output";
+  unsigned int verbosity = 1;
+  PackingParameters packing;
+  LoadParameters loads;
+  FrictionParameters friction;
+  SolverParameters solver;
+  StressParameters stress;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_certificate_h
+#define voussoir_statics_certificate_h
+
+#include <voussoir/statics/scene.h>
+
+namespace Voussoir
+{
+/**
+ * How good a set of interface forces is, computed from the scene and the forces
+ * alone, in the user's units, by code that no solver shares. The reference
+ * force is the largest load on a cell, or without load the largest force.
+ */
+struct Certificate
+{
+  /** Largest |sum of all forces on a cell|, over the reference force. */
+  double equilibrium_residual = 0.;
+  /**
+   * Largest violation of f_e^n <= 0 and of |f_e^t| <= s_e |e|, over the
+   * reference force.
+   */
+  double admissibility_violation = 0.;
+  /** Largest |f_e^t| / (s_e |e|). */
+  double max_utilisation = 0.;
+  /**
+   * Largest residual torque of a cell, over the reference force times the
+   * square root of the cell's area. Translations alone do not balance it.
+   */
+  double max_torque = 0.;
+};
+
+Certificate certify(const Scene &scene, const InterfaceForces &forces);
+
+/**
+ * How good a proof of collapse is, by the same rules: the displacements may be
+ * multiplied by any positive number.
+ */
+struct MechanismCertificate
+{
+  /** Largest closing -[u]_e . n_e of a joint, over the largest |u_c|. */
+  double closing_violation = 0.;
+  /** Work of the load over the dissipation of friction; infinite if none. */
+  double work_over_dissipation = 0.;
+};
+
+MechanismCertificate
+certify_mechanism(const Scene &scene,
+                  const std::vector<dealii::Tensor<1, 2>> &displacement);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_formulation_h
+#define voussoir_statics_formulation_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/mechanism.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What a formulation returns; all nondimensional. */
+struct Solution
+{
+  /** f_e^n and f_e^t of each joint. */
+  InterfaceForces forces;
+  /** u_c, with zero mean in each connected group of cells. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** The proof that the load is not carried; then nothing above is filled. */
+  std::optional<Mechanism> mechanism;
+  unsigned int n_iterations = 0;
+  /** How often the solver evaluated the energy. */
+  unsigned int n_evaluations = 0;
+  /** Why the solver stopped, in a few words. */
+  std::string outcome;
+};
+
+/** What all formulations are told about how to solve. */
+struct SolverControls
+{
+  /** Largest force imbalance to stop at, nondimensional. */
+  double tolerance = 1e-10;
+  unsigned int n_max_iterations = 300;
+};
+
+/**
+ * A way to select one of the admissible and balanced states of the interface
+ * forces, which in general are many.
+ */
+class Formulation
+{
+public:
+  virtual ~Formulation() = default;
+
+  /** The name in `set Formulation = ...`; also that of its subsection. */
+  virtual std::string name() const = 0;
+  /** One line on it, for the documentation of the parameters. */
+  virtual std::string meaning() const = 0;
+  /** By which principle the state was selected, with the present parameters. */
+  virtual std::string selection() const = 0;
+
+  /** Declare the parameters in the current subsection and bind them. */
+  virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+
+  /**
+   * Find the forces, or the proof that there are none.
+   *
+   * @throws SolverError if the solver ends with neither.
+   */
+  virtual Solution solve(const DiscreteProblem &problem,
+                         const SolverControls &controls,
+                         Terminal &terminal) const = 0;
+};
+
+/** The entry `Formulation` and the section `Solver`. */
+class SolverParameters
+{
+public:
+  SolverParameters();
+
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  const Formulation &formulation() const;
+  const SolverControls &controls() const;
+
+private:
+  std::vector<std::unique_ptr<Formulation>> formulations;
+  unsigned int chosen = 0;
+  SolverControls common;
+};
+
+/** The forces of @p solution in the units of the user. */
+InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                   const Solution &solution);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_friction_h
+#define voussoir_statics_friction_h
+
+#include <voussoir/packing/packing.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** The section `Friction`: the Tresca strength s_T of the interfaces. */
+class FrictionParameters
+{
+public:
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * The strength s_e of each interface, a stress: the mean of s_T over it.
+   *
+   * @throws InputError naming the interface if a strength is negative or not a
+   *   finite number.
+   */
+  std::vector<double> strengths(const Packing &packing) const;
+
+private:
+  std::string strength = "1";
+};
+} // namespace Voussoir
+
+#endif

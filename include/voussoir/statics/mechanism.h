@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_mechanism_h
+#define voussoir_statics_mechanism_h
+
+#include <voussoir/statics/discrete_problem.h>
+
+#include <optional>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A motion of the blocks that opens or keeps every contact and in which the
+ * load does more work than friction can dissipate: a proof that no admissible
+ * forces balance the load (the kinematic theorem of limit analysis, Livesley,
+ * Int. J. Numer. Meth. Engng 12 (1978) 1853).
+ */
+struct Mechanism
+{
+  /** Displacement of each cell; its largest component is one. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** sum_c F_c . u_c, nondimensional. */
+  double work;
+  /** sum_e s_e |e| |[u]_e . t_e|, nondimensional. */
+  double dissipation;
+};
+
+/**
+ * Look whether the displacement @p u (n_dofs() numbers, any size) proves that
+ * the load is not carried. Where it closes joints it is first corrected by the
+ * uniform dilation u_c = x_c, which opens all of them; the correction's work
+ * and dissipation are counted, so a mechanism that is returned is a proof.
+ */
+std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
+                                        const std::vector<double> &u);
+} // namespace Voussoir
+
+#endif

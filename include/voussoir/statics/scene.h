@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_scene_h
+#define voussoir_statics_scene_h
+
+#include <voussoir/packing/packing.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A packing, what its interfaces can carry and what it has to carry, in the
+ * user's units.
+ */
+struct Scene
+{
+  /**
+   * @param strength s_e of each interface; a stress.
+   * @param traction g_e on each boundary edge; a stress, tension positive.
+   * @throws InputError if the total force on a connected group of cells is not
+   *   zero: without supports nothing holds it.
+   */
+  Scene(Packing packing,
+        std::vector<double> strength,
+        std::vector<dealii::Tensor<1, 2>> traction);
+
+  Packing packing;
+  std::vector<double> strength;
+  std::vector<dealii::Tensor<1, 2>> traction;
+  /** F_c on each cell: the sum of |e| g_e; a force per unit thickness. */
+  std::vector<dealii::Tensor<1, 2>> load;
+};
+
+/**
+ * The forces of the interfaces, per unit thickness, in the user's units:
+ * f_e^n, negative in compression, and f_e^t. The force on cell c+ is minus
+ * that on cell c-, which is f_e^n n_e + f_e^t t_e.
+ */
+struct InterfaceForces
+{
+  std::vector<double> normal;
+  std::vector<double> tangential;
+
+  /** f_e^n n_e + f_e^t t_e, the force on cell c- of interface @p e. */
+  dealii::Tensor<1, 2> on_cell_minus(const Packing::Interface &interface,
+                                     unsigned int e) const;
+};
+
+/**
+ * How much of its strength an interface uses: |f_e^t| / (s_e |e|), and zero
+ * where there is no tangential force.
+ */
+double
+utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);
+
+/** The torque about x_c of all forces on each cell; per unit thickness. */
+std::vector<double> residual_torques(const Scene &scene,
+                                     const InterfaceForces &forces);
+} // namespace Voussoir
+
+#endif

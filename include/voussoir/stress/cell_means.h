@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_cell_means_h
+#define voussoir_stress_cell_means_h
+
+#include <voussoir/statics/scene.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The mean stress of each cell from the forces on its edges alone,
+ *
+ *   |c|^-1 sum_e f_e (x) (x_e - x_c),
+ *
+ * with the force f_e on the cell and the midpoint x_e of each of its edges:
+ * the mean of any stress with these tractions and div sigma = 0. Component ij
+ * is sigma_ij, a stress, tension positive; sigma_xy and sigma_yx differ by the
+ * residual torque over the area.
+ */
+std::vector<dealii::Tensor<2, 2>>
+cell_mean_stresses(const Scene &scene, const InterfaceForces &forces);
+} // namespace Voussoir
+
+#endif

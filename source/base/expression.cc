@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/expression.h>
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+struct Expression::Implementation
+{
+  mu::Parser parser;
+  std::vector<double> values;
+};
+
+namespace
+{
+[[noreturn]] void refuse(const std::string &formula,
+                         const std::string &parameter,
+                         const std::vector<std::string> &variables,
+                         const std::string &reason)
+{
+  std::string names;
+  for (const std::string &name : variables)
+    names += (names.empty() ? "" : ", ") + name;
+  throw InputError("The parameter '" + parameter + "' has the expression '" +
+                   formula + "', which is not valid: " + reason +
+                   " It may use the variables " + names + ".");
+}
+} // namespace
+
+Expression::Expression(const std::string &formula,
+                       const std::vector<std::string> &variables,
+                       const std::string &parameter)
+    : implementation(std::make_unique<Implementation>())
+{
+  mu::Parser &parser = implementation->parser;
+  implementation->values.resize(variables.size());
+  try
+  {
+    for (unsigned int i = 0; i < variables.size(); ++i)
+      parser.DefineVar(variables[i], &implementation->values[i]);
+    parser.DefineConst("pi", 3.14159265358979323846);
+    parser.DefineFun(
+        "pow", +[](double a, double b) { return std::pow(a, b); });
+    parser.DefineFun(
+        "floor", +[](double a) { return std::floor(a); });
+    parser.DefineFun(
+        "ceil", +[](double a) { return std::ceil(a); });
+    parser.DefineFun(
+        "if", +[](double condition, double a, double b) {
+          return condition != 0. ? a : b;
+        });
+    parser.SetExpr(formula);
+    // Parsing is lazy: evaluate once, to meet the errors here.
+    int n_results = 0;
+    parser.Eval(n_results);
+    if (n_results != 1)
+      refuse(formula, parameter, variables,
+             "one expression was expected, not several.");
+  }
+  catch (const mu::ParserError &error)
+  {
+    refuse(formula, parameter, variables, error.GetMsg());
+  }
+}
+
+Expression::~Expression() = default;
+Expression::Expression(Expression &&) noexcept = default;
+Expression &Expression::operator=(Expression &&) noexcept = default;
+
+double Expression::operator()(const std::vector<double> &values) const
+{
+  std::copy(values.begin(), values.end(), implementation->values.begin());
+  return implementation->parser.Eval();
+}
+} // namespace Voussoir

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/command_line.h>
+#include <voussoir/simulation.h>
+#include <voussoir/version.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <boost/program_options.hpp>
+
+#include <filesystem>
+#include <new>
+#include <ostream>
+
+namespace Voussoir
+{
+namespace
+{
+namespace po = boost::program_options;
+
+struct Arguments
+{
+  std::string file;
+  std::vector<std::string> assignments;
+  bool print_parameters = false;
+  bool help = false;
+  bool version = false;
+};
+
+po::options_description visible_options()
+{
+  po::options_description options("Options");
+  options.add_options()(
+      "set", po::value<std::vector<std::string>>()->value_name("ENTRY"),
+      "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
+      "print-parameters",
+      "print every parameter with its value and documentation, as .prm")(
+      "help", "print this help")("version", "print the version");
+  return options;
+}
+
+Arguments parse(const std::vector<std::string> &words)
+{
+  po::options_description all;
+  all.add(visible_options())
+      .add_options()("file", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("file", -1);
+
+  po::variables_map values;
+  try
+  {
+    // No prefixes of options: a later option must not change their meaning.
+    const int style = po::command_line_style::default_style &
+                      ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(words)
+                  .options(all)
+                  .positional(positional)
+                  .style(style)
+                  .run(),
+              values);
+  }
+  catch (const po::error &error)
+  {
+    throw InputError(std::string("The command line is not valid: ") +
+                     error.what() + ". See 'voussoir --help'.");
+  }
+
+  Arguments arguments;
+  if (values.count("file"))
+  {
+    const auto files = values["file"].as<std::vector<std::string>>();
+    if (files.size() > 1)
+      throw InputError("One .prm file is expected, but '" + files[0] +
+                       "' and '" + files[1] +
+                       "' are given. See 'voussoir --help'.");
+    arguments.file = files[0];
+  }
+  if (values.count("set"))
+    arguments.assignments = values["set"].as<std::vector<std::string>>();
+  arguments.print_parameters = values.count("print-parameters") > 0;
+  arguments.help = values.count("help") > 0;
+  arguments.version = values.count("version") > 0;
+  return arguments;
+}
+
+ExitStatus run(const Arguments &arguments, std::ostream &out)
+{
+  Terminal terminal(out);
+  Simulation simulation(terminal);
+  dealii::ParameterHandler prm;
+  simulation.add_parameters(prm);
+  if (!arguments.file.empty())
+    read_parameters(prm, arguments.file);
+  for (const std::string &assignment : arguments.assignments)
+    assign_parameter(prm, assignment);
+
+  if (arguments.print_parameters)
+  {
+    prm.print_parameters(out,
+                         dealii::ParameterHandler::PRM |
+                             dealii::ParameterHandler::KeepDeclarationOrder);
+    return ExitStatus::solved;
+  }
+  if (arguments.file.empty())
+    throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
+                     "see 'voussoir --help'.");
+  return simulation.run(
+      prm, std::filesystem::absolute(arguments.file).parent_path());
+}
+
+int fail(std::ostream &error,
+         const ExitStatus status,
+         const std::string &message)
+{
+  error << "voussoir: " << message << std::endl;
+  return static_cast<int>(status);
+}
+} // namespace
+
+int run_command_line(const std::vector<std::string> &words,
+                     std::ostream &out,
+                     std::ostream &error)
+{
+  try
+  {
+    const Arguments arguments = parse(words);
+    if (arguments.help)
+    {
+      out << "Usage: voussoir FILE.prm [options]\n\n"
+             "Computes the contact forces between, and the stresses inside, "
+             "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
+          << visible_options()
+          << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
+             "4 the solver failed.\n";
+      return 0;
+    }
+    if (arguments.version)
+    {
+      out << "voussoir " << VOUSSOIR_VERSION << '\n';
+      return 0;
+    }
+    const ExitStatus status = run(arguments, out);
+    if (status == ExitStatus::load_not_carried)
+      return fail(error, status,
+                  "The load is not carried: no forces within the strengths of "
+                  "the interfaces balance it, as the mechanism above proves. "
+                  "Change 'Loads' or raise 'Friction/Strength'.");
+    return static_cast<int>(status);
+  }
+  catch (const InputError &e)
+  {
+    return fail(error, ExitStatus::bad_input, e.what());
+  }
+  catch (const SolverError &e)
+  {
+    return fail(error, ExitStatus::solver_failed, e.what());
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail(error, ExitStatus::solver_failed,
+                "There is not enough memory for this packing.");
+  }
+  catch (const std::exception &e)
+  {
+    return fail(error, ExitStatus::solver_failed,
+                std::string("An unexpected error, which is a defect of the "
+                            "program, ended the run:\n") +
+                    e.what());
+  }
+}
+} // namespace Voussoir

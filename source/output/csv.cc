@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/csv.h>
+
+#include <limits>
+#include <ostream>
+
+namespace Voussoir
+{
+namespace
+{
+template <typename First, typename... Others>
+void write_row(std::ostream &out, const First &first, const Others &...others)
+{
+  out << first;
+  ((out << ',' << others), ...);
+  out << '\n';
+}
+
+void use_all_digits(std::ostream &out)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+}
+} // namespace
+
+void write_interfaces_csv(std::ostream &out, const Results &results)
+{
+  use_all_digits(out);
+  out << "cell_minus,cell_plus,x0,y0,x1,y1,nx,ny,length,normal_force,"
+         "tangential_force,strength,utilisation\n";
+  const Scene &scene = results.scene;
+  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    write_row(out, i.cell_minus, i.cell_plus, i.start[0], i.start[1], i.end[0],
+              i.end[1], i.normal[0], i.normal[1], i.length,
+              results.forces.normal[e], results.forces.tangential[e],
+              scene.strength[e], utilisation(scene, results.forces, e));
+  }
+}
+
+void write_cells_csv(std::ostream &out, const Results &results)
+{
+  use_all_digits(out);
+  out << "id,x,y,area,load_x,load_y,ux,uy,torque,sxx,sxy,syx,syy\n";
+  const Packing &packing = results.scene.packing;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const dealii::Tensor<2, 2> &s = results.mean_stresses[c];
+    write_row(out, c, packing.centre(c)[0], packing.centre(c)[1],
+              packing.area(c), results.scene.load[c][0],
+              results.scene.load[c][1], results.displacement[c][0],
+              results.displacement[c][1], results.torques[c], s[0][0], s[0][1],
+              s[1][0], s[1][1]);
+  }
+}
+} // namespace Voussoir

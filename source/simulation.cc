@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/output/csv.h>
+#include <voussoir/output/result_directory.h>
+#include <voussoir/output/summary.h>
+#include <voussoir/output/vtu.h>
+#include <voussoir/simulation.h>
+#include <voussoir/statics/certificate.h>
+#include <voussoir/stress/cell_means.h>
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+namespace
+{
+/**
+ * The largest residual or violation in a certificate with which a state still
+ * counts as solved; more only if the user asked for a looser tolerance.
+ */
+constexpr double largest_accepted_error = 1e-6;
+
+/**
+ * How much room above 'Solver/Tolerance' the certificate gets, whose norm and
+ * reference force are others than the solver's.
+ */
+constexpr double tolerance_allowance = 10.;
+
+/** The largest relative closing of a joint in a mechanism, for rounding. */
+constexpr double largest_closing = 1e-12;
+} // namespace
+
+Simulation::Simulation(Terminal &terminal) : terminal(terminal)
+{
+}
+
+void Simulation::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Title", title, "A title for the results.", Anything());
+  prm.add_parameter("Output directory", output_directory,
+                    "Where the results go; created if need be. A relative path "
+                    "starts at the directory that the program is run in.",
+                    Anything());
+  solver.add_parameters(prm);
+  packing.add_parameters(prm);
+  loads.add_parameters(prm);
+  friction.add_parameters(prm);
+  stress.add_parameters(prm);
+  prm.enter_subsection("Output");
+  prm.add_parameter("Verbosity", verbosity,
+                    "0: the closing summary alone; 1: also the stages; 2: also "
+                    "the iterations of the solver.",
+                    Integer(0, 2));
+  prm.leave_subsection();
+}
+
+ExitStatus Simulation::run(const dealii::ParameterHandler &prm,
+                           const std::filesystem::path &directory)
+{
+  terminal.set_verbosity(verbosity);
+  dealii::TimerOutput timer(std::cout, dealii::TimerOutput::never,
+                            dealii::TimerOutput::wall_times);
+  ResultDirectory check_early(output_directory);
+
+  timer.enter_subsection("packing");
+  const Scene scene = make_scene(directory);
+  terminal.stage("Packing",
+                 text(scene.packing.n_cells(), " cells, ",
+                      scene.packing.interfaces().size(), " interfaces, ",
+                      scene.packing.boundary_edges().size(),
+                      " boundary edges"));
+  timer.leave_subsection();
+
+  timer.enter_subsection("statics");
+  const Formulation &formulation = solver.formulation();
+  const DiscreteProblem problem(scene);
+  const Solution solution =
+      formulation.solve(problem, solver.controls(), terminal);
+  terminal.stage("Statics",
+                 text(formulation.name(), ": ", solution.outcome, " after ",
+                      solution.n_iterations, " iterations, ",
+                      solution.n_evaluations, " evaluations"));
+  timer.leave_subsection();
+  if (solution.mechanism)
+  {
+    report_collapse(scene, *solution.mechanism);
+    return ExitStatus::load_not_carried;
+  }
+
+  Results results(scene);
+  results.title = title;
+  results.status = "solved";
+  results.formulation = formulation.name();
+  results.selection = formulation.selection();
+  results.n_iterations = solution.n_iterations;
+  results.n_evaluations = solution.n_evaluations;
+  results.forces = dimensional_forces(problem, solution);
+  results.displacement = solution.displacement;
+  results.certificate = certify(scene, results.forces);
+  check_certificate(results.certificate, solution);
+
+  timer.enter_subsection("stress");
+  results.torques = residual_torques(scene, results.forces);
+  results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  if (stress.reconstruct())
+  {
+    results.stress = reconstruct_stress(scene, results.forces, terminal);
+    terminal.stage("Stress",
+                   text(results.stress.sub_cells.size(), " sub-cells"));
+    for (const std::string &warning : undetermined_cells(scene, results.stress))
+      terminal.warning(warning);
+  }
+  timer.leave_subsection();
+
+  results.timings =
+      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  write(results, prm);
+  show_summary(terminal, results);
+  return ExitStatus::solved;
+}
+
+Scene Simulation::make_scene(const std::filesystem::path &directory) const
+{
+  Packing blocks = packing.make_packing(directory);
+  std::vector<double> strengths = friction.strengths(blocks);
+  std::vector<dealii::Tensor<1, 2>> tractions = loads.tractions(blocks);
+  return {std::move(blocks), std::move(strengths), std::move(tractions)};
+}
+
+void Simulation::check_certificate(const Certificate &certificate,
+                                   const Solution &solution) const
+{
+  const double limit =
+      std::max(largest_accepted_error,
+               tolerance_allowance * solver.controls().tolerance);
+  if (!(certificate.equilibrium_residual <= limit) ||
+      !(certificate.admissibility_violation <= limit))
+    throw SolverError(text(
+        "The solver ", solution.outcome, " after ", solution.n_iterations,
+        " iterations, without forces that balance the load: the certificate "
+        "finds a residual of ",
+        certificate.equilibrium_residual, " and a violation of ",
+        certificate.admissibility_violation,
+        " of the largest load on a cell. The load may be close to what the "
+        "packing can carry; try a larger 'Solver/Maximum iterations', or a "
+        "slightly smaller load."));
+}
+
+void Simulation::report_collapse(const Scene &scene,
+                                 const Mechanism &mechanism) const
+{
+  const MechanismCertificate proof =
+      certify_mechanism(scene, mechanism.displacement);
+  if (!(proof.closing_violation <= largest_closing) ||
+      !(proof.work_over_dissipation > 1.))
+    throw SolverError(text("The solver proposes a collapse mechanism, but it "
+                           "closes joints by ",
+                           proof.closing_violation,
+                           " of its size and the ratio of work to dissipation "
+                           "is ",
+                           proof.work_over_dissipation, "."));
+  terminal.summary("Status", "collapse");
+  terminal.summary("Mechanism",
+                   text("the load does ", proof.work_over_dissipation,
+                        " times the work that friction can dissipate"));
+}
+
+void Simulation::write(const Results &results,
+                       const dealii::ParameterHandler &prm) const
+{
+  ResultDirectory files(output_directory);
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name, [&](std::ostream &out) { writer(out, results); });
+  };
+  add("interfaces.csv", write_interfaces_csv);
+  add("cells.csv", write_cells_csv);
+  add("interfaces.vtu", write_interfaces_vtu);
+  if (stress.reconstruct())
+    add("stress.vtu", write_stress_vtu);
+  files.write("parameters.prm", [&](std::ostream &out) {
+    using Style = dealii::ParameterHandler;
+    prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
+  });
+  add("summary.json", write_summary_json); // last: it marks a complete set
+  files.publish();
+  terminal.stage("Output", "written to " + output_directory);
+}
+} // namespace Voussoir

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters.h>
+#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/smoothed_friction.h>
+
+namespace Voussoir
+{
+SolverParameters::SolverParameters()
+{
+  // The one place where a formulation is registered.
+  formulations.push_back(std::make_unique<SmoothedFriction>());
+}
+
+void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  std::vector<Choice<unsigned int>> choices;
+  for (unsigned int i = 0; i < formulations.size(); ++i)
+    choices.push_back({i, formulations[i]->name(), formulations[i]->meaning()});
+  add_choice(prm, "Formulation", chosen, choices,
+             "How one of the many admissible and balanced states is selected.");
+
+  prm.enter_subsection("Solver");
+  prm.add_parameter("Tolerance", common.tolerance,
+                    "The largest force imbalance of a cell to stop at, as a "
+                    "fraction of the mean boundary load on a cell.",
+                    Double(1e-14, 1e-2));
+  prm.add_parameter("Maximum iterations", common.n_max_iterations,
+                    "Give up after so many iterations.", Integer(1, 1000000));
+  for (const auto &formulation : formulations)
+  {
+    prm.enter_subsection(formulation->name());
+    formulation->add_parameters(prm);
+    prm.leave_subsection();
+  }
+  prm.leave_subsection();
+}
+
+const Formulation &SolverParameters::formulation() const
+{
+  return *formulations[chosen];
+}
+
+const SolverControls &SolverParameters::controls() const
+{
+  return common;
+}
+
+InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                   const Solution &solution)
+{
+  const double unit = problem.stress_scale() * problem.length_scale();
+  InterfaceForces forces = solution.forces;
+  for (double &f : forces.normal)
+    f *= unit;
+  for (double &f : forces.tangential)
+    f *= unit;
+  return forces;
+}
+} // namespace Voussoir

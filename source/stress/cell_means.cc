@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/stress/cell_means.h>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
+                                             const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  std::vector<Tensor<2, 2>> mean(packing.n_cells());
+  const auto add = [&](const unsigned int cell, const dealii::Point<2> &x,
+                       const Tensor<1, 2> &force) {
+    mean[cell] +=
+        outer_product(force, x - packing.centre(cell)) / packing.area(cell);
+  };
+
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
+    add(i.cell_minus, i.midpoint(), f);
+    add(i.cell_plus, i.midpoint(), -f);
+  }
+  for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
+  {
+    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    add(edge.cell, edge.midpoint(), edge.length * scene.traction[b]);
+  }
+  return mean;
+}
+} // namespace Voussoir
