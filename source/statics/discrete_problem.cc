@@ -108,7 +108,7 @@ const std::vector<unsigned int> &DiscreteProblem::groups() const
 
 double DiscreteProblem::work(const double *u) const
 {
-  double work = 0.;
+  long double work = 0.;
   for (unsigned int c = 0; c < n_cells(); ++c)
     for (unsigned int i = 0; i < 2; ++i)
       work += load[c][i] * u[dof(c, i)];

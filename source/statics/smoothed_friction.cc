@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -24,6 +25,19 @@ using Contact = SmoothedFriction::Contact;
 
 /** What Ipopt takes for infinite. */
 constexpr double ipopt_infinity = 1e20;
+
+/**
+ * The product of normal force and opening at which hard contact stops, over the
+ * tolerance of the solver: near enough to zero not to move the forces, far
+ * enough above the tolerance for the product to be met in every joint.
+ */
+constexpr double central_path_parameter = 100.;
+
+/**
+ * How many iterations without a better balance of forces end the search: at the
+ * very limit of the load the displacements grow until rounding takes over.
+ */
+constexpr unsigned int n_stalled_iterations = 20;
 
 /** The energy of one joint with its derivatives; see SmoothedFriction. */
 class JointLaw
@@ -122,6 +136,8 @@ public:
 
   /** What Ipopt found; filled when it ends. */
   Solution solution;
+  /** Why this program, rather than Ipopt, ended the search. */
+  std::string stop_reason;
 
   bool get_nlp_info(Index &n,
                     Index &m,
@@ -182,9 +198,12 @@ public:
   {
     latest.assign(x, x + n);
     ++solution.n_evaluations;
-    value = -problem.work(x);
+    // Close to the minimum the line search compares energies that differ by
+    // rounding alone; a longer sum keeps it from cutting good steps.
+    long double sum = -problem.work(x);
     for (const Joint &joint : problem.joints())
-      value += law.energy(joint, problem.jump(joint, x));
+      sum += law.energy(joint, problem.jump(joint, x));
+    value = sum;
     return true;
   }
 
@@ -197,6 +216,20 @@ public:
     for (const Joint &joint : problem.joints())
       problem.add_jump_gradient(joint, law.force(joint, problem.jump(joint, x)),
                                 gradient);
+
+    // Without constraints the gradient is the imbalance of the forces.
+    if (contact == Contact::compliant)
+    {
+      double imbalance = 0.;
+      for (Index k = 0; k < n; ++k)
+        imbalance = std::max(imbalance, std::abs(gradient[k]));
+      if (imbalance < least_imbalance)
+      {
+        least_imbalance = imbalance;
+        most_balanced.assign(x, x + n);
+        most_balanced_iteration = solution.n_iterations;
+      }
+    }
     return true;
   }
 
@@ -275,12 +308,23 @@ public:
     terminal.progress("Ipopt", text("iteration ", iteration, ", imbalance ",
                                     inf_du, ", interpenetration ", inf_pr));
     solution.mechanism = find_mechanism(problem, latest);
-    return !solution.mechanism;
+    if (solution.mechanism)
+    {
+      stop_reason = "stopped by a proof of collapse";
+      return false;
+    }
+    if (contact == Contact::compliant &&
+        solution.n_iterations > most_balanced_iteration + n_stalled_iterations)
+    {
+      stop_reason = "stopped at the limit of rounding";
+      return false;
+    }
+    return true;
   }
 
   void finalize_solution(Ipopt::SolverReturn,
                          Index,
-                         const Number *x,
+                         const Number *last_x,
                          const Number *,
                          const Number *,
                          Index m,
@@ -290,6 +334,7 @@ public:
                          const Ipopt::IpoptData *,
                          Ipopt::IpoptCalculatedQuantities *) override
   {
+    const Number *x = most_balanced.empty() ? last_x : most_balanced.data();
     const unsigned int n_joints = problem.joints().size();
     solution.forces.normal.resize(n_joints);
     solution.forces.tangential.resize(n_joints);
@@ -373,6 +418,10 @@ private:
   Terminal &terminal;
   /** The last point that Ipopt tried. */
   std::vector<double> latest;
+  /** Of the points of compliant contact, the one with the best balance. */
+  std::vector<double> most_balanced;
+  double least_imbalance = std::numeric_limits<double>::infinity();
+  unsigned int most_balanced_iteration = 0;
 };
 
 std::string describe(const Ipopt::ApplicationReturnStatus status)
@@ -385,8 +434,6 @@ std::string describe(const Ipopt::ApplicationReturnStatus status)
     return "stopped at a looser tolerance";
   case Ipopt::Search_Direction_Becomes_Too_Small:
     return "stopped at the limit of rounding";
-  case Ipopt::User_Requested_Stop:
-    return "stopped by a proof of collapse";
   case Ipopt::Maximum_Iterations_Exceeded:
     return "reached 'Solver/Maximum iterations'";
   case Ipopt::Diverging_Iterates:
@@ -470,13 +517,19 @@ Solution SmoothedFriction::solve(const DiscreteProblem &problem,
   options->SetIntegerValue("max_iter", controls.n_max_iterations);
   // Convergence is judged by the certificate, so no looser tolerance.
   options->SetIntegerValue("acceptable_iter", 0);
+  // Stop at a given point of the central path and not anywhere near its end:
+  // the normal forces are then those of one barrier problem, to the solver's
+  // precision, and do not depend on the steps that led there.
+  options->SetNumericValue("mu_target",
+                           central_path_parameter * controls.tolerance);
   // Constraints hold as they are, not relaxed.
   options->SetNumericValue("bound_relax_factor", 0.);
   ipopt->Initialize("");
 
   const Ipopt::ApplicationReturnStatus status = ipopt->OptimizeTNLP(
       Ipopt::SmartPtr<Ipopt::TNLP>(Ipopt::GetRawPtr(program)));
-  solution.outcome = describe(status);
+  solution.outcome =
+      program->stop_reason.empty() ? describe(status) : program->stop_reason;
   if (!solution.mechanism)
   {
     if (solution.displacement.empty())
