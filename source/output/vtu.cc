@@ -3,6 +3,8 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -57,6 +59,7 @@ public:
     std::copy(std::begin(corners), std::end(corners), patch.vertices);
     patch.patch_index = i;
     patch.n_subdivisions = 1;
+    patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
     const unsigned int n_points = dealii::GeometryInfo<dim>::vertices_per_cell;
     patch.data.reinit(values.size(), n_points);
     for (unsigned int v = 0; v < values.size(); ++v)
