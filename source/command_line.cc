@@ -107,7 +107,7 @@ ExitStatus run(const Arguments &arguments, std::ostream &out)
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
   return simulation.run(
-      prm, std::filesystem::absolute(arguments.file).parent_path());
+      prm, std::filesystem::canonical(arguments.file).parent_path());
 }
 
 int fail(std::ostream &error,

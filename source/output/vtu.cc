@@ -2,7 +2,6 @@
 #include <voussoir/output/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
-
 #include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>

@@ -23,9 +23,9 @@ constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
 /**
  * Gauss points per direction: exact but for (div sigma, div tau), where 1/det J
- * is singular at the corner of 180 degrees. det J being the area of the sub-cell
- * times the same function of the reference coordinates in all of them, the
- * error is one common factor, which the minimiser does not see.
+ * is singular at the corner of 180 degrees. det J being the area of the
+ * sub-cell times the same function of the reference coordinates in all of them,
+ * the error is one common factor, which the minimiser does not see.
  */
 constexpr unsigned int n_gauss_points = 2;
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Every kind of bad input ends with exit status 2, one message that says what
+// is wrong and what to do, and no file written.
+
+#include <voussoir/command_line.h>
+
+#include "tests.h"
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+void run(const std::vector<std::string> &arguments)
+{
+  std::ostringstream out, error;
+  const int status = Voussoir::run_command_line(arguments, out, error);
+  std::cout << "status " << status << (fs::exists("output") ? " FILES " : " ")
+            << error.str();
+}
+
+/** Run the scene "Generator = Voronoi" of one cell with more settings. */
+void run_with(const std::string &settings)
+{
+  std::ofstream("scene.prm") << "subsection Packing\n subsection Voronoi\n"
+                                "  set Number of points = 3\n end\nend\n"
+                             << settings;
+  run({"scene.prm"});
+}
+
+void run_points(const std::string &points)
+{
+  std::ofstream("points.txt") << points;
+  run_with("subsection Packing\n subsection Voronoi\n  set Points = file\n"
+           "  set Points file = points.txt\n end\nend\n");
+}
+
+int main()
+{
+  // The command line
+  run({});
+  run({"no_such_file.prm"});
+  run({"."});
+  run({"a.prm", "b.prm"});
+  run({"--unknown"});
+  run({"--set"});
+  run_with("");
+  fs::remove_all("output");
+  run({"scene.prm", "--set", "nonsense"});
+  run({"scene.prm", "--set", "Friction/Strenght=1"});
+  run({"scene.prm", "--set", "Frictions/Strength=1"});
+  run({"scene.prm", "--set", "Packing/Generator=magic"});
+
+  // The parameter file
+  run_with("set Tittle = x\n");
+  run_with("subsection Packing\n set Generator = hexagons\nend\n");
+  run_with("subsection Friction\n");
+  run_with("rubbish\n");
+  run_with("subsection Solver\n set Tolerance = -1\nend\n");
+  run_with("subsection Packing\n subsection Voronoi\n"
+           "  set Number of points = 0\n end\nend\n");
+
+  // Expressions
+  run_with("subsection Friction\n set Strength = 1 +\nend\n");
+  run_with("subsection Friction\n set Strength = -2\nend\n");
+  run_with("subsection Friction\n set Strength = 0/0\nend\n");
+  run_with("subsection Loads\n set Traction = nz; 0\nend\n");
+  run_with("subsection Loads\n set Traction = 1\nend\n");
+
+  // Points
+  run_points("0.5 0.5\n0.25\n");
+  run_points("0.5 0.5\n0.25 a\n");
+  run_points("0.5 0.5\n0.25 0.25\n0.5 0.5\n");
+  run_points("0.5 0.5\n0.25 2\n");
+  run_points("# none\n");
+  fs::remove("points.txt");
+  run_with("subsection Packing\n subsection Voronoi\n  set Points = file\n"
+           "  set Points file = points.txt\n end\nend\n");
+
+  // Geometry, loads, and the rest
+  run_with("subsection Packing\n set Generator = running bond\n"
+           " subsection running bond\n  set Width = 0\n end\nend\n");
+  run_with("subsection Packing\n subsection Voronoi\n"
+           "  set Upper right = 0, 1\n end\nend\n");
+  run_with("subsection Loads\n set Traction = 1; 0\nend\n");
+  run_with("subsection Solver\n subsection smoothed friction\n"
+           "  set Smoothing length = 0\n end\nend\n");
+  std::ofstream("file") << "in the way\n";
+  run_with("set Output directory = /dev/null/results\n");
+
+  // A load that is not carried is not bad input, and writes nothing either.
+  run_with("subsection Packing\n set Generator = running bond\nend\n"
+           "subsection Loads\n set Traction = ny; 0\nend\n"
+           "subsection Friction\n set Strength = 0.9\nend\n");
+  // Nor is a solver that is not given the iterations it needs.
+  run_with("subsection Loads\n set Traction = -1.3*nx; -0.7*ny\nend\n"
+           "subsection Packing\n subsection Voronoi\n"
+           "  set Number of points = 200\n end\nend\n"
+           "subsection Friction\n set Strength = 0.3\nend\n"
+           "subsection Solver\n set Maximum iterations = 1\nend\n");
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The command line: help, version, --print-parameters, --set, the saved
+// parameters, and results that do not depend on the directory of the call.
+
+#include <voussoir/command_line.h>
+
+#include "tests.h"
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+std::string read(const std::string &file)
+{
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/** The standard output; "FAILED" if the status is not zero. */
+std::string run(const std::vector<std::string> &arguments)
+{
+  std::ostringstream out, error;
+  const int status = Voussoir::run_command_line(arguments, out, error);
+  return status == 0 ? out.str() : "FAILED: " + error.str();
+}
+
+int main()
+{
+  fs::remove_all("output");
+  fs::remove_all("sub");
+  std::cout << run({"--help"});
+  check("version", run({"--version"}).rfind("voussoir ", 0) == 0);
+
+  // The printed parameters are a parameter file, and describe themselves.
+  const std::string printed = run({"--print-parameters"});
+  std::ofstream("printed.prm") << printed;
+  check("printed parameters can be read",
+        run({"printed.prm", "--print-parameters"}) == printed);
+  const std::string changed =
+      run({"printed.prm", "--print-parameters", "--set", "Friction/Strength=7",
+           "--set", "Packing/Voronoi/Seed=8", "--set", "Title=a = b"});
+  for (const char *line : {"set Strength = 7", "set Seed             = 8",
+                           "set Title            = a = b"})
+    check(line, changed.find(line) != std::string::npos);
+
+  // Paths in a .prm file begin at that file.
+  fs::create_directories("sub");
+  std::ofstream("sub/points.txt") << "0.2 0.5\n0.8 0.5\n";
+  std::ofstream("sub/scene.prm")
+      << "set Output directory = output/scene\n"
+         "subsection Packing\n subsection Voronoi\n  set Points = file\n"
+         "  set Points file = points.txt\n end\nend\n"
+         "subsection Loads\n set Traction = -nx; -ny\nend\n";
+  const std::string out = run({"sub/scene.prm"});
+  check("the scene runs", out.find("solved") != std::string::npos);
+  for (const char *file : {"interfaces.csv", "cells.csv", "interfaces.vtu",
+                           "stress.vtu", "parameters.prm", "summary.json"})
+    check(file, fs::file_size(std::string("output/scene/") + file) > 0);
+  check("nothing is left over",
+        std::distance(fs::directory_iterator("output/scene"),
+                      fs::directory_iterator()) == 6);
+  std::cout << read("output/scene/interfaces.csv");
+
+  // Quiet shows the summary alone, of at most ten lines.
+  const std::string quiet =
+      run({"sub/scene.prm", "--set", "Output/Verbosity=0"});
+  check("at most ten lines",
+        std::count(quiet.begin(), quiet.end(), '\n') <= 10);
+
+  // What is not asked for is not written.
+  run({"sub/scene.prm", "--set", "Stress/Reconstruct=false"});
+  check("no stress.vtu", !fs::exists("output/scene/stress.vtu"));
+}

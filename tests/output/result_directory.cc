@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Results appear together or not at all, and never at the cost of earlier ones.
+
+#include <voussoir/output/result_directory.h>
+
+#include "tests.h"
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+using Voussoir::ResultDirectory;
+
+void show(const std::string &when)
+{
+  std::vector<std::string> names;
+  if (fs::exists("results"))
+    for (const auto &entry : fs::directory_iterator("results"))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  std::cout << when << ":";
+  for (const std::string &name : names)
+  {
+    std::string content;
+    std::getline(std::ifstream("results/" + name) >> std::ws, content);
+    std::cout << ' ' << name << " = " << content << ';';
+  }
+  std::cout << std::endl;
+}
+
+int main()
+{
+  fs::remove_all("results");
+  const auto writer = [](const std::string &content) {
+    return [content](std::ostream &out) {
+      out << content << '\n';
+    };
+  };
+  {
+    ResultDirectory files("results");
+    show("nothing yet");
+    files.write("stress.vtu", writer("first"));
+    files.write("summary.json", writer("first"));
+    files.publish();
+  }
+  show("first run");
+  std::ofstream("results/notes.txt") << "the user's own\n";
+  try
+  {
+    ResultDirectory files("results");
+    files.write("summary.json", writer("second"));
+    throw std::runtime_error("the run fails");
+  }
+  catch (const std::runtime_error &)
+  {
+  }
+  show("after a failure");
+  show_refusal([&] {
+    ResultDirectory files("results");
+    files.write("summary.json",
+                [](std::ostream &out) { out.setstate(std::ios::badbit); });
+  });
+  show("after a failing disk");
+  {
+    ResultDirectory files("results");
+    files.write("summary.json", writer("third"));
+    files.publish();
+  }
+  show("a run without stress.vtu");
+
+  std::ofstream("file") << "in the way\n";
+  try
+  {
+    ResultDirectory files("file/below");
+    std::cout << "FAILED" << std::endl;
+  }
+  catch (const Voussoir::InputError &error)
+  {
+    check("a file in the way is refused",
+          std::string(error.what()).find("is not a directory") !=
+              std::string::npos);
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Which displacements prove that a load is not carried. In the shear wall of
+// strength s, sliding of the courses does 1/s times the work that friction can
+// dissipate; pulling a packing apart dissipates nothing.
+
+#include <voussoir/statics/mechanism.h>
+
+#include "tests.h"
+
+using namespace Voussoir;
+
+/** u_c = G x_c, cell by cell. */
+std::vector<double> affine(const Packing &packing,
+                           const dealii::Tensor<2, 2> &G)
+{
+  std::vector<double> u;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      u.push_back(G[i] * packing.centre(c));
+  return u;
+}
+
+void try_proof(const std::string &what,
+               const Scene &scene,
+               const dealii::Tensor<2, 2> &G)
+{
+  const auto mechanism =
+      find_mechanism(DiscreteProblem(scene), affine(scene.packing, G));
+  std::cout << what << ": ";
+  if (!mechanism)
+  {
+    std::cout << "no proof" << std::endl;
+    return;
+  }
+  const MechanismCertificate proof =
+      certify_mechanism(scene, mechanism->displacement);
+  std::cout << "proof, ratio " << proof.work_over_dissipation << ", closing "
+            << (proof.closing_violation <= 1e-14 ? "none" : "FAILED")
+            << std::endl;
+}
+
+int main()
+{
+  const auto shear = tensor(0, 1, 0, 0);
+  try_proof("sliding, s = 0.5", shear_wall(0.5), shear);
+  try_proof("sliding, s = 0.999", shear_wall(0.999), shear);
+  try_proof("sliding, s = 1.001", shear_wall(1.001), shear);
+  try_proof("sliding backwards", shear_wall(0.5), -shear);
+  try_proof("no motion", shear_wall(0.5), tensor(0, 0, 0, 0));
+  try_proof("a translation", shear_wall(0.5), tensor(0, 0, 0, 0) * 1e300);
+
+  // A closing motion is opened by a dilation, which pressure resists.
+  const auto pressure = tensor(-1, 0, 0, -1), tension = tensor(1, 0, 0, 1);
+  const Scene pressed = scene_under_stress(random_packing(30, 1), 1, pressure);
+  const Scene pulled = scene_under_stress(random_packing(30, 1), 1, tension);
+  try_proof("pressing, closing", pressed, pressure);
+  try_proof("pressing, opening", pressed, tension);
+  try_proof("pulling, opening", pulled, tension);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Without supports the loads must balance on every connected group of cells.
+
+#include "tests.h"
+
+using namespace Voussoir;
+
+using Vector = dealii::Tensor<1, 2>;
+
+int main()
+{
+  show_refusal([] {
+    scene_with(wall(2, 3), 1., [](const dealii::Point<2> &, const Vector &n) {
+      Vector g;
+      g[1] = n[1] > 0.5 ? -1. : 0.;
+      return g;
+    });
+  });
+
+  // Two squares that touch in a point, pushed apart: balanced as a whole, but
+  // not each.
+  CellLoops corner;
+  corner.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {2, 2}, {1, 2}};
+  corner.loops = {0, 1, 2, 3, 2, 4, 5, 6};
+  corner.first = {0, 4, 8};
+  show_refusal([&] {
+    scene_with(Packing(corner), 1.,
+               [](const dealii::Point<2> &x, const Vector &n) {
+                 Vector g;
+                 if (std::abs(n[0]) > 0.5)
+                   g[0] = x[1] < 1. ? -1. : 1.;
+                 return g;
+               });
+  });
+
+  // Under pressure each is balanced by itself, and no force is needed.
+  const Scene scene =
+      scene_under_stress(Packing(corner), 1., tensor(-1, 0, 0, -1));
+  const InterfaceForces forces = Solver().forces(scene);
+  check("two groups under pressure", forces.normal.empty());
+  check_error("their certificate", certify(scene, forces).equilibrium_residual,
+              1e-15);
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_tests_tests_h
+#define voussoir_tests_tests_h
+
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/terminal.h>
+#include <voussoir/packing/running_bond.h>
+#include <voussoir/packing/voronoi_cells.h>
+#include <voussoir/statics/certificate.h>
+#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/scene.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+// What the tests share. A test computes a closed form or a property and says
+// "OK"; small residuals are judged here, since numdiff takes whatever is below
+// 1e-6 for zero.
+
+/** One property: print OK, or FAILED. */
+inline void check(const std::string &what, const bool holds)
+{
+  std::cout << what << ": " << (holds ? "OK" : "FAILED") << std::endl;
+}
+
+/** One error: print OK if it is at most @p bound (so not if it is NaN). */
+inline void
+check_error(const std::string &what, const double error, const double bound)
+{
+  std::cout << what << " <= " << bound << ": ";
+  if (error <= bound)
+    std::cout << "OK" << std::endl;
+  else
+    std::cout << "FAILED with " << error << std::endl;
+}
+
+/** Print what @p action throws as InputError, or that it throws nothing. */
+inline void show_refusal(const std::function<void()> &action)
+{
+  try
+  {
+    action();
+    std::cout << "FAILED: nothing was thrown" << std::endl;
+  }
+  catch (const Voussoir::InputError &error)
+  {
+    std::cout << error.what() << std::endl;
+  }
+}
+
+/** @p n points drawn uniformly over @p rectangle. */
+inline Voussoir::PointList
+random_points(const unsigned int n,
+              const unsigned int seed,
+              const Voussoir::Rectangle &rectangle = {{0., 0.}, {1., 1.}})
+{
+  boost::random::mt19937_64 engine(seed);
+  boost::random::uniform_01<double> uniform;
+  Voussoir::PointList list;
+  list.points.resize(n);
+  for (dealii::Point<2> &p : list.points)
+    for (unsigned int i = 0; i < 2; ++i)
+      p[i] = rectangle.lower_left[i] +
+             uniform(engine) *
+                 (rectangle.upper_right[i] - rectangle.lower_left[i]);
+  return list;
+}
+
+inline Voussoir::Packing random_packing(const unsigned int n,
+                                        const unsigned int seed,
+                                        const Voussoir::Rectangle &rectangle = {
+                                            {0., 0.}, {1., 1.}})
+{
+  return Voussoir::Packing(
+      voronoi_cells(random_points(n, seed, rectangle), rectangle));
+}
+
+inline dealii::Tensor<2, 2>
+tensor(const double xx, const double xy, const double yx, const double yy)
+{
+  dealii::Tensor<2, 2> S;
+  S[0][0] = xx;
+  S[0][1] = xy;
+  S[1][0] = yx;
+  S[1][1] = yy;
+  return S;
+}
+
+/** A running bond wall from the names and values of its parameters. */
+inline Voussoir::Packing wall(const unsigned int n_courses,
+                              const unsigned int n_bricks,
+                              const double width = 1.,
+                              const double height = 1.)
+{
+  Voussoir::RunningBondGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("Courses", static_cast<long int>(n_courses));
+  prm.set("Bricks per course", static_cast<long int>(n_bricks));
+  prm.set("Width", width);
+  prm.set("Height", height);
+  return Voussoir::Packing(generator.generate(""));
+}
+
+/** A scene with one strength everywhere, under the tractions g(x, n). */
+template <typename Traction>
+Voussoir::Scene
+scene_with(Voussoir::Packing packing, const double strength, const Traction &g)
+{
+  std::vector<dealii::Tensor<1, 2>> tractions;
+  for (const auto &edge : packing.boundary_edges())
+    tractions.push_back(g(edge.midpoint(), edge.normal));
+  std::vector<double> strengths(packing.interfaces().size(), strength);
+  return Voussoir::Scene(std::move(packing), strengths, tractions);
+}
+
+/** A scene with one strength everywhere, under the tractions S n. */
+inline Voussoir::Scene scene_under_stress(Voussoir::Packing packing,
+                                          const double strength,
+                                          const dealii::Tensor<2, 2> &S)
+{
+  return scene_with(std::move(packing), strength,
+                    [&](const dealii::Point<2> &,
+                        const dealii::Tensor<1, 2> &n) { return S * n; });
+}
+
+/** The shear wall of 12 courses of 6 bricks: +1 along the top, -1 below. */
+inline Voussoir::Scene shear_wall(const double strength)
+{
+  return scene_with(
+      wall(12, 6), strength,
+      [](const dealii::Point<2> &, const dealii::Tensor<1, 2> &n) {
+        dealii::Tensor<1, 2> g;
+        g[0] = n[1];
+        return g;
+      });
+}
+
+/** A formulation with the settings "entry = value" of its own subsection. */
+struct Solver
+{
+  explicit Solver(const std::string &settings = "",
+                  const std::string &formulation = "smoothed friction")
+      : quiet(nowhere, 0)
+  {
+    parameters.add_parameters(prm);
+    prm.parse_input_from_string("set Formulation = " + formulation +
+                                "\nsubsection Solver\nsubsection " +
+                                formulation + "\n" + settings + "\nend\nend\n");
+  }
+
+  Voussoir::Solution solve(const Voussoir::DiscreteProblem &problem)
+  {
+    return parameters.formulation().solve(problem, parameters.controls(),
+                                          quiet);
+  }
+
+  /** The forces in the units of the scene. */
+  Voussoir::InterfaceForces forces(const Voussoir::Scene &scene)
+  {
+    const Voussoir::DiscreteProblem problem(scene);
+    return dimensional_forces(problem, solve(problem));
+  }
+
+  dealii::ParameterHandler prm;
+  Voussoir::SolverParameters parameters;
+  std::ostringstream nowhere;
+  Voussoir::Terminal quiet;
+};
+
+/** Two names for the kinds of contact of smoothed friction. */
+inline const std::string compliant = "set Contact = compliant";
+inline const std::string hard = "set Contact = hard";
+
+#endif
