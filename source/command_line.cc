@@ -19,6 +19,15 @@ namespace
 {
 namespace po = boost::program_options;
 
+/** The exit status of the program; see run_command_line(). */
+enum class ExitStatus
+{
+  solved = 0,
+  bad_input = 2,
+  load_not_carried = 3,
+  solver_failed = 4
+};
+
 struct Arguments
 {
   std::string file;
@@ -85,7 +94,7 @@ Arguments parse(const std::vector<std::string> &words)
   return arguments;
 }
 
-ExitStatus run(const Arguments &arguments, std::ostream &out)
+void run(const Arguments &arguments, std::ostream &out)
 {
   Terminal terminal(out);
   Simulation simulation(terminal);
@@ -101,13 +110,16 @@ ExitStatus run(const Arguments &arguments, std::ostream &out)
     prm.print_parameters(out,
                          dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder);
-    return ExitStatus::solved;
+    return;
   }
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
-  return simulation.run(
-      prm, std::filesystem::canonical(arguments.file).parent_path());
+  // Where the file really is, should its name be a link; relative to the
+  // working directory, for messages that a user recognises.
+  namespace fs = std::filesystem;
+  simulation.run(prm,
+                 fs::proximate(fs::canonical(arguments.file).parent_path()));
 }
 
 int fail(std::ostream &error,
@@ -141,17 +153,16 @@ int run_command_line(const std::vector<std::string> &words,
       out << "voussoir " << VOUSSOIR_VERSION << '\n';
       return 0;
     }
-    const ExitStatus status = run(arguments, out);
-    if (status == ExitStatus::load_not_carried)
-      return fail(error, status,
-                  "The load is not carried: no forces within the strengths of "
-                  "the interfaces balance it, as the mechanism above proves. "
-                  "Change 'Loads' or raise 'Friction/Strength'.");
-    return static_cast<int>(status);
+    run(arguments, out);
+    return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)
   {
     return fail(error, ExitStatus::bad_input, e.what());
+  }
+  catch (const LoadNotCarried &e)
+  {
+    return fail(error, ExitStatus::load_not_carried, e.what());
   }
   catch (const SolverError &e)
   {

@@ -12,6 +12,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Voussoir
 {
@@ -58,8 +59,8 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-ExitStatus Simulation::run(const dealii::ParameterHandler &prm,
-                           const std::filesystem::path &directory)
+void Simulation::run(const dealii::ParameterHandler &prm,
+                     const std::filesystem::path &directory)
 {
   terminal.set_verbosity(verbosity);
   dealii::TimerOutput timer(std::cout, dealii::TimerOutput::never,
@@ -86,10 +87,7 @@ ExitStatus Simulation::run(const dealii::ParameterHandler &prm,
                       solution.n_evaluations, " evaluations"));
   timer.leave_subsection();
   if (solution.mechanism)
-  {
     report_collapse(scene, *solution.mechanism);
-    return ExitStatus::load_not_carried;
-  }
 
   Results results(scene);
   results.title = title;
@@ -120,7 +118,6 @@ ExitStatus Simulation::run(const dealii::ParameterHandler &prm,
       timer.get_summary_data(dealii::TimerOutput::total_wall_time);
   write(results, prm);
   show_summary(terminal, results);
-  return ExitStatus::solved;
 }
 
 Scene Simulation::make_scene(const std::filesystem::path &directory) const
@@ -164,9 +161,17 @@ void Simulation::report_collapse(const Scene &scene,
                            "is ",
                            proof.work_over_dissipation, "."));
   terminal.summary("Status", "collapse");
-  terminal.summary("Mechanism",
-                   text("the load does ", proof.work_over_dissipation,
-                        " times the work that friction can dissipate"));
+
+  std::ostringstream ratio;
+  ratio.precision(10); // close to the limit it is hardly above one
+  ratio << proof.work_over_dissipation;
+  throw LoadNotCarried(
+      "The load is not carried: along a mechanism of the blocks that closes no "
+      "joint it does " +
+      ratio.str() +
+      " times the work that friction can dissipate, so that no forces within "
+      "the strengths of the interfaces balance it. Change 'Loads' or raise "
+      "'Friction/Strength'.");
 }
 
 void Simulation::write(const Results &results,

@@ -14,7 +14,8 @@ namespace Voussoir
  * @param arguments those after the name of the program.
  * @param out takes the stages and the summary.
  * @param error takes the one message of a run that did not solve its scene.
- * @return the exit status, see ExitStatus. Never throws.
+ * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
+ *   the solver failed. Never throws.
  */
 int run_command_line(const std::vector<std::string> &arguments,
                      std::ostream &out,

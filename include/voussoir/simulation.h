@@ -17,15 +17,6 @@
 
 namespace Voussoir
 {
-/** How a run ended; the exit status of the program. */
-enum class ExitStatus
-{
-  solved = 0,
-  bad_input = 2,
-  load_not_carried = 3,
-  solver_failed = 4
-};
-
 /**
  * One run, from the parameters to the files: packing, statics, stress, output.
  */
@@ -42,16 +33,17 @@ public:
    *
    * @param prm the parsed parameters, to be saved beside the results.
    * @param directory that of the .prm file, where relative paths begin.
-   * @throws InputError, SolverError.
+   * @throws InputError, LoadNotCarried, SolverError.
    */
-  ExitStatus run(const dealii::ParameterHandler &prm,
-                 const std::filesystem::path &directory);
+  void run(const dealii::ParameterHandler &prm,
+           const std::filesystem::path &directory);
 
 private:
   Scene make_scene(const std::filesystem::path &directory) const;
   void check_certificate(const Certificate &certificate,
                          const Solution &solution) const;
-  void report_collapse(const Scene &scene, const Mechanism &mechanism) const;
+  [[noreturn]] void report_collapse(const Scene &scene,
+                                    const Mechanism &mechanism) const;
   void write(const Results &results, const dealii::ParameterHandler &prm) const;
 
   Terminal &terminal;

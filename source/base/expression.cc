@@ -20,8 +20,10 @@ namespace
 [[noreturn]] void refuse(const std::string &formula,
                          const std::string &parameter,
                          const std::vector<std::string> &variables,
-                         const std::string &reason)
+                         std::string reason)
 {
+  if (reason.back() != '.') // muParser is of two minds about it
+    reason += '.';
   std::string names;
   for (const std::string &name : variables)
     names += (names.empty() ? "" : ", ") + name;

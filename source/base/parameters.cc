@@ -10,22 +10,52 @@ namespace Voussoir
 {
 namespace
 {
+/** Whether @p text begins with @p start; then remove it. */
+bool take(std::string &text, const std::string &start)
+{
+  const bool found = text.compare(0, start.size(), start) == 0;
+  if (found)
+    text.erase(0, start.size());
+  return found;
+}
+
 /**
- * What deal.II's parser has to say about a bad entry, as one line: without the
- * angle brackets and line breaks that it is wrapped in.
+ * What deal.II's parser has to say about a bad entry, as one sentence: without
+ * its line breaks and angle brackets. It begins with "Line <7> of file
+ * <name>:", which is of use for a file with several lines only.
  */
-std::string one_line(const dealii::ExceptionBase &exception)
+std::string explain(const dealii::ExceptionBase &exception,
+                    const std::string &name,
+                    const bool is_file)
 {
   std::ostringstream out;
   exception.print_info(out);
   std::string message = std::regex_replace(out.str(), std::regex("\\s+"), " ");
   message = std::regex_replace(message, std::regex("^ | $"), "");
-  return std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
+
+  std::string place = is_file ? "'" + name + "'" : name;
+  if (take(message, "Line <"))
+  {
+    const std::string line = message.substr(0, message.find('>'));
+    if (take(message, line + "> of file <" + name))
+    {
+      take(message, ">");
+      take(message, ":");
+      take(message, " ");
+    }
+    if (is_file)
+      place = "Line " + line + " of " + place;
+  }
+  message = std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
+  if (message.back() != '.')
+    message += '.';
+  return place + ": " + message;
 }
 
 void parse(dealii::ParameterHandler &prm,
            std::istream &in,
-           const std::string &name)
+           const std::string &name,
+           const bool is_file)
 {
   try
   {
@@ -33,7 +63,8 @@ void parse(dealii::ParameterHandler &prm,
   }
   catch (const dealii::ExceptionBase &exception)
   {
-    throw InputError(one_line(exception) + " " + how_to_list_parameters);
+    throw InputError(explain(exception, name, is_file) + " " +
+                     how_to_list_parameters);
   }
 }
 } // namespace
@@ -50,7 +81,7 @@ void read_parameters(dealii::ParameterHandler &prm,
     throw InputError("The parameter file '" + file.string() +
                      "' cannot be read. Give the path of a .prm file, such as "
                      "prm/shear_wall.prm.");
-  parse(prm, in, file.string());
+  parse(prm, in, file.string(), true);
 }
 
 void assign_parameter(dealii::ParameterHandler &prm,
@@ -70,6 +101,6 @@ void assign_parameter(dealii::ParameterHandler &prm,
   }
   std::istringstream in(opening + "set " + name + " = " +
                         assignment.substr(equals + 1) + "\n" + closing);
-  parse(prm, in, "--set " + assignment);
+  parse(prm, in, "--set " + assignment, false);
 }
 } // namespace Voussoir

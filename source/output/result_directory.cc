@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace Voussoir
 {
@@ -22,9 +23,9 @@ const std::vector<std::string> all_result_files = {
 } // namespace
 
 ResultDirectory::ResultDirectory(fs::path directory_in)
-    : directory(fs::absolute(directory_in))
+    : directory(std::move(directory_in))
 {
-  fs::path existing = directory;
+  fs::path existing = fs::absolute(directory);
   while (!fs::exists(existing) && existing.has_relative_path())
     existing = existing.parent_path();
   if (!fs::is_directory(existing))
@@ -55,11 +56,13 @@ void ResultDirectory::write(const std::string &name,
     staging = path;
   }
 
+  errno = 0;
   std::ofstream out(staging / name);
   writer(out);
   out.close();
   if (!out)
-    refuse(std::string("writing ") + name + " failed: " + std::strerror(errno));
+    refuse("writing " + name + " failed" +
+           (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
   written.push_back(name);
 }
 

@@ -52,7 +52,7 @@ refuse_cell(unsigned int cell, const Point<2> &place, const std::string &fault)
 Tensor<1, 2> Packing::Interface::tangent() const
 {
   Tensor<1, 2> t;
-  t[0] = -normal[1];
+  t[0] = 0. - normal[1]; // not -0
   t[1] = normal[0];
   return t;
 }
@@ -100,7 +100,7 @@ void Packing::measure_and_check()
     }
     if (!(area > 0.) || !std::isfinite(area))
       refuse_cell(c, origin,
-                  text("has the area ", area,
+                  text("has the area ", text_of_number(area),
                        "; its vertices must be finite and run "
                        "counterclockwise around a positive area."));
     areas[c] = area;
@@ -174,7 +174,7 @@ void Packing::find_edges()
       const double length = edge.norm();
       Tensor<1, 2> normal;
       normal[0] = edge[1] / length;
-      normal[1] = 0. - edge[0] / length; // not -0
+      normal[1] = 0. - edge[0] / length;
 
       Side &side = side_list[mesh.first[c] + i];
       if (other == none)

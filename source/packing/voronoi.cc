@@ -60,9 +60,10 @@ VoronoiGenerator::generate(const std::filesystem::path &directory) const
     throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
                      "Points file' names none.");
 
-  PointList generators = source == Source::file
-                             ? read_points_file(directory / points_file)
-                             : random_points();
+  PointList generators =
+      source == Source::file
+          ? read_points_file((directory / points_file).lexically_normal())
+          : random_points();
   CellLoops cells = voronoi_cells(generators, rectangle);
   for (unsigned int step = 0; step < n_lloyd_steps; ++step)
   {

@@ -53,14 +53,9 @@ void DiscreteProblem::choose_scales(const Scene &scene)
   double total = 0.;
   for (const Tensor<1, 2> &F : scene.load)
     total += F.norm();
-  stress_unit = total / std::sqrt(area);
-  if (!(stress_unit > 0.)) // no load: the strength is all there is
-    stress_unit =
-        scene.strength.empty()
-            ? 1.
-            : *std::max_element(scene.strength.begin(), scene.strength.end());
-  if (!(stress_unit > 0.))
-    stress_unit = 1.;
+  has_load = total > 0.;
+  if (has_load)
+    stress_unit = total / std::sqrt(area);
 }
 
 void DiscreteProblem::remove_group_means(std::vector<Tensor<1, 2>> &v) const
@@ -94,6 +89,11 @@ const std::vector<DiscreteProblem::Joint> &DiscreteProblem::joints() const
 const std::vector<Tensor<1, 2>> &DiscreteProblem::loads() const
 {
   return load;
+}
+
+bool DiscreteProblem::is_loaded() const
+{
+  return has_load;
 }
 
 const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const

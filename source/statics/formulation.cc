@@ -5,6 +5,21 @@
 
 namespace Voussoir
 {
+Solution Formulation::solve(const DiscreteProblem &problem,
+                            const SolverControls &controls,
+                            Terminal &terminal) const
+{
+  if (!problem.joints().empty() && problem.is_loaded())
+    return select(problem, controls, terminal);
+
+  Solution nothing;
+  nothing.forces.normal.resize(problem.joints().size());
+  nothing.forces.tangential.resize(problem.joints().size());
+  nothing.displacement.resize(problem.n_cells());
+  nothing.outcome = "nothing to balance";
+  return nothing;
+}
+
 SolverParameters::SolverParameters()
 {
   // The one place where a formulation is registered.

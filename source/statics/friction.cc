@@ -46,8 +46,8 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
       const double value = s_T({p[0], p[1]});
       if (!std::isfinite(value) || value < 0.)
         throw InputError(
-            text("'", name, "' = '", strength, "' is ", value, " at ",
-                 text_of_point(p), ", on the interface of cells ",
+            text("'", name, "' = '", strength, "' is ", text_of_number(value),
+                 " at ", text_of_point(p), ", on the interface of cells ",
                  interface.cell_minus, " and ", interface.cell_plus,
                  "; a strength must be finite and not negative."));
       mean += quadrature.weight(q) * value;

@@ -74,9 +74,10 @@ LoadParameters::tractions_of_expression(const Packing &packing) const
         const double value = g[i]({p[0], p[1], edge.normal[0], edge.normal[1]});
         if (!std::isfinite(value))
           throw InputError(text("'", name, "' has the component '",
-                                components[i], "', which is ", value, " at ",
-                                text_of_point(p), ", on the boundary of cell ",
-                                edge.cell, "; a traction must be finite."));
+                                components[i], "', which is ",
+                                text_of_number(value), " at ", text_of_point(p),
+                                ", on the boundary of cell ", edge.cell,
+                                "; a traction must be finite."));
         mean[i] += quadrature.weight(q) * value;
       }
     tractions.push_back(mean);

@@ -482,28 +482,17 @@ void SmoothedFriction::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Smoothing length", smoothing_length,
                     "The length eps in sqrt(x^2 + eps^2) - eps. It is the unit "
                     "of the displacements in the results and changes nothing "
-                    "else; a length, positive.",
-                    Double(0.));
+                    "else; a length.",
+                    Double(1e-100, 1e100));
 }
 
-Solution SmoothedFriction::solve(const DiscreteProblem &problem,
-                                 const SolverControls &controls,
-                                 Terminal &terminal) const
+Solution SmoothedFriction::select(const DiscreteProblem &problem,
+                                  const SolverControls &controls,
+                                  Terminal &terminal) const
 {
-  if (!(smoothing_length > 0.) || !std::isfinite(smoothing_length))
-    throw InputError(text("'Solver/", name(), "/Smoothing length' is ",
-                          smoothing_length,
-                          "; it must be positive and finite."));
-
   const Ipopt::SmartPtr<SmoothedProgram> program =
       new SmoothedProgram(problem, contact, terminal);
   Solution &solution = program->solution;
-  if (problem.joints().empty())
-  {
-    solution.displacement.resize(problem.n_cells());
-    solution.outcome = "no interfaces";
-    return solution;
-  }
 
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt =
       IpoptApplicationFactory();

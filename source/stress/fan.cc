@@ -56,8 +56,7 @@ Fan::Fan(const unsigned int n_sides)
       element(dealii::FE_RaviartThomas<2>(0), 2, dealii::FE_DGQ<2>(0), 1),
       fe_values(element,
                 quadrature_with_centre(),
-                dealii::update_values | dealii::update_gradients |
-                    dealii::update_JxW_values)
+                dealii::update_values | dealii::update_JxW_values)
 {
   centre_point = fe_values.n_quadrature_points - 1;
   make_triangulation();
@@ -92,30 +91,30 @@ void Fan::make_triangulation()
 
 void Fan::number_unknowns()
 {
-  dealii::FEFaceValues<2> face_values(element, dealii::QGauss<1>(1),
-                                      dealii::update_values |
-                                          dealii::update_normal_vectors);
+  dealii::FEValues<2> regular(element, dealii::QGauss<2>(n_gauss_points),
+                              dealii::update_gradients |
+                                  dealii::update_JxW_values);
   std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
 
   local_dofs.reserve(n_sides * element.dofs_per_cell);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
+    regular.reinit(cell);
     cell->get_dof_indices(indices);
     for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
     {
       // In FE_RaviartThomas(0), number k within the element is that of a face.
       const auto [base, face] = element.system_to_base_index(k);
       LocalDof dof = {base.first == 1, base.second, none, 0.};
-      if (!dof.is_multiplier && cell->face(face)->at_boundary())
+      if (!dof.is_multiplier)
       {
-        // Each basis function has unit flux through its face; here its sign.
-        face_values.reinit(cell, face);
         const dealii::FEValuesExtractors::Vector row(2 * dof.row);
-        dof.flux_sign = std::copysign(1., face_values[row].value(k, 0) *
-                                              face_values.normal_vector(0));
+        for (unsigned int q = 0; q < regular.n_quadrature_points; ++q)
+          dof.outward_flux += regular[row].divergence(k, q) * regular.JxW(q);
+        dof.outward_flux = std::round(dof.outward_flux); // 1 or -1
       }
-      else
+      if (dof.is_multiplier || !cell->face(face)->at_boundary())
       {
         if (unknown[indices[k]] == none)
           unknown[indices[k]] = n_unknowns++;
@@ -157,10 +156,10 @@ bool Fan::solve(const Point<2> &centre,
   for (unsigned int i = 0; i < n_sides; ++i, ++cell)
   {
     fe_values.reinit(cell);
-    SubCell result;
     double sub_area = 0.;
-    for (unsigned int q = 0; q < fe_values.n_quadrature_points; ++q)
+    for (unsigned int q = 0; q < centre_point; ++q)
       sub_area += fe_values.JxW(q);
+    SubCell result;
     for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
     {
       const LocalDof &dof = local_dofs[i * element.dofs_per_cell + k];
@@ -169,9 +168,7 @@ bool Fan::solve(const Point<2> &centre,
       const double c = coefficient(dof, fluxes[i]);
       const dealii::FEValuesExtractors::Vector row(2 * dof.row);
       result.stress[dof.row] += c * fe_values[row].value(k, centre_point);
-      for (unsigned int q = 0; q < fe_values.n_quadrature_points; ++q)
-        result.divergence[dof.row] += c * fe_values[row].divergence(k, q) *
-                                      fe_values.JxW(q) / (sub_area * size);
+      result.divergence[dof.row] += c * dof.outward_flux / (sub_area * size);
     }
     sub_cells[i] = result;
   }
@@ -201,7 +198,7 @@ void Fan::place(const Point<2> &centre,
 /** The value of a degree of freedom, once the system is solved. */
 double Fan::coefficient(const LocalDof &dof, const Tensor<1, 2> &flux) const
 {
-  return dof.unknown == none ? dof.flux_sign * flux[dof.row]
+  return dof.unknown == none ? dof.outward_flux * flux[dof.row]
                              : solution[dof.unknown];
 }
 
@@ -224,10 +221,21 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
         return;
       if (dofs[trial].unknown == none)
         solution[dofs[test].unknown] -=
-            value * dofs[trial].flux_sign * fluxes[i][dofs[trial].row];
+            value * coefficient(dofs[trial], fluxes[i]);
       else
         matrix(dofs[test].unknown, dofs[trial].unknown) += value;
     };
+
+    // The divergence of a basis function of unit flux is +-1 / det J: the
+    // integral of the product of two is +-1 times that of 1 / det J over the
+    // reference square. From the derivatives of the basis functions the same
+    // would come out with a rounding error that ruins slender sub-cells.
+    double inverse_det_J = 0.;
+    for (unsigned int q = 0; q < centre_point; ++q)
+    {
+      const double weight = fe_values.get_quadrature().weight(q);
+      inverse_det_J += weight * (weight / fe_values.JxW(q));
+    }
 
     for (unsigned int k = 0; k < n_local; ++k)
     {
@@ -235,17 +243,12 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
         continue;
       const dealii::FEValuesExtractors::Vector row(2 * dofs[k].row);
       for (unsigned int l = 0; l < n_local; ++l)
-      {
-        double integral = 0.;
         if (!dofs[l].is_multiplier && dofs[l].row == dofs[k].row)
-        {
-          for (unsigned int q = 0; q < centre_point; ++q)
-            integral += fe_values[row].divergence(k, q) *
-                        fe_values[row].divergence(l, q) * fe_values.JxW(q);
-          add(k, l, integral);
-        }
+          add(k, l,
+              dofs[k].outward_flux * dofs[l].outward_flux * inverse_det_J);
         else if (dofs[l].is_multiplier)
         {
+          double integral = 0.; // tau : j(p)
           for (unsigned int q = 0; q < centre_point; ++q)
           {
             const Tensor<1, 2> tau = fe_values[row].value(k, q);
@@ -255,7 +258,6 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
           add(k, l, integral);
           add(l, k, integral);
         }
-      }
     }
   }
 }

@@ -37,6 +37,11 @@ void run_points(const std::string &points)
 
 int main()
 {
+  // In a directory of its own: the runner of the tests uses the name "output".
+  fs::remove_all("run");
+  fs::create_directory("run");
+  fs::current_path("run");
+
   // The command line
   run({});
   run({"no_such_file.prm"});

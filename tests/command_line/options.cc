@@ -28,8 +28,11 @@ std::string run(const std::vector<std::string> &arguments)
 
 int main()
 {
-  fs::remove_all("output");
-  fs::remove_all("sub");
+  // In a directory of its own: the runner of the tests uses the name "output".
+  fs::remove_all("run");
+  fs::create_directory("run");
+  fs::current_path("run");
+
   std::cout << run({"--help"});
   check("version", run({"--version"}).rfind("voussoir ", 0) == 0);
 

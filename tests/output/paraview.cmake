@@ -1,4 +1,4 @@
-# Run a scene and let ParaView's reader check its files (paraview.py).
+# Run a scene and let ParaView's reader check its files (read_with_paraview.py).
 if(NOT PVPYTHON)
   message(FATAL_ERROR "pvpython is missing; install the package paraview.")
 endif()
@@ -10,7 +10,7 @@ if(NOT status EQUAL 0)
   message(FATAL_ERROR "voussoir ended with status ${status}")
 endif()
 execute_process(
-  COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/paraview.py paraview
+  COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/read_with_paraview.py paraview
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the files are not as they should be")

@@ -54,7 +54,7 @@ int main()
     check_error("regular, n = " + std::to_string(n),
                 error_of(regular, {0, 0}, S), 1e-12);
     check_error("sheared, n = " + std::to_string(n),
-                error_of(sheared, {3, 0}, S), 1e-12);
+                error_of(sheared, {3, 0}, S), 1e-11);
   }
   check_error(
       "100 sides",

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -17,6 +18,12 @@ std::string text(const Arguments &...arguments)
   out.precision(6);
   (out << ... << arguments);
   return out.str();
+}
+
+/** A number that may be none: without the sign that a NaN may have. */
+inline std::string text_of_number(const double x)
+{
+  return std::isnan(x) ? "not a number" : text(x);
 }
 
 /** A point as "(x, y)", with digits enough to find it in a drawing. */

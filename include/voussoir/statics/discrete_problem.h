@@ -59,6 +59,8 @@ public:
   const std::vector<Joint> &joints() const;
   /** F_c; nondimensional. In each connected group they sum to zero. */
   const std::vector<dealii::Tensor<1, 2>> &loads() const;
+  /** Whether there is any load at all. */
+  bool is_loaded() const;
   /** x_c; nondimensional, from the centroid of the packing. */
   const std::vector<dealii::Tensor<1, 2>> &centres() const;
   /** For each cell the lowest cell of its connected group. */
@@ -90,6 +92,7 @@ private:
 
   double length_unit = 1.;
   double stress_unit = 1.;
+  bool has_load = false;
   std::vector<Joint> joint_list;
   std::vector<dealii::Tensor<1, 2>> load;
   std::vector<dealii::Tensor<1, 2>> centre;

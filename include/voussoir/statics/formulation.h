@@ -63,9 +63,15 @@ public:
    *
    * @throws SolverError if the solver ends with neither.
    */
-  virtual Solution solve(const DiscreteProblem &problem,
-                         const SolverControls &controls,
-                         Terminal &terminal) const = 0;
+  Solution solve(const DiscreteProblem &problem,
+                 const SolverControls &controls,
+                 Terminal &terminal) const;
+
+private:
+  /** solve() for a problem with interfaces and a load. */
+  virtual Solution select(const DiscreteProblem &problem,
+                          const SolverControls &controls,
+                          Terminal &terminal) const = 0;
 };
 
 /** The entry `Formulation` and the section `Solver`. */

@@ -39,11 +39,12 @@ public:
   std::string meaning() const override;
   std::string selection() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
-  Solution solve(const DiscreteProblem &problem,
-                 const SolverControls &controls,
-                 Terminal &terminal) const override;
 
 private:
+  Solution select(const DiscreteProblem &problem,
+                  const SolverControls &controls,
+                  Terminal &terminal) const override;
+
   Contact contact = Contact::compliant;
   double smoothing_length = 1.;
 };

@@ -85,8 +85,8 @@ private:
     unsigned int row;
     /** Its unknown, or invalid_unsigned_int if a force prescribes it. */
     unsigned int unknown;
-    /** If prescribed: its value over the outward flux through the half side. */
-    double flux_sign;
+    /** Of a basis function of sigma: its flux out of this sub-cell, 1 or -1. */
+    double outward_flux;
   };
 
   void make_triangulation();
