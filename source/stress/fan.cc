@@ -32,6 +32,12 @@ constexpr unsigned int n_gauss_points = 2;
 /** Ratio of the pivots of a system below which it counts as singular. */
 constexpr double smallest_pivot_ratio = 1e-11;
 
+/**
+ * The area of a sub-cell over the square of its longest side below which the
+ * rounding of the coordinates begins to decide its shape.
+ */
+constexpr double least_slenderness = 1e-11;
+
 /** Gauss points, and last the reference centre, of weight zero. */
 dealii::Quadrature<2> quadrature_with_centre()
 {
@@ -140,7 +146,12 @@ bool Fan::solve(const Point<2> &centre,
   {
     const Tensor<1, 2> a = vertices[i] - centre;
     const Tensor<1, 2> b = vertices[(i + 1) % n_sides] - centre;
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    const double triangle = 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    if (!(triangle >
+          least_slenderness * std::max({a.norm_square(), b.norm_square(),
+                                        (b - a).norm_square()})))
+      return false;
+    area += triangle;
   }
   const double size = std::sqrt(area);
   std::vector<Tensor<1, 2>> fluxes(forces);

@@ -1,0 +1,63 @@
+# What contrib/run and contrib/test share; to be sourced by them.
+
+# The project's top directory.
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+fail() {
+  echo "$(basename "$0"): $1" >&2
+  exit 1
+}
+
+# The packages of contrib/packages.txt: those to run, or with "test" all.
+packages() {
+  awk -v purpose="$1" '!/^#/ && NF && ($2 == "" || $2 == purpose) {print $1}' \
+    "$top/contrib/packages.txt"
+}
+
+# Install those packages that are missing.
+install_packages() {
+  command -v dpkg-query >/dev/null ||
+    fail "this is not Debian; install what contrib/packages.txt lists by hand."
+  local package missing=()
+  for package in $(packages "$1"); do
+    dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null |
+      grep -q '^install ok installed$' || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "run it as root, or install ${missing[*]}."
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq ||
+    fail "the lists of packages cannot be updated."
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
+    fail "the packages cannot be installed."
+}
+
+# Build a target in build/debug or build/release, with options NAME=VALUE for
+# CMake, which runs only if an option or the list of files has changed.
+build() {
+  local type=$1 target=$2 option stale=no
+  shift 2
+  directory="$top/build/${type,,}"
+  for option in "$@"; do
+    grep -qs "^${option%%=*}:[A-Z]*=${option#*=}$" "$directory/CMakeCache.txt" ||
+      stale=yes
+  done
+  [ -f "$directory/Makefile" ] &&
+    [ -z "$(find "$top/tests" -type d -newer "$directory/Makefile")" ] || stale=yes
+  if [ $stale = yes ]; then
+    echo "Configuring $directory"
+    cmake -S "$top" -B "$directory" -DCMAKE_BUILD_TYPE="$type" "${@/#/-D}" \
+      >/dev/null || fail "CMake cannot configure $directory."
+    touch "$directory/Makefile"
+  fi
+  make --no-print-directory -C "$directory" -j "$(nproc)" "$target" |
+    { grep -E '^\[ *[0-9]+%\] (Building|Linking)|\*\*\*' || true; } ||
+    fail "the build in $directory failed."
+}

@@ -1,0 +1,84 @@
+"""A picture of a result: a field of stress.vtu with the interfaces on top.
+
+    xvfb-run -a pvbatch contrib/paraview/picture.py DIRECTORY FIELD PICTURE.png
+        [LIMIT]
+
+DIRECTORY holds the results of voussoir; FIELD is a scalar of stress.vtu, such
+as von_mises, or a component of the stress: sigma_xx, sigma_xy or sigma_yy. The
+colours run from blue at -LIMIT (compression) over white at zero to red at LIMIT
+(tension); by default LIMIT is the largest absolute value. Black lines are the
+interfaces.
+"""
+import math
+import sys
+
+from paraview.simple import (
+    ColorBy, CreateView, GetColorTransferFunction, GetScalarBar, Outline,
+    Render, SaveScreenshot, Show, XMLUnstructuredGridReader)
+
+directory, field, picture = sys.argv[1:4]
+
+
+def read(name):
+    reader = XMLUnstructuredGridReader(FileName=[f"{directory}/{name}"])
+    reader.UpdatePipeline()
+    return reader
+
+
+stress = read("stress.vtu")
+# Where a component of the stress stands among the nine of the tensor.
+components = {"sigma_xx": 0, "sigma_xy": 1, "sigma_yy": 4}
+array = "stress" if field in components else field
+index = components.get(field, 0)
+
+view = CreateView("RenderView")
+view.ViewSize = [800, 800]
+view.Background = [1, 1, 1]
+view.UseColorPaletteForBackground = 0
+view.OrientationAxesVisibility = 0
+view.InteractionMode = "2D"
+
+colours = GetColorTransferFunction(array)
+low, high = stress.PointData.GetArray(array).GetRange(index)
+extent = float(sys.argv[4]) if len(sys.argv) > 4 else max(abs(low), abs(high))
+extent = extent or 1.0
+shown = Show(stress, view)
+ColorBy(shown, ("POINTS", array))
+if array == "stress":
+    colours.VectorMode, colours.VectorComponent = "Component", index
+colours.AutomaticRescaleRangeMode = "Never"
+colours.ColorSpace = "Lab"
+colours.RGBPoints = [-extent, 0.09, 0.28, 0.60,
+                     -0.5 * extent, 0.45, 0.66, 0.85,
+                     0.0, 0.97, 0.97, 0.97,
+                     0.5 * extent, 0.94, 0.60, 0.45,
+                     extent, 0.66, 0.07, 0.12]
+shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
+shown.SetScalarBarVisibility(view, True)
+bar = GetScalarBar(colours, view)
+bar.Title = field
+bar.ComponentTitle = ""
+bar.TitleColor = bar.LabelColor = [0, 0, 0]
+bar.TitleFontSize = bar.LabelFontSize = 20
+bar.Orientation = "Horizontal"
+bar.WindowLocation = "Lower Center"
+bar.ScalarBarLength = 0.5
+
+for source in (read("interfaces.vtu"), Outline(Input=stress)):
+    lines = Show(source, view)
+    lines.ColorArrayName = [None, ""]
+    lines.AmbientColor = lines.DiffuseColor = [0.1, 0.1, 0.1]
+    lines.Ambient, lines.Diffuse = 1.0, 0.0
+    lines.LineWidth = 1.5
+
+bounds = stress.GetDataInformation().GetBounds()
+size = math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2])
+centre = [(bounds[0] + bounds[1]) / 2,
+          (bounds[2] + bounds[3]) / 2 - 0.09 * (bounds[3] - bounds[2])]
+view.CameraParallelProjection = 1
+view.CameraFocalPoint = [*centre, 0]
+view.CameraPosition = [*centre, 10 * size]
+view.CameraParallelScale = 0.62 * max(bounds[3] - bounds[2],
+                                      bounds[1] - bounds[0])
+Render(view)
+SaveScreenshot(picture, view)
