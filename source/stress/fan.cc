@@ -29,8 +29,8 @@ constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
  */
 constexpr unsigned int n_gauss_points = 2;
 
-/** Ratio of the pivots of a system below which it counts as singular. */
-constexpr double smallest_pivot_ratio = 1e-11;
+/** Ratio of the pivots of B B^T below which a cell counts as undetermined. */
+constexpr double smallest_pivot_ratio = 1e-12;
 
 /**
  * The area of a sub-cell over the square of its longest side below which the
@@ -69,8 +69,10 @@ Fan::Fan(const unsigned int n_sides)
   dof_handler.reinit(triangulation);
   dof_handler.distribute_dofs(element);
   number_unknowns();
-  matrix.reinit(n_unknowns);
-  solution.reinit(n_unknowns);
+  matrix.reinit(n_fluxes() + n_sides);
+  gram.reinit(n_sides);
+  gram.set_property(dealii::LAPACKSupport::symmetric);
+  solution.reinit(n_fluxes() + n_sides);
 }
 
 /** A fan in a regular polygon: vertex 0 is the centre, then corners, midpoints.
@@ -100,6 +102,7 @@ void Fan::number_unknowns()
   dealii::FEValues<2> regular(element, dealii::QGauss<2>(n_gauss_points),
                               dealii::update_gradients |
                                   dealii::update_JxW_values);
+  unsigned int n_found = 0;
   std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
 
@@ -120,10 +123,13 @@ void Fan::number_unknowns()
           dof.outward_flux += regular[row].divergence(k, q) * regular.JxW(q);
         dof.outward_flux = std::round(dof.outward_flux); // 1 or -1
       }
-      if (dof.is_multiplier || !cell->face(face)->at_boundary())
+      // Fluxes through spokes come first, then the multipliers.
+      if (dof.is_multiplier)
+        dof.unknown = n_fluxes() + cell->active_cell_index();
+      else if (!cell->face(face)->at_boundary())
       {
         if (unknown[indices[k]] == none)
-          unknown[indices[k]] = n_unknowns++;
+          unknown[indices[k]] = n_found++;
         dof.unknown = unknown[indices[k]];
       }
       local_dofs.push_back(dof);
@@ -160,8 +166,10 @@ bool Fan::solve(const Point<2> &centre,
 
   place(centre, vertices, size);
   assemble(fluxes);
-  if (!factorise_and_solve())
+  if (!is_determined())
     return false;
+  matrix.compute_lu_factorization();
+  matrix.solve(solution);
 
   auto cell = dof_handler.begin_active();
   for (unsigned int i = 0; i < n_sides; ++i, ++cell)
@@ -273,25 +281,38 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
   }
 }
 
-bool Fan::factorise_and_solve()
+/**
+ * Whether the equations (sigma, j(q)) = 0 are independent in the free fluxes:
+ * by the pivots of B B^T, with their matrix B. Unlike the pivots of the whole
+ * system these do not see the weight 1/|sub-cell| of div sigma, which is large
+ * along a short side and harmless.
+ */
+bool Fan::is_determined()
 {
+  for (unsigned int i = 0; i < n_sides; ++i)
+    for (unsigned int j = 0; j <= i; ++j)
+    {
+      double product = 0.;
+      for (unsigned int k = 0; k < n_fluxes(); ++k)
+        product += matrix(n_fluxes() + i, k) * matrix(n_fluxes() + j, k);
+      gram.set(i, j, product);
+      gram.set(j, i, product);
+    }
   try
   {
-    matrix.compute_lu_factorization();
+    gram.compute_cholesky_factorization();
   }
   catch (const dealii::LACExceptions::ExcSingular &)
   {
     return false;
   }
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
-  for (unsigned int k = 0; k < n_unknowns; ++k)
+  for (unsigned int i = 0; i < n_sides; ++i)
   {
-    smallest = std::min(smallest, std::abs(matrix(k, k)));
-    largest = std::max(largest, std::abs(matrix(k, k)));
+    const double pivot = gram(i, i) * gram(i, i);
+    smallest = std::min(smallest, pivot);
+    largest = std::max(largest, pivot);
   }
-  if (!(smallest > smallest_pivot_ratio * largest))
-    return false;
-  matrix.solve(solution);
-  return true;
+  return smallest > smallest_pivot_ratio * largest;
 }
 } // namespace Voussoir

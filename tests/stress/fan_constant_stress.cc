@@ -85,6 +85,19 @@ int main()
                        {50, 0.5}, S),
               1e-9);
 
+  // A corner cut off: the error grows as the rounding of the vertices over the
+  // short side, and the cell stays determined.
+  for (const double cut : {1e-2, 1e-4, 1e-6, 1e-8})
+  {
+    std::ostringstream name;
+    name << "square with a corner cut off by " << cut;
+    check_error(
+        name.str(),
+        cut * error_of({{0, 0}, {1, 0}, {1, 1 - cut}, {1 - cut, 1}, {0, 1}},
+                       {0.5, 0.5}, S),
+        1e-14);
+  }
+
   const Packing packing = random_packing(3000, 1);
   double error = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)

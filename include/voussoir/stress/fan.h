@@ -89,13 +89,19 @@ private:
     double outward_flux;
   };
 
+  /** The free fluxes of both rows of sigma, through one spoke per side. */
+  unsigned int n_fluxes() const
+  {
+    return 2 * n_sides;
+  }
+
   void make_triangulation();
   void number_unknowns();
   void place(const dealii::Point<2> &centre,
              const std::vector<dealii::Point<2>> &vertices,
              double size);
   void assemble(const std::vector<dealii::Tensor<1, 2>> &fluxes);
-  bool factorise_and_solve();
+  bool is_determined();
   double coefficient(const LocalDof &dof,
                      const dealii::Tensor<1, 2> &flux) const;
 
@@ -108,9 +114,9 @@ private:
 
   /** n_sides times dofs_per_cell entries. */
   std::vector<LocalDof> local_dofs;
-  unsigned int n_unknowns = 0;
 
   dealii::LAPACKFullMatrix<double> matrix;
+  dealii::LAPACKFullMatrix<double> gram;
   dealii::Vector<double> solution;
 };
 } // namespace Voussoir
