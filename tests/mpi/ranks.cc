@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "tests.h"
+#include <fstream>
 
 using namespace Voussoir;
 
@@ -24,9 +25,13 @@ int main(int argc, char **argv)
 
   if (rank == 0)
   {
+    // Into a file: the launcher may have something to say on the terminal.
+    std::ofstream file("output");
+    std::streambuf *const terminal = std::cout.rdbuf(file.rdbuf());
     std::cout << "ranks: " << residuals.size() << std::endl;
     for (unsigned int r = 0; r < residuals.size(); ++r)
       check_error("rank " + std::to_string(r) + ": Ipopt's residual",
                   residuals[r], 1e-9);
+    std::cout.rdbuf(terminal);
   }
 }
