@@ -3,6 +3,7 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/smoothed_friction.h>
+#include <voussoir/statics/smoothed_joint.h>
 
 #include <IpIpoptApplication.hpp>
 #include <IpIpoptCalculatedQuantities.hpp>
@@ -21,7 +22,6 @@ namespace
 {
 using Joint = DiscreteProblem::Joint;
 using Jump = DiscreteProblem::Jump;
-using Contact = SmoothedFriction::Contact;
 
 /** What Ipopt takes for infinite. */
 constexpr double ipopt_infinity = 1e20;
@@ -38,86 +38,6 @@ constexpr double central_path_parameter = 100.;
  * very limit of the load the displacements grow until rounding takes over.
  */
 constexpr unsigned int n_stalled_iterations = 20;
-
-/** The energy of one joint with its derivatives; see SmoothedFriction. */
-class JointLaw
-{
-public:
-  JointLaw(const DiscreteProblem &problem, const Contact contact)
-      : contact(contact)
-  {
-    // For hard contact any common smoothing length gives the same forces. The
-    // larger of one and the strongest stress keeps displacements of order one.
-    for (const Joint &joint : problem.joints())
-      common_smoothing =
-          std::max(common_smoothing, joint.strength / joint.length);
-  }
-
-  /** The size of a displacement for eps = 1, in the unknowns' unit. */
-  double displacement_unit() const
-  {
-    return contact == Contact::hard ? 1. / common_smoothing : 1.;
-  }
-
-  /** eps_e; positive wherever the joint has a strength. */
-  double smoothing(const Joint &joint) const
-  {
-    return contact == Contact::hard
-               ? common_smoothing
-               : joint.strength / joint.length * joint.distance;
-  }
-
-  double energy(const Joint &joint, const Jump &jump) const
-  {
-    double energy = 0.;
-    if (joint.strength > 0.)
-    {
-      // sqrt(x^2 + eps^2) - eps without its cancellation
-      const double eps = smoothing(joint), x = jump.tangential;
-      energy += joint.strength * x * (x / (std::hypot(x, eps) + eps));
-    }
-    if (contact == Contact::compliant && jump.normal < 0.)
-      energy += 0.5 * stiffness(joint) * jump.normal * jump.normal;
-    return energy;
-  }
-
-  /** The forces on cell c-, which are the derivatives of the energy. */
-  Jump force(const Joint &joint, const Jump &jump) const
-  {
-    Jump force = {0., 0.};
-    if (joint.strength > 0.)
-      force.tangential =
-          joint.strength *
-          (jump.tangential / std::hypot(jump.tangential, smoothing(joint)));
-    if (contact == Contact::compliant)
-      force.normal = stiffness(joint) * std::min(jump.normal, 0.);
-    return force;
-  }
-
-  /** The second derivatives, which are not mixed. */
-  Jump second_derivative(const Joint &joint, const Jump &jump) const
-  {
-    Jump second = {0., 0.};
-    if (joint.strength > 0.)
-    {
-      const double eps = smoothing(joint);
-      const double r = std::hypot(jump.tangential, eps);
-      second.tangential = joint.strength / r * (eps / r) * (eps / r);
-    }
-    if (contact == Contact::compliant && jump.normal <= 0.)
-      second.normal = stiffness(joint);
-    return second;
-  }
-
-private:
-  static double stiffness(const Joint &joint)
-  {
-    return joint.length / joint.distance;
-  }
-
-  Contact contact;
-  double common_smoothing = 1.;
-};
 
 /** The problem as Ipopt asks for it; the unknowns are those of the problem. */
 class SmoothedProgram : public Ipopt::TNLP
@@ -350,7 +270,7 @@ public:
     for (unsigned int c = 0; c < problem.n_cells(); ++c)
       for (unsigned int i = 0; i < 2; ++i)
         solution.displacement[c][i] =
-            law.displacement_unit() * x[problem.dof(c, i)];
+            x[problem.dof(c, i)] / law.displacement_unit();
   }
 
 private:
@@ -414,7 +334,7 @@ private:
 
   const DiscreteProblem &problem;
   const Contact contact;
-  const JointLaw law;
+  const SmoothedJoint law;
   Terminal &terminal;
   /** The last point that Ipopt tried. */
   std::vector<double> latest;

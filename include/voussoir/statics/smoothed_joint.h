@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_smoothed_joint_h
+#define voussoir_statics_smoothed_joint_h
+
+#include <voussoir/statics/discrete_problem.h>
+
+namespace Voussoir
+{
+/** How two blocks touch; see SmoothedJoint. */
+enum class Contact
+{
+  compliant,
+  hard
+};
+
+/**
+ * The energy of one joint, and its derivatives, with smoothed friction. With
+ * x = [u]_e . t_e and y = [u]_e . n_e it is
+ *
+ *   compliant:  s_e |e| h(x) + k_e min(y, 0)^2 / 2,   k_e = |e| / d_e,
+ *               with eps_e = s_e d_e;
+ *   hard:       s_e |e| h(x), with one eps for all joints (the paper's own
+ *               form; contact is a constraint then),
+ *
+ * where h(x) = sqrt(x^2 + eps_e^2) - eps_e stands for |x|. The tangential force
+ * s_e |e| x / sqrt(x^2 + eps_e^2) never exceeds the strength. All
+ * nondimensional.
+ */
+class SmoothedJoint
+{
+public:
+  using Joint = DiscreteProblem::Joint;
+  using Jump = DiscreteProblem::Jump;
+
+  SmoothedJoint(const DiscreteProblem &problem, Contact contact);
+
+  double energy(const Joint &joint, const Jump &jump) const;
+  /** The forces f_e^n and f_e^t: the first derivatives of the energy. */
+  Jump force(const Joint &joint, const Jump &jump) const;
+  /** The second derivatives; there is no mixed one. */
+  Jump second_derivative(const Joint &joint, const Jump &jump) const;
+
+  /** The displacement that stands for one smoothing length of the user. */
+  double displacement_unit() const;
+
+private:
+  /** eps_e; zero only where the joint has no strength. */
+  double smoothing(const Joint &joint) const;
+
+  Contact contact;
+  double common_smoothing = 1.;
+};
+} // namespace Voussoir
+
+#endif
