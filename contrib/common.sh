@@ -31,7 +31,7 @@ install_packages() {
       fail "run it as root, or install ${missing[*]}."
     as_root=(sudo)
   fi
-  echo "Installing ${missing[*]}"
+  echo "Installing ${missing[*]}" >&2
   "${as_root[@]}" apt-get update -qq ||
     fail "the lists of packages cannot be updated."
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \

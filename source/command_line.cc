@@ -160,6 +160,11 @@ int run_command_line(const std::vector<std::string> &words,
   {
     return fail(error, ExitStatus::bad_input, e.what());
   }
+  catch (const std::filesystem::filesystem_error &e)
+  {
+    return fail(error, ExitStatus::bad_input,
+                std::string("A file or directory cannot be used: ") + e.what());
+  }
   catch (const LoadNotCarried &e)
   {
     return fail(error, ExitStatus::load_not_carried, e.what());

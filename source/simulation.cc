@@ -30,6 +30,9 @@ constexpr double largest_accepted_error = 1e-6;
  */
 constexpr double tolerance_allowance = 10.;
 
+/** A ratio of work to dissipation above which the dissipation is rounding. */
+constexpr double frictionless_ratio = 1e9;
+
 /** The largest relative closing of a joint in a mechanism, for rounding. */
 constexpr double largest_closing = 1e-12;
 } // namespace
@@ -162,16 +165,19 @@ void Simulation::report_collapse(const Scene &scene,
                            proof.work_over_dissipation, "."));
   terminal.summary("Status", "collapse");
 
-  std::ostringstream ratio;
-  ratio.precision(10); // close to the limit it is hardly above one
-  ratio << proof.work_over_dissipation;
+  std::ostringstream resistance;
+  resistance.precision(10); // close to the limit the ratio is hardly above one
+  if (proof.work_over_dissipation < frictionless_ratio)
+    resistance << "it does " << proof.work_over_dissipation
+               << " times the work that friction can dissipate";
+  else
+    resistance << "it does work that friction does not resist";
   throw LoadNotCarried(
       "The load is not carried: along a mechanism of the blocks that closes no "
-      "joint it does " +
-      ratio.str() +
-      " times the work that friction can dissipate, so that no forces within "
-      "the strengths of the interfaces balance it. Change 'Loads' or raise "
-      "'Friction/Strength'.");
+      "joint " +
+      resistance.str() +
+      ", so that no forces within the strengths of the interfaces balance it. "
+      "Change 'Loads' or raise 'Friction/Strength'.");
 }
 
 void Simulation::write(const Results &results,

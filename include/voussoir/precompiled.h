@@ -3,7 +3,7 @@
 #define voussoir_precompiled_h
 
 // The headers that most source files need and that take longest to read.
-#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 

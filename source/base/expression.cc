@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace Voussoir
 {
@@ -38,6 +39,10 @@ Expression::Expression(const std::string &formula,
                        const std::string &parameter)
     : implementation(std::make_unique<Implementation>())
 {
+  // muParser would carry out an assignment, which is a comparison mistyped.
+  if (std::regex_search(formula, std::regex("(^|[^=!<>])=([^=]|$)")))
+    refuse(formula, parameter, variables, "write == to compare.");
+
   mu::Parser &parser = implementation->parser;
   implementation->values.resize(variables.size());
   try

@@ -81,6 +81,16 @@ void read_parameters(dealii::ParameterHandler &prm,
     throw InputError("The parameter file '" + file.string() +
                      "' cannot be read. Give the path of a .prm file, such as "
                      "prm/shear_wall.prm.");
+  // deal.II would look for an included file in the working directory.
+  std::string line;
+  for (unsigned int number = 1; std::getline(in, line); ++number)
+    if (std::regex_search(line, std::regex("^\\s*(include|INCLUDE)\\s")))
+      throw InputError("Line " + std::to_string(number) + " of '" +
+                       file.string() +
+                       "' includes another file; give all parameters in one, "
+                       "or on the command line with --set.");
+  in.clear();
+  in.seekg(0);
   parse(prm, in, file.string(), true);
 }
 

@@ -25,6 +25,8 @@ const std::vector<std::string> all_result_files = {
 ResultDirectory::ResultDirectory(fs::path directory_in)
     : directory(std::move(directory_in))
 {
+  if (directory.empty())
+    throw InputError("'Output directory' is empty; name a directory.");
   fs::path existing = fs::absolute(directory);
   while (!fs::exists(existing) && existing.has_relative_path())
     existing = existing.parent_path();
@@ -69,6 +71,9 @@ void ResultDirectory::write(const std::string &name,
 void ResultDirectory::publish()
 {
   std::error_code error;
+  for (const std::string &name : written)
+    if (fs::is_directory(directory / name, error))
+      refuse("'" + name + "' there is a directory");
   for (const std::string &name : written)
   {
     fs::rename(staging / name, directory / name, error);

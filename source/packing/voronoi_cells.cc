@@ -3,8 +3,11 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/voronoi_cells.h>
 
+#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <boost/pending/disjoint_sets.hpp>
@@ -47,6 +50,33 @@ using FaceBase =
 using Delaunay = CGAL::Delaunay_triangulation_2<
     Kernel,
     CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+/**
+ * The height of a triangle over its longest side below which its circumcentre
+ * is computed with rational numbers: the error of the plain formula grows with
+ * the inverse of that ratio.
+ */
+constexpr double slender_triangle = 0.05;
+
+/** The circumcentre of a finite face, right to rounding whatever its shape. */
+Point<2> circumcentre(const Delaunay::Face_handle &face)
+{
+  const Kernel::Point_2 &a = face->vertex(0)->point();
+  const Kernel::Point_2 &b = face->vertex(1)->point();
+  const Kernel::Point_2 &c = face->vertex(2)->point();
+  const double longest =
+      std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c),
+                CGAL::squared_distance(c, a)});
+  if (2. * CGAL::area(a, b, c) > slender_triangle * longest)
+  {
+    const Kernel::Point_2 q = CGAL::circumcenter(a, b, c);
+    return {q.x(), q.y()};
+  }
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  const CGAL::Cartesian_converter<Kernel, Exact> exact;
+  const Exact::Point_2 q = CGAL::circumcenter(exact(a), exact(b), exact(c));
+  return {CGAL::to_double(q.x()), CGAL::to_double(q.y())};
+}
 
 /** Builds the cells; one object, used once. */
 class VoronoiBuilder
@@ -172,9 +202,9 @@ void VoronoiBuilder::insert_mirror_images()
         sides.set();
       else
       {
-        const Kernel::Point_2 q = triangulation.circumcenter(face);
+        const Point<2> q = circumcentre(face);
         for (unsigned int side = 0; side < n_rectangle_sides; ++side)
-          sides[side] = !(beyond({q.x(), q.y()}, side) < -resolution);
+          sides[side] = !(beyond(q, side) < -resolution);
       }
       for (unsigned int v = 0; v < 3; ++v)
         if (!triangulation.is_infinite(face->vertex(v)))
@@ -213,8 +243,7 @@ void VoronoiBuilder::make_vertices()
 
     // A vertex that a cell shares with a mirror image lies on that side:
     // there the coordinate is known exactly.
-    const Kernel::Point_2 q = triangulation.circumcenter(face);
-    Point<2> vertex(q.x(), q.y());
+    Point<2> vertex = circumcentre(face);
     for (unsigned int side = 0; side < n_rectangle_sides; ++side)
       if (sides[side])
         vertex[side / 2] = side_coordinate(side);

@@ -13,9 +13,10 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
   choose_scales(scene);
   const Packing &packing = scene.packing;
 
+  const double area = packing.area();
   Tensor<1, 2> centroid;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    centroid += packing.area(c) / packing.area() * packing.centre(c);
+    centroid += packing.area(c) / area * packing.centre(c);
   centre.reserve(packing.n_cells());
   load.reserve(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -48,8 +49,8 @@ void DiscreteProblem::choose_scales(const Scene &scene)
   const double area = scene.packing.area();
   length_unit = std::sqrt(area / scene.packing.n_cells());
 
-  // All forces on the packing over its size: the mean boundary traction, or
-  // the pressure at the foot of a wall under its own weight.
+  // All forces on the packing over its size: of the order of the boundary
+  // traction, or of the pressure at the foot of a wall under its own weight.
   double total = 0.;
   for (const Tensor<1, 2> &F : scene.load)
     total += F.norm();

@@ -38,7 +38,8 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.enter_subsection("Solver");
   prm.add_parameter("Tolerance", common.tolerance,
                     "The largest force imbalance of a cell to stop at, as a "
-                    "fraction of the mean boundary load on a cell.",
+                    "fraction of the sum of the sizes of all loads over the "
+                    "square root of the number of cells.",
                     Double(1e-14, 1e-2));
   prm.add_parameter("Maximum iterations", common.n_max_iterations,
                     "Give up after so many iterations.", Integer(1, 1000000));

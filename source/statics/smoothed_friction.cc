@@ -27,11 +27,18 @@ using Jump = DiscreteProblem::Jump;
 constexpr double ipopt_infinity = 1e20;
 
 /**
- * The product of normal force and opening at which hard contact stops, over the
- * tolerance of the solver: near enough to zero not to move the forces, far
- * enough above the tolerance for the product to be met in every joint.
+ * The product of normal force and opening, nondimensional, at which hard
+ * contact stops: near enough to zero not to move the forces, far enough above
+ * the solver's tolerance for the product to be met in every joint.
  */
-constexpr double central_path_parameter = 100.;
+constexpr double central_path_parameter = 1e-8;
+
+/**
+ * With compliant contact the balance of all cells decides when to stop. Ipopt
+ * does not see that of the cells held in place, where the imbalance of all
+ * others adds up, and must not stop before.
+ */
+constexpr double ipopt_over_own_tolerance = 1e-3;
 
 /**
  * How many iterations without a better balance of forces end the search: at the
@@ -48,9 +55,10 @@ public:
 
   SmoothedProgram(const DiscreteProblem &problem,
                   const Contact contact,
+                  const double tolerance,
                   Terminal &terminal)
       : problem(problem), contact(contact), law(problem, contact),
-        terminal(terminal)
+        tolerance(tolerance), terminal(terminal)
   {
   }
 
@@ -233,6 +241,11 @@ public:
       stop_reason = "stopped by a proof of collapse";
       return false;
     }
+    if (contact == Contact::compliant && least_imbalance <= tolerance)
+    {
+      stop_reason = "converged";
+      return false;
+    }
     if (contact == Contact::compliant &&
         solution.n_iterations > most_balanced_iteration + n_stalled_iterations)
     {
@@ -335,6 +348,7 @@ private:
   const DiscreteProblem &problem;
   const Contact contact;
   const SmoothedJoint law;
+  const double tolerance;
   Terminal &terminal;
   /** The last point that Ipopt tried. */
   std::vector<double> latest;
@@ -411,7 +425,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
                                   Terminal &terminal) const
 {
   const Ipopt::SmartPtr<SmoothedProgram> program =
-      new SmoothedProgram(problem, contact, terminal);
+      new SmoothedProgram(problem, contact, controls.tolerance, terminal);
   Solution &solution = program->solution;
 
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt =
@@ -422,15 +436,16 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
   options->SetStringValue("linear_solver", "mumps");
   options->SetStringValue("nlp_scaling_method", "none");
   options->SetStringValue("jac_d_constant", "yes");
-  options->SetNumericValue("tol", controls.tolerance);
+  options->SetNumericValue(
+      "tol", controls.tolerance *
+                 (contact == Contact::hard ? 1. : ipopt_over_own_tolerance));
   options->SetIntegerValue("max_iter", controls.n_max_iterations);
   // Convergence is judged by the certificate, so no looser tolerance.
   options->SetIntegerValue("acceptable_iter", 0);
   // Stop at a given point of the central path and not anywhere near its end:
   // the normal forces are then those of one barrier problem, to the solver's
   // precision, and do not depend on the steps that led there.
-  options->SetNumericValue("mu_target",
-                           central_path_parameter * controls.tolerance);
+  options->SetNumericValue("mu_target", central_path_parameter);
   // Constraints hold as they are, not relaxed.
   options->SetNumericValue("bound_relax_factor", 0.);
   ipopt->Initialize("");

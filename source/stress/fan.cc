@@ -289,6 +289,7 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
  */
 bool Fan::is_determined()
 {
+  gram = 0.; // also forgets the factorisation of the cell before
   for (unsigned int i = 0; i < n_sides; ++i)
     for (unsigned int j = 0; j <= i; ++j)
     {

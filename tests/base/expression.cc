@@ -28,5 +28,6 @@ int main()
   show_refusal([] { value("x +* 2"); });
   show_refusal([] { value("x + z"); });
   show_refusal([] { value(""); });
+  show_refusal([] { value("x = 0.5 ? 1 : 2"); });
   show_refusal([] { value("1, 2"); });
 }

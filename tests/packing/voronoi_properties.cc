@@ -88,6 +88,15 @@ int main()
   check_voronoi("points on a slanted line",
                 points({{0.25, 0.25}, {0.5, 0.5}, {0.125, 0.125}}), unit);
 
+  // Points that leave very slender triangles: on a line, and in a small part of
+  // the rectangle.
+  for (unsigned int seed = 1; seed <= 20; ++seed)
+    for (const Rectangle &part : {Rectangle{{0., 0.3}, {1., 0.3}},
+                                  Rectangle{{0.4, 0.4}, {0.401, 0.401}},
+                                  Rectangle{{0.9, 0.1}, {0.91, 0.11}}})
+      Packing packing(voronoi_cells(random_points(40, seed, part), unit));
+  std::cout << "slender triangles: OK" << std::endl;
+
   // A square grid: every inner vertex is on the circle of four points.
   PointList grid;
   const unsigned int n = 16;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The reconstruction of whole packings: verification 1 and 2 give sigma = S in
-// every sub-cell, homogeneous compression gives -I; the mean over sub-cells is
-// the mean from the forces; the number of threads changes nothing.
+// every sub-cell, homogeneous compression gives -I; the skew part of the mean
+// stress is the residual torque; the number of threads changes nothing.
 
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/stress/reconstruction.h>

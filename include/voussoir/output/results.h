@@ -24,7 +24,7 @@ struct Results
   std::string title;
   std::string formulation;
   std::string selection;
-  /** "solved" or "collapse". */
+  /** "solved". */
   std::string status;
   unsigned int n_iterations = 0;
   unsigned int n_evaluations = 0;

@@ -22,7 +22,7 @@ struct Solution
   InterfaceForces forces;
   /** u_c, with zero mean in each connected group of cells. */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** The proof that the load is not carried; then nothing above is filled. */
+  /** The proof that the load is not carried; then nothing above counts. */
   std::optional<Mechanism> mechanism;
   unsigned int n_iterations = 0;
   /** How often the solver evaluated the energy. */
