@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
+#include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/formulation.h>
+#include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/smoothed_friction.h>
 
 namespace Voussoir
@@ -24,6 +26,8 @@ SolverParameters::SolverParameters()
 {
   // The one place where a formulation is registered.
   formulations.push_back(std::make_unique<SmoothedFriction>());
+  formulations.push_back(std::make_unique<AnalyticCentre>());
+  formulations.push_back(std::make_unique<LeastEnergy>());
 }
 
 void SolverParameters::add_parameters(dealii::ParameterHandler &prm)

@@ -4,33 +4,16 @@
 
 #include <voussoir/base/terminal.h>
 #include <voussoir/statics/discrete_problem.h>
-#include <voussoir/statics/mechanism.h>
+#include <voussoir/statics/solution.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace Voussoir
 {
-/** What a formulation returns; all nondimensional. */
-struct Solution
-{
-  /** f_e^n and f_e^t of each joint. */
-  InterfaceForces forces;
-  /** u_c, with zero mean in each connected group of cells. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
-  /** The proof that the load is not carried; then nothing above counts. */
-  std::optional<Mechanism> mechanism;
-  unsigned int n_iterations = 0;
-  /** How often the solver evaluated the energy. */
-  unsigned int n_evaluations = 0;
-  /** Why the solver stopped, in a few words. */
-  std::string outcome;
-};
-
 /** What all formulations are told about how to solve. */
 struct SolverControls
 {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_joint_system_h
+#define voussoir_statics_joint_system_h
+
+#include <voussoir/statics/discrete_problem.h>
+
+#include <memory>
+#include <vector>
+
+namespace Voussoir
+{
+/** What solves the linear systems; see JointSystem. */
+enum class LinearSolver
+{
+  automatic,
+  direct,
+  multigrid
+};
+
+/**
+ * The linear systems of Newton's method: find u with
+ *
+ *   sum_e B_e^T (a_e^n n_e n_e^T + a_e^t t_e t_e^T) B_e u + shift u = r,
+ *
+ * where B_e u is the jump [u]_e, a_e^n and a_e^t are coefficients of the joints
+ * that are not negative, and the shift is positive, so that the matrix is
+ * symmetric and positive definite.
+ *
+ * `direct` is the sparse Cholesky factorisation of CHOLMOD. If a_e^n = a_e^t in
+ * every joint, the two components of u come apart, and one matrix of half the
+ * size is factorised for both. `multigrid` is the method of conjugate gradients
+ * with Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
+ * `automatic` takes what is faster at the size of the problem.
+ */
+class JointSystem
+{
+public:
+  JointSystem(const DiscreteProblem &problem, LinearSolver kind);
+  ~JointSystem();
+
+  /**
+   * Prepare to solve with the given coefficients, one pair for each joint.
+   *
+   * @return whether the matrix is positive definite in the computer's numbers;
+   *   a larger shift helps if not.
+   */
+  bool prepare(const std::vector<DiscreteProblem::Jump> &coefficients,
+               double shift);
+
+  /** The solution for the right-hand side @p r (n_dofs() numbers). */
+  std::vector<double> solve(const std::vector<double> &r);
+
+private:
+  /** One way to solve. */
+  class Method;
+  class Cholesky;
+  class Multigrid;
+
+  const DiscreteProblem &problem;
+  const LinearSolver kind;
+  std::unique_ptr<Cholesky> one_component;
+  std::unique_ptr<Cholesky> two_components;
+  std::unique_ptr<Multigrid> multigrid;
+  Method *current = nullptr;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_newton_h
+#define voussoir_statics_newton_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/statics/joint_law.h>
+#include <voussoir/statics/joint_system.h>
+#include <voussoir/statics/solution.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Newton's method for the minimum of sum_e energy_e([u]_e) - sum_c F_c . u_c,
+ * in the semismooth sense where the forces have kinks. It is taken step by
+ * step, so that a formulation decides on the course.
+ *
+ * A step aims at the minimum with the proximal term shift / 2 |v - centre|^2
+ * added, which bounds it where no joint holds a cell. A line search follows
+ * until the slope of the energy has nearly vanished; it uses forces only, since
+ * energies cancel.
+ */
+class Newton
+{
+public:
+  using Jump = DiscreteProblem::Jump;
+
+  /** @param u where to begin; the energy must be finite there. */
+  Newton(const DiscreteProblem &problem,
+         const JointLaw &law,
+         JointSystem &system,
+         std::vector<double> u);
+
+  /**
+   * Take one step.
+   *
+   * @return the length of the step, in units of Newton's own.
+   * @throws SolverError if the linear system cannot be factorised.
+   */
+  double step(double shift, const std::vector<double> &centre);
+
+  /** n_dofs() numbers. */
+  const std::vector<double> &u() const;
+  /** [u]_e */
+  const std::vector<Jump> &jumps() const;
+  /** f_e^n and f_e^t */
+  const std::vector<Jump> &forces() const;
+  /** The largest component of the sum of all forces on a cell. */
+  double imbalance() const;
+  /** The same with the force -shift (u - centre) of the proximal term. */
+  double imbalance(double shift, const std::vector<double> &centre) const;
+  /** (r . A^{-1} r)^(1/2) of the last step, r what it had to balance. */
+  double decrement() const;
+
+  unsigned int n_iterations() const;
+  /** How often the forces were evaluated. */
+  unsigned int n_evaluations() const;
+
+private:
+  /** A displacement and what follows from it. */
+  struct State
+  {
+    std::vector<double> u;
+    std::vector<Jump> jumps;
+    std::vector<Jump> forces;
+    /** Minus the sum of all forces on each cell. */
+    std::vector<double> gradient;
+  };
+
+  void evaluate(State &state);
+  std::vector<double> direction(double shift,
+                                const std::vector<double> &centre);
+  double search(const std::vector<double> &direction,
+                double shift,
+                const std::vector<double> &centre);
+
+  const DiscreteProblem &problem;
+  const JointLaw &law;
+  JointSystem &system;
+  State present;
+  double last_decrement;
+  unsigned int iterations = 0;
+  unsigned int evaluations = 0;
+};
+
+/** When Newton's method stops; see minimise(). */
+struct NewtonControls
+{
+  /** The largest imbalance. */
+  double imbalance;
+  /** The largest decrement of the last step. */
+  double decrement = std::numeric_limits<double>::infinity();
+  unsigned int n_max_iterations;
+};
+
+/**
+ * Call @p advance, which takes a step, until the controls are met, the
+ * displacement proves that there is no minimum, or there is no progress; then
+ * say what was found. The outcome is "converged" in the first case.
+ *
+ * @param displacement_unit of the nondimensional displacement, in the user's;
+ *   zero to report none.
+ */
+Solution minimise(const DiscreteProblem &problem,
+                  Newton &newton,
+                  const NewtonControls &controls,
+                  const std::function<void()> &advance,
+                  double displacement_unit,
+                  Terminal &terminal);
+
+/**
+ * The smallest shift, for matrices with entries of order one: far below what
+ * the forces could show, far enough above rounding for a factorisation.
+ */
+constexpr double least_shift = 1e-13;
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_solution_h
+#define voussoir_statics_solution_h
+
+#include <voussoir/statics/mechanism.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What a formulation returns. */
+struct Solution
+{
+  /** f_e^n and f_e^t of each joint; nondimensional. */
+  InterfaceForces forces;
+  /**
+   * u_c, in the user's unit, with zero mean in each connected group of cells.
+   * Zero where the formulation has none of its own: blocks that carry their
+   * load do not move.
+   */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /**
+   * Joints in which every admissible and balanced state has f_e^n = 0, and
+   * |f_e^t| = s_e |e|; empty if the formulation does not find out.
+   */
+  std::vector<bool> never_pressed, always_sliding;
+  /** The proof that the load is not carried; then nothing above counts. */
+  std::optional<Mechanism> mechanism;
+  unsigned int n_iterations = 0;
+  /** How often the solver evaluated the energy or the forces. */
+  unsigned int n_evaluations = 0;
+  /** Why the solver stopped, in a few words; "converged" if it did. */
+  std::string outcome;
+
+  bool converged() const
+  {
+    return outcome == "converged";
+  }
+};
+} // namespace Voussoir
+
+#endif

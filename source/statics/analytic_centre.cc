@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters.h>
+#include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+using Jump = DiscreteProblem::Jump;
+
+namespace
+{
+/**
+ * With this decrement the forces of the next step are right to its square. It
+ * is the same for every tolerance, so that the centre is, too.
+ */
+constexpr double largest_decrement = 1e-7;
+
+/**
+ * Newton's method takes up to 25 iterations where there is a centre or a
+ * mechanism (measured: 60 to 10,000 cells, at 0.1 to 2 of the limit load).
+ */
+constexpr unsigned int n_max_newton_iterations = 50;
+
+/** The shifts of fix_joints(): from, to, and the ratio of one to the next. */
+constexpr double first_shift = 1e-4, shift_ratio = 1e-2;
+/** The smaller, the closer to the limit of its strength a joint may be. */
+constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
+/**
+ * By what factor a force falls from one shift to the next: the root of their
+ * ratio where it vanishes, one where it does not; this is half way.
+ */
+constexpr double half_way = 0.316;
+constexpr double fix_joints_decrement = 1e-4;
+constexpr unsigned int n_max_fix_joints_steps = 30;
+
+/**
+ * The uniform dilation u = alpha x_c with the alpha of least energy. Where the
+ * load resists no dilation any alpha will do.
+ */
+std::vector<double> dilation(const DiscreteProblem &problem,
+                             const BarrierJoint &law)
+{
+  std::vector<double> u(problem.n_dofs());
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[problem.dof(c, i)] = problem.centres()[c][i];
+
+  double sum_of_weights = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    sum_of_weights += law.weight(e);
+  const double resistance = -problem.work(u.data());
+  if (resistance > 0.)
+    for (double &component : u)
+      component *= sum_of_weights / resistance;
+  return u;
+}
+
+/**
+ * Find the joints where all admissible and balanced states have p = 0 or
+ * |q| = s_e |e|.
+ *
+ * With the proximal term shift / 2 |u|^2 there is a minimum even where the
+ * displacement would grow without end. As the shift goes to zero, p and
+ * s_e |e| - |q| then fall with its square root in those joints, and tend to
+ * positive limits in all others.
+ */
+std::vector<BarrierJoint::Fixed> fixed_joints(const DiscreteProblem &problem,
+                                              const BarrierJoint &law,
+                                              const double last_shift,
+                                              Newton &newton)
+{
+  const std::vector<double> origin(problem.n_dofs(), 0.);
+  const unsigned int n_joints = problem.joints().size();
+  std::vector<BarrierJoint::Fixed> fixed(n_joints);
+  std::vector<double> p(n_joints, 1.), slack(n_joints, 1.);
+  const auto vanishes = [](double &previous, const double now) {
+    const double factor = now / previous;
+    previous = now;
+    return factor < half_way;
+  };
+
+  for (double shift = first_shift; shift >= last_shift; shift *= shift_ratio)
+  {
+    for (unsigned int i = 0; i < n_max_fix_joints_steps; ++i)
+    {
+      newton.step(shift, origin);
+      if (newton.decrement() <= fix_joints_decrement)
+        break;
+    }
+    for (unsigned int e = 0; e < n_joints; ++e)
+    {
+      const Jump &jump = newton.jumps()[e];
+      fixed[e].never_pressed = vanishes(p[e], -newton.forces()[e].normal);
+      fixed[e].sliding = 0;
+      if (problem.joints()[e].strength > 0. &&
+          vanishes(slack[e], law.slack(e, jump)))
+        fixed[e].sliding = jump.tangential > 0. ? 1 : -1;
+    }
+  }
+  return fixed;
+}
+
+Solution minimise_barrier(const DiscreteProblem &problem,
+                          const BarrierJoint &law,
+                          JointSystem &system,
+                          const SolverControls &controls,
+                          Terminal &terminal)
+{
+  Newton newton(problem, law, system, dilation(problem, law));
+  const NewtonControls until = {
+      controls.tolerance, largest_decrement,
+      std::min(n_max_newton_iterations, controls.n_max_iterations)};
+  // No displacement of its own: the barrier's grows with its parameter.
+  return minimise(
+      problem, newton, until, [&]() { newton.step(least_shift, newton.u()); },
+      0., terminal);
+}
+} // namespace
+
+std::string AnalyticCentre::name() const
+{
+  return "analytic centre";
+}
+
+std::string AnalyticCentre::meaning() const
+{
+  return "the state farthest from all limits of admissibility, by Newton's "
+         "method.";
+}
+
+std::string AnalyticCentre::selection() const
+{
+  return std::string("analytic centre of the admissible states, with ") +
+         (weights == BarrierWeights::equal
+              ? "equal weights"
+              : "each interface weighted by |e| d_e");
+}
+
+void AnalyticCentre::add_parameters(dealii::ParameterHandler &prm)
+{
+  add_choice<BarrierWeights>(
+      prm, "Barrier weights", weights,
+      {{BarrierWeights::edge_area, "edge area",
+        "|e| d_e, which spreads stress evenly."},
+       {BarrierWeights::equal, "equal",
+        "one, the limit that an interior-point solver of the linear program "
+        "heads for; short edges may carry very large stresses."}},
+      "What each interface counts.");
+}
+
+Solution AnalyticCentre::select(const DiscreteProblem &problem,
+                                const SolverControls &controls,
+                                Terminal &terminal) const
+{
+  BarrierJoint law(problem, weights);
+  JointSystem system(problem, LinearSolver::automatic);
+  Solution solution =
+      minimise_barrier(problem, law, system, controls, terminal);
+
+  for (const double last_shift : last_shifts)
+  {
+    if (solution.converged() || solution.mechanism)
+      break;
+    law = BarrierJoint(problem, weights);
+    Newton newton(problem, law, system, dilation(problem, law));
+    law.fixed = fixed_joints(problem, law, last_shift, newton);
+    Solution reduced =
+        minimise_barrier(problem, law, system, controls, terminal);
+    reduced.n_iterations += solution.n_iterations + newton.n_iterations();
+    reduced.n_evaluations += solution.n_evaluations + newton.n_evaluations();
+    solution = std::move(reduced);
+  }
+
+  for (const BarrierJoint::Fixed &fixed : law.fixed)
+  {
+    solution.never_pressed.push_back(fixed.never_pressed);
+    solution.always_sliding.push_back(fixed.sliding != 0);
+  }
+  return solution;
+}
+
+std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+                                       Terminal &terminal)
+{
+  const BarrierJoint law(problem, BarrierWeights::equal);
+  JointSystem system(problem, LinearSolver::automatic);
+  return minimise_barrier(problem, law, system, SolverControls(), terminal)
+      .mechanism;
+}
+} // namespace Voussoir

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/newton.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+using Jump = DiscreteProblem::Jump;
+
+namespace
+{
+/** A factorisation that fails is tried again with a larger shift. */
+constexpr double factor_of_shift = 100.;
+constexpr double largest_shift = 1.;
+
+/** The slope at the end of a line search, relative to that at its beginning. */
+constexpr double slope_reduction = 0.1;
+/** How close to the end of the energy's domain a step may go. */
+constexpr double fraction_to_boundary = 0.99;
+/** How a step grows while the energy falls, and how far. */
+constexpr double expansion = 8.;
+constexpr double longest_expansion = 1e8;
+constexpr unsigned int n_max_searches = 60;
+/** The width of the bracket, relative to its end, that cannot be halved. */
+constexpr double smallest_bracket = 1e-15;
+
+/**
+ * How many steps without a better balance of forces end the search, once the
+ * balance is good enough for rounding to be the reason.
+ */
+constexpr unsigned int n_stalled_iterations = 20;
+constexpr double imbalance_near_rounding = 1e-7;
+
+double proximal_force(const double shift, const double u, const double centre)
+{
+  return -shift * (u - centre);
+}
+} // namespace
+
+Newton::Newton(const DiscreteProblem &problem,
+               const JointLaw &law,
+               JointSystem &system,
+               std::vector<double> u)
+    : problem(problem), law(law), system(system),
+      last_decrement(std::numeric_limits<double>::infinity())
+{
+  present.u = std::move(u);
+  evaluate(present);
+}
+
+void Newton::evaluate(State &state)
+{
+  ++evaluations;
+  const auto &joints = problem.joints();
+  state.jumps.resize(joints.size());
+  state.forces.resize(joints.size());
+  state.gradient.resize(problem.n_dofs());
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      state.gradient[problem.dof(c, i)] = -problem.loads()[c][i];
+  for (unsigned int e = 0; e < joints.size(); ++e)
+  {
+    state.jumps[e] = problem.jump(joints[e], state.u.data());
+    state.forces[e] = law.force(e, state.jumps[e]);
+    problem.add_jump_gradient(joints[e], state.forces[e],
+                              state.gradient.data());
+  }
+}
+
+double Newton::step(const double shift, const std::vector<double> &centre)
+{
+  ++iterations;
+  return search(direction(shift, centre), shift, centre);
+}
+
+std::vector<double> Newton::direction(double shift,
+                                      const std::vector<double> &centre)
+{
+  std::vector<double> right(present.gradient.size());
+  for (unsigned int k = 0; k < right.size(); ++k)
+    right[k] =
+        proximal_force(shift, present.u[k], centre[k]) - present.gradient[k];
+
+  std::vector<Jump> second(present.jumps.size());
+  for (unsigned int e = 0; e < second.size(); ++e)
+    second[e] = law.second_derivative(e, present.jumps[e]);
+  while (!system.prepare(second, shift))
+  {
+    shift *= factor_of_shift;
+    if (shift > largest_shift)
+      throw SolverError(
+          "A linear system of Newton's method cannot be factorised.");
+  }
+  return system.solve(right);
+}
+
+double Newton::search(const std::vector<double> &direction,
+                      const double shift,
+                      const std::vector<double> &centre)
+{
+  const auto slope = [&](const State &state) {
+    long double sum = 0.;
+    for (unsigned int k = 0; k < direction.size(); ++k)
+      sum +=
+          (state.gradient[k] - proximal_force(shift, state.u[k], centre[k])) *
+          direction[k];
+    return static_cast<double>(sum);
+  };
+
+  double longest = longest_expansion / fraction_to_boundary;
+  for (unsigned int e = 0; e < present.jumps.size(); ++e)
+    longest = std::min(
+        longest,
+        law.longest_step(e, present.jumps[e],
+                         problem.jump(problem.joints()[e], direction.data())));
+  longest *= fraction_to_boundary;
+
+  State trial;
+  double t = 0.;
+  const auto slope_at = [&](const double at) {
+    t = at;
+    trial.u = present.u;
+    for (unsigned int k = 0; k < direction.size(); ++k)
+      trial.u[k] += t * direction[k];
+    evaluate(trial);
+    return slope(trial);
+  };
+
+  double lower = 0., slope_lower = slope(present);
+  last_decrement = std::sqrt(std::max(0., -slope_lower));
+  const double small = slope_reduction * std::abs(slope_lower);
+  double upper = std::min(1., longest);
+  double slope_upper = slope_at(upper);
+  while (slope_upper < -small && upper < longest)
+  {
+    lower = upper;
+    slope_lower = slope_upper;
+    upper = std::min(expansion * upper, longest);
+    slope_upper = slope_at(upper);
+  }
+  // In the limit of rounding there may be no change of sign to be found.
+  if (slope_upper > small && slope_lower < 0.)
+  {
+    bool found = false;
+    std::uintmax_t n_searches = n_max_searches;
+    boost::math::tools::toms748_solve(
+        [&](const double at) {
+          if (found)
+            return 0.;
+          const double s = slope_at(at);
+          found = std::abs(s) <= small;
+          return found ? 0. : s;
+        },
+        lower, upper, slope_lower, slope_upper,
+        [&](const double a, const double b) {
+          return found || b - a <= smallest_bracket * b;
+        },
+        n_searches);
+  }
+  present = std::move(trial);
+  return t;
+}
+
+const std::vector<double> &Newton::u() const
+{
+  return present.u;
+}
+
+const std::vector<Jump> &Newton::jumps() const
+{
+  return present.jumps;
+}
+
+const std::vector<Jump> &Newton::forces() const
+{
+  return present.forces;
+}
+
+double Newton::imbalance() const
+{
+  return imbalance(0., present.u);
+}
+
+double Newton::imbalance(const double shift,
+                         const std::vector<double> &centre) const
+{
+  double largest = 0.;
+  for (unsigned int k = 0; k < present.gradient.size(); ++k)
+    largest = std::max(largest,
+                       std::abs(proximal_force(shift, present.u[k], centre[k]) -
+                                present.gradient[k]));
+  return largest;
+}
+
+double Newton::decrement() const
+{
+  return last_decrement;
+}
+
+unsigned int Newton::n_iterations() const
+{
+  return iterations;
+}
+
+unsigned int Newton::n_evaluations() const
+{
+  return evaluations;
+}
+
+Solution minimise(const DiscreteProblem &problem,
+                  Newton &newton,
+                  const NewtonControls &controls,
+                  const std::function<void()> &advance,
+                  const double displacement_unit,
+                  Terminal &terminal)
+{
+  Solution solution;
+  std::vector<double> best_u;
+  std::vector<Jump> best_forces;
+  double least = std::numeric_limits<double>::infinity();
+  unsigned int best = 0;
+
+  while (solution.outcome.empty())
+  {
+    const double imbalance = newton.imbalance();
+    const unsigned int n = newton.n_iterations();
+    const bool converged = imbalance <= controls.imbalance &&
+                           newton.decrement() <= controls.decrement;
+    if (imbalance < least || converged)
+    {
+      least = imbalance;
+      best = n;
+      best_u = newton.u();
+      best_forces = newton.forces();
+    }
+
+    if (converged)
+      solution.outcome = "converged";
+    else if ((solution.mechanism = find_mechanism(problem, newton.u())))
+      solution.outcome = "stopped by a proof of collapse";
+    else if (n >= controls.n_max_iterations)
+      solution.outcome = "reached 'Solver/Maximum iterations'";
+    else if (least <= imbalance_near_rounding &&
+             n > best + n_stalled_iterations)
+      solution.outcome = "stopped at the limit of rounding";
+    else
+    {
+      terminal.progress("Newton",
+                        text("iteration ", n, ", imbalance ", imbalance));
+      advance();
+    }
+  }
+
+  solution.n_iterations = newton.n_iterations();
+  solution.n_evaluations = newton.n_evaluations();
+  for (const Jump &force : best_forces)
+  {
+    solution.forces.normal.push_back(force.normal);
+    solution.forces.tangential.push_back(force.tangential);
+  }
+  solution.displacement.resize(problem.n_cells());
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      solution.displacement[c][i] =
+          displacement_unit * best_u[problem.dof(c, i)];
+  problem.remove_group_means(solution.displacement);
+  return solution;
+}
+} // namespace Voussoir
