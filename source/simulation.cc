@@ -9,10 +9,11 @@
 #include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
 
-#include <deal.II/base/timer.h>
-
 #include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <sstream>
+#include <utility>
 
 namespace Voussoir
 {
@@ -35,9 +36,33 @@ constexpr double frictionless_ratio = 1e9;
 
 /** The largest relative closing of a joint in a mechanism, for rounding. */
 constexpr double largest_closing = 1e-12;
+
+std::string message_of(const Collapse &collapse)
+{
+  std::ostringstream message;
+  message.precision(10); // close to the limit the ratio is hardly above one
+  message << "The load is not carried: along a mechanism of the blocks that "
+             "closes no joint it does ";
+  if (collapse.proof.work_over_dissipation < frictionless_ratio)
+    message << collapse.proof.work_over_dissipation
+            << " times the work that friction can dissipate";
+  else
+    message << "work that friction does not resist";
+  message << ", so that no forces within the strengths of the interfaces "
+             "balance it.";
+  if (!collapse.parts.empty())
+    message << " Most is done by " << collapse.parts.front().name << ", "
+            << std::lround(100. * share_of_first(collapse.parts))
+            << "% of the work that is put in. See mechanism.vtu; change "
+               "'Loads' or raise 'Friction/Strength'.";
+  return message.str();
+}
 } // namespace
 
-Simulation::Simulation(Terminal &terminal) : terminal(terminal)
+Simulation::Simulation(Terminal &terminal)
+    : terminal(terminal), timer(std::cout,
+                                dealii::TimerOutput::never,
+                                dealii::TimerOutput::wall_times)
 {
 }
 
@@ -66,8 +91,6 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                      const std::filesystem::path &directory)
 {
   terminal.set_verbosity(verbosity);
-  dealii::TimerOutput timer(std::cout, dealii::TimerOutput::never,
-                            dealii::TimerOutput::wall_times);
   ResultDirectory check_early(output_directory);
 
   timer.enter_subsection("packing");
@@ -89,20 +112,41 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                       solution.n_iterations, " iterations, ",
                       solution.n_evaluations, " evaluations"));
   timer.leave_subsection();
-  if (solution.mechanism)
-    report_collapse(scene, *solution.mechanism);
 
-  Results results(scene);
-  results.title = title;
-  results.status = "solved";
-  results.formulation = formulation.name();
-  results.selection = formulation.selection();
-  results.n_iterations = solution.n_iterations;
-  results.n_evaluations = solution.n_evaluations;
+  RunRecord record(scene);
+  record.title = title;
+  record.formulation = formulation.name();
+  record.selection = formulation.selection();
+  record.outcome = solution.outcome;
+  record.n_iterations = solution.n_iterations;
+  record.n_evaluations = solution.n_evaluations;
+  if (solution.mechanism)
+  {
+    Collapse collapse(record);
+    collapse.displacement = solution.mechanism->displacement;
+    finish(std::move(collapse), prm);
+  }
+  Results results(record);
   results.forces = dimensional_forces(problem, solution);
+  results.never_pressed = solution.never_pressed;
+  results.always_sliding = solution.always_sliding;
   results.displacement = solution.displacement;
+  finish(std::move(results), prm);
+}
+
+Scene Simulation::make_scene(const std::filesystem::path &directory) const
+{
+  Packing blocks = packing.make_packing(directory);
+  std::vector<double> strengths = friction.strengths(blocks);
+  std::vector<dealii::Tensor<1, 2>> tractions = loads.tractions(blocks);
+  return {std::move(blocks), std::move(strengths), std::move(tractions)};
+}
+
+void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
+{
+  const Scene &scene = results.scene;
   results.certificate = certify(scene, results.forces);
-  check_certificate(results.certificate, solution);
+  check_certificate(results);
 
   timer.enter_subsection("stress");
   results.torques = residual_torques(scene, results.forces);
@@ -119,70 +163,6 @@ void Simulation::run(const dealii::ParameterHandler &prm,
 
   results.timings =
       timer.get_summary_data(dealii::TimerOutput::total_wall_time);
-  write(results, prm);
-  show_summary(terminal, results);
-}
-
-Scene Simulation::make_scene(const std::filesystem::path &directory) const
-{
-  Packing blocks = packing.make_packing(directory);
-  std::vector<double> strengths = friction.strengths(blocks);
-  std::vector<dealii::Tensor<1, 2>> tractions = loads.tractions(blocks);
-  return {std::move(blocks), std::move(strengths), std::move(tractions)};
-}
-
-void Simulation::check_certificate(const Certificate &certificate,
-                                   const Solution &solution) const
-{
-  const double limit =
-      std::max(largest_accepted_error,
-               tolerance_allowance * solver.controls().tolerance);
-  if (!(certificate.equilibrium_residual <= limit) ||
-      !(certificate.admissibility_violation <= limit))
-    throw SolverError(text(
-        "The solver ", solution.outcome, " after ", solution.n_iterations,
-        " iterations, without forces that balance the load: the certificate "
-        "finds a residual of ",
-        certificate.equilibrium_residual, " and a violation of ",
-        certificate.admissibility_violation,
-        " of the largest load on a cell. The load may be close to what the "
-        "packing can carry; try a larger 'Solver/Maximum iterations', or a "
-        "slightly smaller load."));
-}
-
-void Simulation::report_collapse(const Scene &scene,
-                                 const Mechanism &mechanism) const
-{
-  const MechanismCertificate proof =
-      certify_mechanism(scene, mechanism.displacement);
-  if (!(proof.closing_violation <= largest_closing) ||
-      !(proof.work_over_dissipation > 1.))
-    throw SolverError(text("The solver proposes a collapse mechanism, but it "
-                           "closes joints by ",
-                           proof.closing_violation,
-                           " of its size and the ratio of work to dissipation "
-                           "is ",
-                           proof.work_over_dissipation, "."));
-  terminal.summary("Status", "collapse");
-
-  std::ostringstream resistance;
-  resistance.precision(10); // close to the limit the ratio is hardly above one
-  if (proof.work_over_dissipation < frictionless_ratio)
-    resistance << "it does " << proof.work_over_dissipation
-               << " times the work that friction can dissipate";
-  else
-    resistance << "it does work that friction does not resist";
-  throw LoadNotCarried(
-      "The load is not carried: along a mechanism of the blocks that closes no "
-      "joint " +
-      resistance.str() +
-      ", so that no forces within the strengths of the interfaces balance it. "
-      "Change 'Loads' or raise 'Friction/Strength'.");
-}
-
-void Simulation::write(const Results &results,
-                       const dealii::ParameterHandler &prm) const
-{
   ResultDirectory files(output_directory);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
@@ -192,11 +172,74 @@ void Simulation::write(const Results &results,
   add("interfaces.vtu", write_interfaces_vtu);
   if (stress.reconstruct())
     add("stress.vtu", write_stress_vtu);
+  publish(files, results, prm);
+  show_summary(terminal, results);
+}
+
+void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
+{
+  collapse.proof = certify_mechanism(collapse.scene, collapse.displacement);
+  const MechanismCertificate &proof = collapse.proof;
+  if (!(proof.closing_violation <= largest_closing) ||
+      !(proof.work_over_dissipation > 1.))
+    throw SolverError(text("The solver proposes a collapse mechanism, but it "
+                           "closes joints by ",
+                           proof.closing_violation,
+                           " of its size and the ratio of work to dissipation "
+                           "is ",
+                           proof.work_over_dissipation, "."));
+
+  collapse.parts = load_parts(collapse.scene, collapse.displacement);
+  collapse.timings =
+      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  ResultDirectory files(output_directory);
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name, [&](std::ostream &out) { writer(out, collapse); });
+  };
+  add("mechanism.csv", write_mechanism_csv);
+  add("mechanism_joints.csv", write_mechanism_joints_csv);
+  add("mechanism.vtu", write_mechanism_vtu);
+  publish(files, collapse, prm);
+  terminal.summary("Status", "collapse");
+  throw LoadNotCarried(message_of(collapse));
+}
+
+void Simulation::check_certificate(const Results &results) const
+{
+  const Certificate &certificate = results.certificate;
+  const double limit =
+      std::max(largest_accepted_error,
+               tolerance_allowance * solver.controls().tolerance);
+  if (!(certificate.equilibrium_residual <= limit) ||
+      !(certificate.admissibility_violation <= limit))
+    throw SolverError(text(
+        "The solver ", results.outcome, " after ", results.n_iterations,
+        " iterations, without forces that balance the load: the certificate "
+        "finds a residual of ",
+        certificate.equilibrium_residual, " and a violation of ",
+        certificate.admissibility_violation,
+        " of the largest load on a cell. The load may be close to what the "
+        "packing can carry; try a larger 'Solver/Maximum iterations', or a "
+        "slightly smaller load."));
+  if (results.outcome != "converged" && results.n_iterations > 0)
+    terminal.warning(text(
+        "the solver ", results.outcome,
+        ". The forces are balanced and admissible to what is said below, but "
+        "may differ from those of the named selection."));
+}
+
+template <typename Found>
+void Simulation::publish(ResultDirectory &files,
+                         const Found &found,
+                         const dealii::ParameterHandler &prm) const
+{
   files.write("parameters.prm", [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
   });
-  add("summary.json", write_summary_json); // last: it marks a complete set
+  files.write("summary.json", [&](std::ostream &out) {
+    write_summary_json(out, found); // last: it marks a complete set
+  });
   files.publish();
   terminal.stage("Output", "written to " + output_directory);
 }

@@ -5,14 +5,12 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/terminal.h>
 #include <voussoir/packing/running_bond.h>
-#include <voussoir/packing/voronoi_cells.h>
+#include <voussoir/packing/voronoi.h>
 #include <voussoir/statics/certificate.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/scene.h>
 
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_01.hpp>
-
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -53,31 +51,13 @@ inline void show_refusal(const std::function<void()> &action)
   }
 }
 
-/** @p n points drawn uniformly over @p rectangle. */
-inline Voussoir::PointList
-random_points(const unsigned int n,
-              const unsigned int seed,
-              const Voussoir::Rectangle &rectangle = {{0., 0.}, {1., 1.}})
-{
-  boost::random::mt19937_64 engine(seed);
-  boost::random::uniform_01<double> uniform;
-  Voussoir::PointList list;
-  list.points.resize(n);
-  for (dealii::Point<2> &p : list.points)
-    for (unsigned int i = 0; i < 2; ++i)
-      p[i] = rectangle.lower_left[i] +
-             uniform(engine) *
-                 (rectangle.upper_right[i] - rectangle.lower_left[i]);
-  return list;
-}
-
 inline Voussoir::Packing random_packing(const unsigned int n,
                                         const unsigned int seed,
                                         const Voussoir::Rectangle &rectangle = {
                                             {0., 0.}, {1., 1.}})
 {
   return Voussoir::Packing(
-      voronoi_cells(random_points(n, seed, rectangle), rectangle));
+      voronoi_cells(Voussoir::random_points(n, seed, rectangle), rectangle));
 }
 
 inline dealii::Tensor<2, 2>
@@ -141,17 +121,45 @@ inline Voussoir::Scene shear_wall(const double strength)
       });
 }
 
-/** A formulation with the settings "entry = value" of its own subsection. */
+/** A formulation with settings "set Entry = value" of its own subsection. */
+struct Way
+{
+  std::string name;
+  std::string formulation;
+  std::string settings;
+
+  Way with(const std::string &setting) const
+  {
+    return {name, formulation, settings + "\n" + setting};
+  }
+};
+
+inline const Way compliant = {"compliant", "smoothed friction",
+                              "set Contact = compliant"};
+inline const Way hard = {"hard", "smoothed friction", "set Contact = hard"};
+inline const Way linear_program = {"linear program", "linear program", ""};
+inline const Way least_energy = {"least energy", "least energy", ""};
+inline const Way centre = {"analytic centre", "analytic centre",
+                           "set Barrier weights = edge area"};
+inline const Way centre_equal = {"analytic centre, equal weights",
+                                 "analytic centre",
+                                 "set Barrier weights = equal"};
+inline const std::vector<Way> all_ways = {compliant,    hard,   linear_program,
+                                          least_energy, centre, centre_equal};
+
+/** One way to solve, with a tolerance. */
 struct Solver
 {
-  explicit Solver(const std::string &settings = "",
-                  const std::string &formulation = "smoothed friction")
+  explicit Solver(const Way &way, const double tolerance = 1e-10)
       : quiet(nowhere, 0)
   {
     parameters.add_parameters(prm);
-    prm.parse_input_from_string("set Formulation = " + formulation +
-                                "\nsubsection Solver\nsubsection " +
-                                formulation + "\n" + settings + "\nend\nend\n");
+    std::ostringstream input;
+    input << "set Formulation = " << way.formulation
+          << "\nsubsection Solver\nset Tolerance = " << tolerance
+          << "\nsubsection " << way.formulation << "\n"
+          << way.settings << "\nend\nend\n";
+    prm.parse_input_from_string(input.str());
   }
 
   Voussoir::Solution solve(const Voussoir::DiscreteProblem &problem)
@@ -173,8 +181,30 @@ struct Solver
   Voussoir::Terminal quiet;
 };
 
-/** Two names for the kinds of contact of smoothed friction. */
-inline const std::string compliant = "set Contact = compliant";
-inline const std::string hard = "set Contact = hard";
+/** The largest difference of two sets of forces. */
+inline double distance(const Voussoir::InterfaceForces &a,
+                       const Voussoir::InterfaceForces &b)
+{
+  double largest = 0.;
+  for (unsigned int e = 0; e < a.normal.size(); ++e)
+    largest = std::max({largest, std::abs(a.normal[e] - b.normal[e]),
+                        std::abs(a.tangential[e] - b.tangential[e])});
+  return largest;
+}
+
+/** The largest difference of the tractions from those of the stress S. */
+inline double distance_from_uniform(const Voussoir::Scene &scene,
+                                    const Voussoir::InterfaceForces &forces,
+                                    const dealii::Tensor<2, 2> &S)
+{
+  double largest = 0.;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const auto &i = scene.packing.interfaces()[e];
+    largest = std::max(
+        largest, (forces.on_cell_minus(i, e) / i.length - S * i.normal).norm());
+  }
+  return largest;
+}
 
 #endif

@@ -3,6 +3,7 @@
 #define voussoir_simulation_h
 
 #include <voussoir/base/terminal.h>
+#include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
 #include <voussoir/packing/generator.h>
 #include <voussoir/statics/formulation.h>
@@ -11,6 +12,7 @@
 #include <voussoir/stress/reconstruction.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
 
 #include <filesystem>
 #include <string>
@@ -40,13 +42,19 @@ public:
 
 private:
   Scene make_scene(const std::filesystem::path &directory) const;
-  void check_certificate(const Certificate &certificate,
-                         const Solution &solution) const;
-  [[noreturn]] void report_collapse(const Scene &scene,
-                                    const Mechanism &mechanism) const;
-  void write(const Results &results, const dealii::ParameterHandler &prm) const;
+  /** Check, complete and write what was found. */
+  void finish(Results results, const dealii::ParameterHandler &prm);
+  [[noreturn]] void finish(Collapse collapse,
+                           const dealii::ParameterHandler &prm);
+  void check_certificate(const Results &results) const;
+  /** Add what every run writes, and put all files in place. */
+  template <typename Found>
+  void publish(ResultDirectory &files,
+               const Found &found,
+               const dealii::ParameterHandler &prm) const;
 
   Terminal &terminal;
+  dealii::TimerOutput timer;
   std::string title;
   std::string output_directory = "output";
   unsigned int verbosity = 1;

@@ -8,12 +8,12 @@ namespace Voussoir
 {
 namespace
 {
+/** All but the end of the line. */
 template <typename First, typename... Others>
 void write_row(std::ostream &out, const First &first, const Others &...others)
 {
   out << first;
   ((out << ',' << others), ...);
-  out << '\n';
 }
 
 void use_all_digits(std::ostream &out)
@@ -25,8 +25,10 @@ void use_all_digits(std::ostream &out)
 void write_interfaces_csv(std::ostream &out, const Results &results)
 {
   use_all_digits(out);
+  const bool marked = !results.never_pressed.empty();
   out << "cell_minus,cell_plus,x0,y0,x1,y1,nx,ny,length,normal_force,"
-         "tangential_force,strength,utilisation\n";
+         "tangential_force,strength,utilisation"
+      << (marked ? ",never_pressed,always_sliding\n" : "\n");
   const Scene &scene = results.scene;
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
@@ -35,6 +37,10 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
               i.end[1], i.normal[0], i.normal[1], i.length,
               results.forces.normal[e], results.forces.tangential[e],
               scene.strength[e], utilisation(scene, results.forces, e));
+    if (marked)
+      out << ',' << results.never_pressed[e] << ','
+          << results.always_sliding[e];
+    out << '\n';
   }
 }
 
@@ -51,6 +57,38 @@ void write_cells_csv(std::ostream &out, const Results &results)
               results.scene.load[c][1], results.displacement[c][0],
               results.displacement[c][1], results.torques[c], s[0][0], s[0][1],
               s[1][0], s[1][1]);
+    out << '\n';
+  }
+}
+
+void write_mechanism_csv(std::ostream &out, const Collapse &collapse)
+{
+  use_all_digits(out);
+  out << "id,x,y,load_x,load_y,ux,uy\n";
+  const Scene &scene = collapse.scene;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+  {
+    const dealii::Point<2> &x = scene.packing.centre(c);
+    const dealii::Tensor<1, 2> &F = scene.load[c];
+    const dealii::Tensor<1, 2> &u = collapse.displacement[c];
+    write_row(out, c, x[0], x[1], F[0], F[1], u[0], u[1]);
+    out << '\n';
+  }
+}
+
+void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
+{
+  use_all_digits(out);
+  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding\n";
+  const Scene &scene = collapse.scene;
+  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const dealii::Tensor<1, 2> jump = collapse.displacement[i.cell_plus] -
+                                      collapse.displacement[i.cell_minus];
+    write_row(out, i.cell_minus, i.cell_plus, i.normal[0], i.normal[1],
+              i.length, scene.strength[e], jump * i.normal, jump * i.tangent());
+    out << '\n';
   }
 }
 } // namespace Voussoir

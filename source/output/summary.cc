@@ -11,48 +11,89 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cholmod.h>
 #include <ostream>
+#include <string>
+#include <utility>
 
 namespace Voussoir
 {
-void write_summary_json(std::ostream &out, const Results &results)
+namespace
 {
-  const Packing &packing = results.scene.packing;
-  const Certificate &certificate = results.certificate;
+using Json = nlohmann::ordered_json;
 
-  nlohmann::ordered_json summary;
-  summary["title"] = results.title;
-  summary["status"] = results.status;
-  summary["formulation"] = results.formulation;
-  summary["selection"] = results.selection;
+/** What stands first in every summary. */
+Json summary_of(const RunRecord &run, const std::string &status)
+{
+  const Packing &packing = run.scene.packing;
+  Json summary;
+  summary["title"] = run.title;
+  summary["status"] = status;
+  summary["formulation"] = run.formulation;
+  summary["selection"] = run.selection;
   summary["packing"] = {
       {"cells", packing.n_cells()},
       {"interfaces", packing.interfaces().size()},
       {"boundary_edges", packing.boundary_edges().size()},
       {"static_indeterminacy", packing.static_indeterminacy()}};
-  summary["certificate"] = {
-      {"equilibrium_residual", certificate.equilibrium_residual},
-      {"admissibility_violation", certificate.admissibility_violation},
-      {"max_utilisation", certificate.max_utilisation},
-      {"max_torque", certificate.max_torque}};
-  summary["solver"] = {{"iterations", results.n_iterations},
-                       {"evaluations", results.n_evaluations}};
-  summary["stress"] = {{"sub_cells", results.stress.sub_cells.size()},
-                       {"undetermined_cells", results.stress.undetermined}};
-  summary["timings"] = results.timings;
+  summary["solver"] = {{"outcome", run.outcome},
+                       {"iterations", run.n_iterations},
+                       {"evaluations", run.n_evaluations}};
+  return summary;
+}
+
+/** Add what stands last, and write. */
+void write(std::ostream &out, Json summary, const RunRecord &run)
+{
+  summary["timings"] = run.timings;
   summary["versions"] = {
       {"voussoir", VOUSSOIR_VERSION},
       {"deal.II", DEAL_II_PACKAGE_VERSION},
       {"Ipopt", IPOPT_VERSION},
+      {"CHOLMOD", text(CHOLMOD_MAIN_VERSION, ".", CHOLMOD_SUB_VERSION, ".",
+                       CHOLMOD_SUBSUB_VERSION)},
       {"CGAL", CGAL_VERSION_STR},
       {"Boost", text(BOOST_VERSION / 100000, ".", BOOST_VERSION / 100 % 1000,
                      ".", BOOST_VERSION % 100)},
       {"Trilinos",
        text(DEAL_II_TRILINOS_VERSION_MAJOR, ".", DEAL_II_TRILINOS_VERSION_MINOR,
             ".", DEAL_II_TRILINOS_VERSION_SUBMINOR)}};
-  out << summary.dump(2, ' ', false,
-                      nlohmann::ordered_json::error_handler_t::replace)
-      << '\n';
+  out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+} // namespace
+
+void write_summary_json(std::ostream &out, const Results &results)
+{
+  const Certificate &certificate = results.certificate;
+  Json summary = summary_of(results, "solved");
+  summary["certificate"] = {
+      {"equilibrium_residual", certificate.equilibrium_residual},
+      {"admissibility_violation", certificate.admissibility_violation},
+      {"max_utilisation", certificate.max_utilisation},
+      {"max_torque", certificate.max_torque}};
+  if (!results.never_pressed.empty())
+    summary["interfaces"] = {
+        {"never_pressed", std::count(results.never_pressed.begin(),
+                                     results.never_pressed.end(), true)},
+        {"always_sliding", std::count(results.always_sliding.begin(),
+                                      results.always_sliding.end(), true)}};
+  summary["stress"] = {{"sub_cells", results.stress.sub_cells.size()},
+                       {"undetermined_cells", results.stress.undetermined}};
+  write(out, std::move(summary), results);
+}
+
+void write_summary_json(std::ostream &out, const Collapse &collapse)
+{
+  Json summary = summary_of(collapse, "collapse");
+  Json parts = Json::array();
+  for (const LoadPart &part : collapse.parts)
+    parts.push_back({{"load", part.name}, {"work", part.work}});
+  // JSON has no infinity: null stands for work that friction does not resist.
+  summary["mechanism"] = {
+      {"work_over_dissipation", collapse.proof.work_over_dissipation},
+      {"closing_violation", collapse.proof.closing_violation},
+      {"work_of_loads", parts}};
+  write(out, std::move(summary), collapse);
 }
 
 void show_summary(Terminal &terminal, const Results &results)
@@ -64,7 +105,7 @@ void show_summary(Terminal &terminal, const Results &results)
     most_compressed = std::min(most_compressed,
                                results.forces.normal[e] / interfaces[e].length);
 
-  terminal.summary("Status", results.status);
+  terminal.summary("Status", "solved");
   terminal.summary("Selection", results.selection);
   terminal.summary("Equilibrium",
                    text("residual ", certificate.equilibrium_residual,

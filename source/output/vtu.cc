@@ -139,21 +139,53 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
 {
   const Scene &scene = results.scene;
   const auto &interfaces = scene.packing.interfaces();
+  const bool marked = !results.never_pressed.empty();
   ConstantPatches<1> grid(interfaces.size());
   for (const char *name : {"normal_force", "tangential_force", "normal_stress",
                            "tangential_stress", "strength", "utilisation",
                            "cell_minus", "cell_plus"})
     grid.add_scalar(name);
+  if (marked)
+    for (const char *name : {"never_pressed", "always_sliding"})
+      grid.add_scalar(name);
 
   for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
     const Packing::Interface &i = interfaces[e];
     const double normal = results.forces.normal[e];
     const double tangential = results.forces.tangential[e];
-    grid.set(e, std::array<Point<2>, 2>{{i.start, i.end}},
-             {normal, tangential, normal / i.length, tangential / i.length,
-              scene.strength[e], utilisation(scene, results.forces, e),
-              double(i.cell_minus), double(i.cell_plus)});
+    std::vector<double> values = {normal,
+                                  tangential,
+                                  normal / i.length,
+                                  tangential / i.length,
+                                  scene.strength[e],
+                                  utilisation(scene, results.forces, e),
+                                  double(i.cell_minus),
+                                  double(i.cell_plus)};
+    if (marked)
+      values.insert(values.end(), {double(results.never_pressed[e]),
+                                   double(results.always_sliding[e])});
+    grid.set(e, std::array<Point<2>, 2>{{i.start, i.end}}, values);
+  }
+  grid.write(out);
+}
+
+void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
+{
+  const Packing &packing = collapse.scene.packing;
+  ConstantPatches<2> grid(packing.first_side(packing.n_cells()));
+  grid.add_vector("displacement");
+  grid.add_scalar("cell");
+
+  const double largest = std::sqrt(packing.area() / packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const Tensor<1, 2> u = largest * collapse.displacement[c];
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      grid.set(packing.first_side(c) + i,
+               fan_sub_cell(packing.centre(c) + u, packing.vertex(c, i) + u,
+                            packing.vertex(c, i + 1) + u),
+               {u[0], u[1], double(c)});
   }
   grid.write(out);
 }

@@ -63,7 +63,7 @@ VoronoiGenerator::generate(const std::filesystem::path &directory) const
   PointList generators =
       source == Source::file
           ? read_points_file((directory / points_file).lexically_normal())
-          : random_points();
+          : random_points(n_points, seed, rectangle);
   CellLoops cells = voronoi_cells(generators, rectangle);
   for (unsigned int step = 0; step < n_lloyd_steps; ++step)
   {
@@ -89,14 +89,16 @@ void VoronoiGenerator::check_rectangle() const
                      "right of 'Lower left'.");
 }
 
-PointList VoronoiGenerator::random_points() const
+PointList random_points(const unsigned int n,
+                        const unsigned int seed,
+                        const Rectangle &rectangle)
 {
   // Boost's generator and distribution, unlike the standard library's, are
   // specified to the last bit.
   boost::random::mt19937_64 engine(seed);
   boost::random::uniform_01<double> uniform;
   PointList list;
-  list.points.resize(n_points);
+  list.points.resize(n);
   for (dealii::Point<2> &p : list.points)
     for (unsigned int i = 0; i < 2; ++i)
       p[i] = rectangle.lower_left[i] +

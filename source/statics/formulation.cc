@@ -3,6 +3,7 @@
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/smoothed_friction.h>
 
 namespace Voussoir
@@ -26,6 +27,7 @@ SolverParameters::SolverParameters()
 {
   // The one place where a formulation is registered.
   formulations.push_back(std::make_unique<SmoothedFriction>());
+  formulations.push_back(std::make_unique<LinearProgram>());
   formulations.push_back(std::make_unique<AnalyticCentre>());
   formulations.push_back(std::make_unique<LeastEnergy>());
 }

@@ -17,14 +17,14 @@ using Joint = DiscreteProblem::Joint;
  * After how many iterations the load may be one that is not carried; then the
  * barrier problem, whose iterates close no joint, finds the mechanism sooner.
  */
-constexpr unsigned int n_before_doubt = 30;
+constexpr unsigned int n_before_doubt = 20;
 
 /** Newton's own steps are good as long as they are not cut shorter than this.
  */
-constexpr double shortest_good_step = 0.1;
+constexpr double shortest_good_step = 0.01;
 constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
-constexpr double first_shift = 1e-2;
+constexpr double first_shift = 1e-3;
 /** How near to the proximal minimum is near enough to move its centre. */
 constexpr double inner_reduction = 0.1;
 /** By how much the imbalance must fall for a smaller shift. */
@@ -95,11 +95,6 @@ private:
   double previous_imbalance = std::numeric_limits<double>::infinity();
 };
 
-/** k_e */
-double stiffness(const Joint &joint)
-{
-  return joint.length / joint.distance;
-}
 } // namespace
 
 ElasticJoint::ElasticJoint(const DiscreteProblem &problem) : problem(problem)
@@ -109,7 +104,7 @@ ElasticJoint::ElasticJoint(const DiscreteProblem &problem) : problem(problem)
 JointLaw::Jump ElasticJoint::force(const unsigned int e, const Jump &jump) const
 {
   const Joint &joint = problem.joints()[e];
-  const double k = stiffness(joint);
+  const double k = joint.stiffness();
   return {k * std::min(jump.normal, 0.),
           std::clamp(k * jump.tangential, -joint.strength, joint.strength)};
 }
@@ -118,7 +113,7 @@ JointLaw::Jump ElasticJoint::second_derivative(const unsigned int e,
                                                const Jump &jump) const
 {
   const Joint &joint = problem.joints()[e];
-  const double k = stiffness(joint);
+  const double k = joint.stiffness();
   const bool touches = jump.normal <= 0.;
   const bool sticks = k * std::abs(jump.tangential) < joint.strength;
   return {touches ? k : 0., sticks ? k : 0.};

@@ -51,14 +51,22 @@ Newton::Newton(const DiscreteProblem &problem,
       last_decrement(std::numeric_limits<double>::infinity())
 {
   present.u = std::move(u);
+  present.jumps = jumps_of(present.u);
   evaluate(present);
+}
+
+std::vector<Jump> Newton::jumps_of(const std::vector<double> &u) const
+{
+  std::vector<Jump> jumps(problem.joints().size());
+  for (unsigned int e = 0; e < jumps.size(); ++e)
+    jumps[e] = problem.jump(problem.joints()[e], u.data());
+  return jumps;
 }
 
 void Newton::evaluate(State &state)
 {
   ++evaluations;
   const auto &joints = problem.joints();
-  state.jumps.resize(joints.size());
   state.forces.resize(joints.size());
   state.gradient.resize(problem.n_dofs());
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
@@ -66,7 +74,6 @@ void Newton::evaluate(State &state)
       state.gradient[problem.dof(c, i)] = -problem.loads()[c][i];
   for (unsigned int e = 0; e < joints.size(); ++e)
   {
-    state.jumps[e] = problem.jump(joints[e], state.u.data());
     state.forces[e] = law.force(e, state.jumps[e]);
     problem.add_jump_gradient(joints[e], state.forces[e],
                               state.gradient.data());
@@ -113,12 +120,11 @@ double Newton::search(const std::vector<double> &direction,
     return static_cast<double>(sum);
   };
 
+  const std::vector<Jump> step_jumps = jumps_of(direction);
   double longest = longest_expansion / fraction_to_boundary;
-  for (unsigned int e = 0; e < present.jumps.size(); ++e)
-    longest = std::min(
-        longest,
-        law.longest_step(e, present.jumps[e],
-                         problem.jump(problem.joints()[e], direction.data())));
+  for (unsigned int e = 0; e < step_jumps.size(); ++e)
+    longest =
+        std::min(longest, law.longest_step(e, present.jumps[e], step_jumps[e]));
   longest *= fraction_to_boundary;
 
   State trial;
@@ -128,6 +134,12 @@ double Newton::search(const std::vector<double> &direction,
     trial.u = present.u;
     for (unsigned int k = 0; k < direction.size(); ++k)
       trial.u[k] += t * direction[k];
+    trial.jumps = present.jumps;
+    for (unsigned int e = 0; e < step_jumps.size(); ++e)
+    {
+      trial.jumps[e].normal += t * step_jumps[e].normal;
+      trial.jumps[e].tangential += t * step_jumps[e].tangential;
+    }
     evaluate(trial);
     return slope(trial);
   };

@@ -6,18 +6,11 @@
 
 namespace Voussoir
 {
-namespace
-{
-/** k_e */
-double stiffness(const DiscreteProblem::Joint &joint)
-{
-  return joint.length / joint.distance;
-}
-} // namespace
+using Joint = DiscreteProblem::Joint;
 
 SmoothedJoint::SmoothedJoint(const DiscreteProblem &problem,
                              const Contact contact)
-    : contact(contact)
+    : problem(problem), contact(contact)
 {
   // For hard contact any common smoothing length gives the same forces. The
   // larger of one and the strongest stress keeps displacements of order one.
@@ -38,32 +31,35 @@ double SmoothedJoint::displacement_unit() const
   return contact == Contact::hard ? common_smoothing : 1.;
 }
 
-double SmoothedJoint::energy(const Joint &joint, const Jump &jump) const
+double SmoothedJoint::energy(const unsigned int e, const Jump &jump) const
 {
+  const Joint &joint = problem.joints()[e];
   double energy = 0.;
   const double eps = smoothing(joint), x = jump.tangential;
   if (eps > 0.) // sqrt(x^2 + eps^2) - eps without its cancellation
     energy += joint.strength * x * (x / (std::hypot(x, eps) + eps));
   if (contact == Contact::compliant && jump.normal < 0.)
-    energy += 0.5 * stiffness(joint) * jump.normal * jump.normal;
+    energy += 0.5 * joint.stiffness() * jump.normal * jump.normal;
   return energy;
 }
 
-SmoothedJoint::Jump SmoothedJoint::force(const Joint &joint,
-                                         const Jump &jump) const
+JointLaw::Jump SmoothedJoint::force(const unsigned int e,
+                                    const Jump &jump) const
 {
+  const Joint &joint = problem.joints()[e];
   Jump force = {0., 0.};
   const double eps = smoothing(joint), x = jump.tangential;
   if (eps > 0.)
     force.tangential = joint.strength * (x / std::hypot(x, eps));
   if (contact == Contact::compliant)
-    force.normal = stiffness(joint) * std::min(jump.normal, 0.);
+    force.normal = joint.stiffness() * std::min(jump.normal, 0.);
   return force;
 }
 
-SmoothedJoint::Jump SmoothedJoint::second_derivative(const Joint &joint,
-                                                     const Jump &jump) const
+JointLaw::Jump SmoothedJoint::second_derivative(const unsigned int e,
+                                                const Jump &jump) const
 {
+  const Joint &joint = problem.joints()[e];
   Jump second = {0., 0.};
   const double eps = smoothing(joint);
   if (eps > 0.)
@@ -72,7 +68,7 @@ SmoothedJoint::Jump SmoothedJoint::second_derivative(const Joint &joint,
     second.tangential = joint.strength / r * (eps / r) * (eps / r);
   }
   if (contact == Contact::compliant && jump.normal <= 0.)
-    second.normal = stiffness(joint);
+    second.normal = joint.stiffness();
   return second;
 }
 } // namespace Voussoir

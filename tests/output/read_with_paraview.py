@@ -1,4 +1,4 @@
-"""The shear wall's files, as ParaView's reader sees them.
+"""The shear wall's files, as ParaView's reader sees them, carried and not.
 
 With +-1 along the top and bottom of 12 courses of 6 bricks, 78 in all, every
 interface of a bed carries the tangential stress 1 and no normal stress.
@@ -8,10 +8,10 @@ import sys
 
 from paraview.simple import XMLUnstructuredGridReader
 
-directory = sys.argv[1]
+directory, collapse = sys.argv[1:]
 
 
-def read(name):
+def read(name, directory=directory):
     reader = XMLUnstructuredGridReader(FileName=[f"{directory}/{name}"])
     reader.UpdatePipeline()
     return reader
@@ -60,8 +60,23 @@ expect("fields of stress.vtu", components(stress),
 expect("sub-cells", stress.GetDataInformation().GetNumberOfCells(),
        2 * len(rows) + 6 + 7 + 24)
 expect_range(stress, "cell", 0, 0, n_cells - 1)
-expect_range(stress, "skew", 0, 0, 0)
 expect_range(stress, "reconstructed", 0, 1, 1)
 bounds = stress.GetDataInformation().GetBounds()
 expect("bounds", [round(b, 6) for b in bounds], [0, 1, 0, 1, 0, 0])
+
+# The courses slide on each other: the top one moves by one mean block, the
+# root of 1/78, to the right and the bottom one to the left.
+mechanism = read("mechanism.vtu", collapse)
+expect("fields of mechanism.vtu", components(mechanism),
+       {"displacement": 3, "cell": 1})
+expect("sub-cells of mechanism.vtu",
+       mechanism.GetDataInformation().GetNumberOfCells(),
+       2 * len(rows) + 6 + 7 + 24)
+block = 78 ** -0.5
+expect_range(mechanism, "displacement", 1, 0, 0)
+low, high = mechanism.PointData.GetArray("displacement").GetRange(0)
+expect("largest displacement", round(max(-low, high), 6), round(block, 6))
+bounds = mechanism.GetDataInformation().GetBounds()
+expect("bounds of the moved blocks", [round(b, 5) for b in bounds],
+       [round(b, 5) for b in (low, 1 + high, 0, 1, 0, 0)])
 print("ParaView reads the files")

@@ -46,7 +46,7 @@ int main()
   // Under pressure each is balanced by itself, and no force is needed.
   const Scene scene =
       scene_under_stress(Packing(corner), 1., tensor(-1, 0, 0, -1));
-  const InterfaceForces forces = Solver().forces(scene);
+  const InterfaceForces forces = Solver(compliant).forces(scene);
   check("two groups under pressure", forces.normal.empty());
   check_error("their certificate", certify(scene, forces).equilibrium_residual,
               1e-15);

@@ -3,19 +3,21 @@
 #define voussoir_output_results_h
 
 #include <voussoir/statics/certificate.h>
+#include <voussoir/statics/load_parts.h>
 #include <voussoir/statics/scene.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
 {
-/** All that a run found, in the user's units; what the writers write. */
-struct Results
+/** What is known of every run, whatever came out of it. */
+struct RunRecord
 {
-  explicit Results(const Scene &scene) : scene(scene)
+  explicit RunRecord(const Scene &scene) : scene(scene)
   {
   }
 
@@ -24,20 +26,44 @@ struct Results
   std::string title;
   std::string formulation;
   std::string selection;
-  /** "solved". */
-  std::string status;
+  /** Why the solver stopped. */
+  std::string outcome;
   unsigned int n_iterations = 0;
   unsigned int n_evaluations = 0;
 
+  /** Wall clock time of each stage, in seconds. */
+  std::map<std::string, double> timings;
+};
+
+/** All that a run found whose load is carried, in the user's units. */
+struct Results : RunRecord
+{
+  explicit Results(RunRecord run) : RunRecord(std::move(run))
+  {
+  }
+
   InterfaceForces forces;
+  /** Of each interface, or empty if the formulation does not tell. */
+  std::vector<bool> never_pressed, always_sliding;
   std::vector<dealii::Tensor<1, 2>> displacement;
   Certificate certificate;
   std::vector<double> torques;
   std::vector<dealii::Tensor<2, 2>> mean_stresses;
   StressField stress;
+};
 
-  /** Wall clock time of each stage, in seconds. */
-  std::map<std::string, double> timings;
+/** All that a run found whose load is not carried, in the user's units. */
+struct Collapse : RunRecord
+{
+  explicit Collapse(RunRecord run) : RunRecord(std::move(run))
+  {
+  }
+
+  /** Of each cell along the mechanism; the largest component is one. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  MechanismCertificate proof;
+  /** What drives the mechanism, the most work first. */
+  std::vector<LoadPart> parts;
 };
 } // namespace Voussoir
 

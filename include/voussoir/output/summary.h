@@ -11,6 +11,7 @@ namespace Voussoir
 {
 /** The summary of a run as JSON, for programs. */
 void write_summary_json(std::ostream &out, const Results &results);
+void write_summary_json(std::ostream &out, const Collapse &collapse);
 
 /** The summary of a run in a few lines, for people. */
 void show_summary(Terminal &terminal, const Results &results);

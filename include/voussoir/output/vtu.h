@@ -19,9 +19,18 @@ void write_stress_vtu(std::ostream &out, const Results &results);
 
 /**
  * The interfaces as lines, with the normal and tangential force and stress, the
- * strength, the utilisation and the numbers of the cells.
+ * strength, the utilisation and the numbers of the cells; and never_pressed and
+ * always_sliding, if the formulation finds out (see Results).
  */
 void write_interfaces_vtu(std::ostream &out, const Results &results);
+
+/**
+ * The blocks moved along the mechanism, the largest component of the movement
+ * being the mean size of a cell (the root of its mean area), with the
+ * displacement and the cell. Warped by minus the displacement they are where
+ * they were.
+ */
+void write_mechanism_vtu(std::ostream &out, const Collapse &collapse);
 } // namespace Voussoir
 
 #endif

@@ -28,7 +28,6 @@ private:
   };
 
   void check_rectangle() const;
-  PointList random_points() const;
 
   Rectangle rectangle{{0., 0.}, {1., 1.}};
   Source source = Source::random;
@@ -37,6 +36,11 @@ private:
   unsigned int seed = 1;
   unsigned int n_lloyd_steps = 0;
 };
+
+/** @p n points drawn uniformly over @p rectangle; a seed gives the same ones. */
+PointList random_points(unsigned int n,
+                        unsigned int seed,
+                        const Rectangle &rectangle = {{0., 0.}, {1., 1.}});
 } // namespace Voussoir
 
 #endif

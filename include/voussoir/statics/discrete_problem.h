@@ -43,6 +43,12 @@ public:
     double distance;
     /** s_e |e|, the largest tangential force. */
     double strength;
+
+    /** k_e = |e| / d_e, of a joint with modulus one. */
+    double stiffness() const
+    {
+      return length / distance;
+    }
   };
 
   /** The jump [u]_e in the frame of its joint. */

@@ -17,7 +17,10 @@ namespace Voussoir
  */
 struct Mechanism
 {
-  /** Displacement of each cell; its largest component is one. */
+  /**
+   * Displacement of each cell, with zero mean in each connected group; its
+   * largest component is one.
+   */
   std::vector<dealii::Tensor<1, 2>> displacement;
   /** sum_c F_c . u_c, nondimensional. */
   double work;

@@ -64,12 +64,18 @@ private:
   struct State
   {
     std::vector<double> u;
+    /**
+     * Those of u, but summed up from those of the steps: differences of u
+     * itself would lose, in a stiff joint, the digits of its force.
+     */
     std::vector<Jump> jumps;
     std::vector<Jump> forces;
     /** Minus the sum of all forces on each cell. */
     std::vector<double> gradient;
   };
 
+  std::vector<Jump> jumps_of(const std::vector<double> &u) const;
+  /** Find forces and gradient from the jumps. */
   void evaluate(State &state);
   std::vector<double> direction(double shift,
                                 const std::vector<double> &centre);

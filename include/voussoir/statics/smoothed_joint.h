@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_smoothed_joint_h
 #define voussoir_statics_smoothed_joint_h
 
-#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/joint_law.h>
 
 namespace Voussoir
 {
@@ -26,28 +26,24 @@ enum class Contact
  * s_e |e| x / sqrt(x^2 + eps_e^2) never exceeds the strength. All
  * nondimensional.
  */
-class SmoothedJoint
+class SmoothedJoint : public JointLaw
 {
 public:
-  using Joint = DiscreteProblem::Joint;
-  using Jump = DiscreteProblem::Jump;
-
   SmoothedJoint(const DiscreteProblem &problem, Contact contact);
 
-  double energy(const Joint &joint, const Jump &jump) const;
-  /** The forces f_e^n and f_e^t: the first derivatives of the energy. */
-  Jump force(const Joint &joint, const Jump &jump) const;
-  /** The second derivatives; there is no mixed one. */
-  Jump second_derivative(const Joint &joint, const Jump &jump) const;
+  double energy(unsigned int e, const Jump &jump) const;
+  Jump force(unsigned int e, const Jump &jump) const override;
+  Jump second_derivative(unsigned int e, const Jump &jump) const override;
 
   /** The displacement that stands for one smoothing length of the user. */
   double displacement_unit() const;
 
 private:
   /** eps_e; zero only where the joint has no strength. */
-  double smoothing(const Joint &joint) const;
+  double smoothing(const DiscreteProblem::Joint &joint) const;
 
-  Contact contact;
+  const DiscreteProblem &problem;
+  const Contact contact;
   double common_smoothing = 1.;
 };
 } // namespace Voussoir

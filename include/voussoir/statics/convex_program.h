@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_convex_program_h
+#define voussoir_statics_convex_program_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/statics/solution.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A convex function f of x to be minimised under G x >= 0, where x begins with
+ * the displacements of a DiscreteProblem (n_dofs() numbers) and may go on with
+ * other unknowns.
+ */
+class ConvexProgram
+{
+public:
+  /** An entry of a sparse matrix. */
+  struct Entry
+  {
+    unsigned int row;
+    unsigned int column;
+    double value;
+  };
+
+  virtual ~ConvexProgram() = default;
+
+  /** Where to begin. */
+  virtual std::vector<double> start() const = 0;
+
+  virtual double value(const double *x) = 0;
+  virtual std::vector<double> gradient(const double *x) = 0;
+  /**
+   * The lower triangle of the second derivatives; entries of the same place add
+   * up. The places are the same for all @p x.
+   */
+  virtual std::vector<Entry> hessian(const double *x) const = 0;
+
+  virtual unsigned int n_constraints() const = 0;
+  /** G */
+  virtual std::vector<Entry> constraints() const = 0;
+
+  /** Why to stop after @p iteration; empty to go on. */
+  virtual std::string verdict(unsigned int /*iteration*/)
+  {
+    return {};
+  }
+};
+
+/** What Ipopt is told. */
+struct IpoptControls
+{
+  double tolerance;
+  unsigned int n_max_iterations;
+  /** The product of each constraint and its multiplier to stop at. */
+  double mu_target = 0.;
+};
+
+/** What Ipopt found. */
+struct IpoptResult
+{
+  std::vector<double> x;
+  /** Of the constraints; not positive. */
+  std::vector<double> multipliers;
+  /** The proof, if there is one, that there is no minimum. */
+  std::optional<Mechanism> mechanism;
+  unsigned int n_iterations = 0;
+  unsigned int n_evaluations = 0;
+  /** Why it stopped, in a few words; "converged" if it did. */
+  std::string outcome;
+};
+
+/**
+ * Solve @p program with Ipopt and MUMPS. In each connected group of cells one
+ * is held where it starts, since a translation changes nothing. The iterates
+ * are watched for mechanisms; after many iterations without a minimum
+ * find_collapse() is asked.
+ *
+ * @throws SolverError if Ipopt ends without a point.
+ */
+IpoptResult solve_with_ipopt(const DiscreteProblem &problem,
+                             ConvexProgram &program,
+                             const IpoptControls &controls,
+                             Terminal &terminal);
+
+/** A solution without its forces, and with displacement zero. */
+Solution make_solution(const DiscreteProblem &problem, IpoptResult result);
+} // namespace Voussoir
+
+#endif

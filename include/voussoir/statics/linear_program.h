@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_linear_program_h
+#define voussoir_statics_linear_program_h
+
+#include <voussoir/statics/formulation.h>
+
+namespace Voussoir
+{
+/**
+ * The linear program (Marazzato and Venkataramani)
+ *
+ *   minimise sum_e s_e |e| v_e - sum_c F_c . u_c
+ *   subject to [u]_e . n_e >= 0 and v_e >= |[u]_e . t_e|,
+ *
+ * solved by Ipopt, without any smoothing. Its multipliers are admissible and
+ * balanced forces. There are many, and which of them come out depends on where
+ * the solver stops on its way to the analytic centre with equal weights: on the
+ * tolerance, the start, the version of Ipopt.
+ */
+class LinearProgram : public Formulation
+{
+public:
+  std::string name() const override;
+  std::string meaning() const override;
+  std::string selection() const override;
+  void add_parameters(dealii::ParameterHandler &prm) override;
+
+private:
+  Solution select(const DiscreteProblem &problem,
+                  const SolverControls &controls,
+                  Terminal &terminal) const override;
+};
+} // namespace Voussoir
+
+#endif

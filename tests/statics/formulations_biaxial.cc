@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The load S = diag(-1 + d, -1 - d) with s_T = 0.3. In square blocks turned by
+// 45 degrees straight joints lie in the planes of largest shear, and the limit
+// is d = s_T: any smaller d is carried by the uniform state, any larger one
+// slides along such a plane. In 1,000 random Voronoi cells blocks that slide
+// have to climb, and the limit is higher, between the proofs below.
+
+#include "tests.h"
+
+using namespace Voussoir;
+
+/** Some 1,000 squares, the points of a lattice turned by 45 degrees. */
+Packing turned_squares()
+{
+  const int n = 46;
+  PointList list;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if ((i + j) % 2 == 0)
+        list.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
+  return Packing(voronoi_cells(list, {{0, 0}, {1, 1}}));
+}
+
+void try_load(const Way &way, const Packing &packing, const double d)
+{
+  const Scene scene =
+      scene_under_stress(packing, 0.3, tensor(-1 + d, 0, 0, -1 - d));
+  const DiscreteProblem problem(scene);
+  const Solution solution = Solver(way).solve(problem);
+  std::cout << "  " << way.name << ", d = " << d << ": ";
+  if (solution.mechanism)
+  {
+    const auto proof =
+        certify_mechanism(scene, solution.mechanism->displacement);
+    std::cout << "collapse "
+              << (proof.closing_violation <= 1e-12 &&
+                          proof.work_over_dissipation > 1.
+                      ? "proven"
+                      : "FAILED")
+              << std::endl;
+    return;
+  }
+  const Certificate certificate =
+      certify(scene, dimensional_forces(problem, solution));
+  std::cout << "carried "
+            << (certificate.equilibrium_residual <= 1e-8 &&
+                        certificate.admissibility_violation <= 1e-8
+                    ? "with certificate"
+                    : "FAILED")
+            << std::endl;
+}
+
+int main()
+{
+  const Packing squares = turned_squares();
+  std::cout << squares.n_cells() << " turned squares" << std::endl;
+  for (const Way &way : all_ways)
+    for (const double d : {0.2999, 0.31, 2.})
+      try_load(way, squares, d);
+
+  std::cout << "1000 random cells" << std::endl;
+  const Packing random = random_packing(1000, 1);
+  for (const Way &way : all_ways)
+    for (const double d : {0.2999, 0.31, 0.65, 0.651, 0.9})
+      try_load(way, random, d);
+}

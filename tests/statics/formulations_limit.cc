@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The shear wall stands if and only if s_T >= 1: above, bed joints carry the
+// shear stress 1 and no normal stress; below, the courses slide, with a ratio
+// of work to dissipation of at most 1 / s_T. Every formulation says so soon.
+
+#include "tests.h"
+
+using namespace Voussoir;
+
+void try_strength(const Way &way, const double strength)
+{
+  const Scene scene = shear_wall(strength);
+  const DiscreteProblem problem(scene);
+  const Solution solution = Solver(way).solve(problem);
+  std::cout << way.name << ", s_T = " << strength << ": ";
+  if (solution.mechanism)
+  {
+    const auto proof =
+        certify_mechanism(scene, solution.mechanism->displacement);
+    std::cout << "collapse" << std::endl;
+    check("  work above dissipation", proof.work_over_dissipation > 1.);
+    check_error("  ratio of work to dissipation, over the largest",
+                proof.work_over_dissipation * strength, 1. + 1e-9);
+    check_error("  closing of joints", proof.closing_violation, 1e-14);
+    check("  at most 30 evaluations", solution.n_evaluations <= 30);
+    return;
+  }
+
+  std::cout << "carried" << std::endl;
+  const InterfaceForces forces = dimensional_forces(problem, solution);
+  const Certificate certificate = certify(scene, forces);
+  check_error("  equilibrium", certificate.equilibrium_residual, 1e-6);
+  check_error("  admissibility", certificate.admissibility_violation, 1e-6);
+  double normal = 0., tangential = 0.;
+  unsigned int unmarked = 0;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const auto &i = scene.packing.interfaces()[e];
+    if (std::abs(i.normal[1]) < 0.5)
+      continue; // a head joint
+    normal = std::max(normal, std::abs(forces.normal[e]) / i.length);
+    tangential = std::max(
+        tangential, std::abs(std::abs(forces.tangential[e]) / i.length - 1.));
+    if (!solution.never_pressed.empty() && !solution.never_pressed[e])
+      ++unmarked;
+  }
+  // No state is strictly admissible. Ipopt with hard contact approaches p = 0
+  // as the square root of its barrier parameter; the linear program and the
+  // centre have room in q, which is 1 in the mean over a course only.
+  const double tolerance = way.name == "hard" ? 1e-3 : 1e-6;
+  check_error("  normal stress of the bed joints", normal, tolerance);
+  if (way.formulation == "smoothed friction" ||
+      way.formulation == "least energy" || strength == 1.)
+    check_error("  |q|/|e| - 1 of the bed joints", tangential, tolerance);
+  if (way.formulation == "analytic centre")
+  {
+    check("  all bed joints marked as never pressed", unmarked == 0);
+    check("  joints that always slide are at the limit only",
+          (std::count(solution.always_sliding.begin(),
+                      solution.always_sliding.end(), true) > 0) ==
+              (strength == 1.));
+  }
+}
+
+int main()
+{
+  for (const Way &way : all_ways)
+    for (const double strength : {10., 1.5, 1.001, 1., 0.999, 0.9, 0.1})
+      // Where every force is given, hard contact has no room at all.
+      if (!(strength == 1. &&
+            (way.name == "hard" || way.name == "linear program")))
+        try_strength(way, strength);
+}

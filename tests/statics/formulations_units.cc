@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Units do not change the nondimensional forces of any formulation: lengths and
+// stresses times 1e-6 and 1e6. Nor does the smoothing length, or the modulus,
+// which are units of displacement.
+
+#include "tests.h"
+
+using namespace Voussoir;
+
+/** Forces over (stress x length), of a packing that slides in places. */
+InterfaceForces
+nondimensional_forces(const Way &way, const double length, const double stress)
+{
+  const Scene scene =
+      scene_under_stress(random_packing(200, 1, {{0., 0.}, {length, length}}),
+                         0.3 * stress, stress * tensor(-1.2, 0.1, 0.1, -0.8));
+  InterfaceForces forces = Solver(way).forces(scene);
+  for (auto *component : {&forces.normal, &forces.tangential})
+    for (double &f : *component)
+      f /= length * stress;
+  return forces;
+}
+
+void compare_displacements(const Way &way,
+                           const std::string &setting,
+                           const double factor)
+{
+  const Scene scene = shear_wall(2.);
+  const DiscreteProblem problem(scene);
+  const auto u = Solver(way).solve(problem).displacement;
+  const auto v = Solver(way.with(setting)).solve(problem).displacement;
+  double error = 0., largest = 0.;
+  for (unsigned int c = 0; c < u.size(); ++c)
+  {
+    error = std::max(error, (factor * v[c] - u[c]).norm());
+    largest = std::max(largest, u[c].norm());
+  }
+  check_error(way.name + ": displacements in proportion", error / largest,
+              1e-12);
+}
+
+int main()
+{
+  for (const Way &way : all_ways)
+  {
+    const InterfaceForces reference = nondimensional_forces(way, 1., 1.);
+    const auto compare = [&](const std::string &what,
+                             const InterfaceForces &forces) {
+      check_error(what, distance(reference, forces), 1e-8);
+    };
+    std::cout << way.name << std::endl;
+    for (const std::string factor : {"1e-6", "1e6"})
+    {
+      const double f = std::stod(factor);
+      compare("  lengths", nondimensional_forces(way, f, 1.));
+      compare("  stresses", nondimensional_forces(way, 1., f));
+      compare("  both", nondimensional_forces(way, f, f));
+      if (way.formulation == "smoothed friction")
+        compare("  eps",
+                nondimensional_forces(
+                    way.with("set Smoothing length = " + factor), 1., 1.));
+      if (way.formulation == "least energy")
+        compare("  modulus", nondimensional_forces(
+                                 way.with("set Modulus = " + factor), 1., 1.));
+    }
+  }
+  compare_displacements(compliant, "set Smoothing length = 1e3", 1e-3);
+  compare_displacements(hard, "set Smoothing length = 1e3", 1e-3);
+  compare_displacements(least_energy, "set Modulus = 1e3", 1e3);
+}
