@@ -7,14 +7,17 @@ DIRECTORY holds the results of voussoir; FIELD is a scalar of stress.vtu, such
 as von_mises, or a component of the stress: sigma_xx, sigma_xy or sigma_yy. The
 colours run from blue at -LIMIT (compression) over white at zero to red at LIMIT
 (tension); by default LIMIT is the largest absolute value. Black lines are the
-interfaces.
+interfaces. If the load was not carried, FIELD is displacement_x or
+displacement_y, of the blocks of mechanism.vtu, which are shown where the
+mechanism has moved them.
 """
 import math
 import sys
 
 from paraview.simple import (
-    ColorBy, CreateView, GetColorTransferFunction, GetScalarBar, Outline,
-    Render, SaveScreenshot, Show, XMLUnstructuredGridReader)
+    CleantoGrid, ColorBy, CreateView, ExtractSurface, FeatureEdges,
+    GetColorTransferFunction, GetScalarBar, Outline, Render, SaveScreenshot,
+    Show, XMLUnstructuredGridReader)
 
 directory, field, picture = sys.argv[1:4]
 
@@ -25,11 +28,12 @@ def read(name):
     return reader
 
 
-stress = read("stress.vtu")
-# Where a component of the stress stands among the nine of the tensor.
-components = {"sigma_xx": 0, "sigma_xy": 1, "sigma_yy": 4}
-array = "stress" if field in components else field
-index = components.get(field, 0)
+# Where a component stands among the nine of the tensor and three of the vector.
+array, index = {"sigma_xx": ("stress", 0), "sigma_xy": ("stress", 1),
+                "sigma_yy": ("stress", 4), "displacement_x": ("displacement", 0),
+                "displacement_y": ("displacement", 1)}.get(field, (field, 0))
+collapse = array == "displacement"
+blocks = read("mechanism.vtu" if collapse else "stress.vtu")
 
 view = CreateView("RenderView")
 view.ViewSize = [800, 800]
@@ -39,12 +43,12 @@ view.OrientationAxesVisibility = 0
 view.InteractionMode = "2D"
 
 colours = GetColorTransferFunction(array)
-low, high = stress.PointData.GetArray(array).GetRange(index)
+low, high = blocks.PointData.GetArray(array).GetRange(index)
 extent = float(sys.argv[4]) if len(sys.argv) > 4 else max(abs(low), abs(high))
 extent = extent or 1.0
-shown = Show(stress, view)
+shown = Show(blocks, view)
 ColorBy(shown, ("POINTS", array))
-if array == "stress":
+if array in ("stress", "displacement"):
     colours.VectorMode, colours.VectorComponent = "Component", index
 colours.AutomaticRescaleRangeMode = "Never"
 colours.ColorSpace = "Lab"
@@ -64,14 +68,20 @@ bar.Orientation = "Horizontal"
 bar.WindowLocation = "Lower Center"
 bar.ScalarBarLength = 0.5
 
-for source in (read("interfaces.vtu"), Outline(Input=stress)):
+if collapse:
+    # Blocks that move together have merged: lines are where they part.
+    outlines = [FeatureEdges(Input=ExtractSurface(Input=CleantoGrid(
+        Input=blocks)), FeatureEdges=0, NonManifoldEdges=0)]
+else:
+    outlines = [read("interfaces.vtu"), Outline(Input=blocks)]
+for source in outlines:
     lines = Show(source, view)
     lines.ColorArrayName = [None, ""]
     lines.AmbientColor = lines.DiffuseColor = [0.1, 0.1, 0.1]
     lines.Ambient, lines.Diffuse = 1.0, 0.0
     lines.LineWidth = 1.5
 
-bounds = stress.GetDataInformation().GetBounds()
+bounds = blocks.GetDataInformation().GetBounds()
 size = math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2])
 centre = [(bounds[0] + bounds[1]) / 2,
           (bounds[2] + bounds[3]) / 2 - 0.09 * (bounds[3] - bounds[2])]

@@ -18,9 +18,9 @@ namespace
 {
 /** Every file that any run may write. */
 const std::vector<std::string> all_result_files = {
-    "interfaces.csv", "cells.csv",     "interfaces.vtu",       "stress.vtu",
-    "mechanism.csv",  "mechanism.vtu", "mechanism_joints.csv", "parameters.prm",
-    "summary.json"};
+    "interfaces.csv",       "cells.csv",      "interfaces.vtu",
+    "stress.vtu",           "mechanism.csv",  "mechanism.vtu",
+    "mechanism_joints.csv", "parameters.prm", "summary.json"};
 } // namespace
 
 ResultDirectory::ResultDirectory(fs::path directory_in)

@@ -37,7 +37,8 @@ private:
   unsigned int n_lloyd_steps = 0;
 };
 
-/** @p n points drawn uniformly over @p rectangle; a seed gives the same ones. */
+/** @p n points drawn uniformly over @p rectangle; a seed gives the same ones.
+ */
 PointList random_points(unsigned int n,
                         unsigned int seed,
                         const Rectangle &rectangle = {{0., 0.}, {1., 1.}});
