@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <new>
 #include <ostream>
+#include <sstream>
 
 namespace Voussoir
 {
@@ -107,9 +108,13 @@ void run(const Arguments &arguments, std::ostream &out)
 
   if (arguments.print_parameters)
   {
-    prm.print_parameters(out,
+    std::ostringstream text;
+    prm.print_parameters(text,
                          dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder);
+    if (!(out << text.str() << std::flush))
+      throw InputError("The parameters cannot be written to where the output "
+                       "goes; is the disk full?");
     return;
   }
   if (arguments.file.empty())

@@ -23,14 +23,17 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Strength", strength,
                     "The Tresca strength s_T of the interfaces: the shear "
                     "stress at which they slide, whatever the normal stress. "
-                    "A stress, not negative; an expression in x, y.");
+                    "A stress, not negative; an expression in x, y and the "
+                    "unit normal nx, ny of the interface, whose sign is "
+                    "arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
+                    "bed joints and another for head joints.");
   prm.leave_subsection();
 }
 
 std::vector<double> FrictionParameters::strengths(const Packing &packing) const
 {
   const std::string name = "Friction/Strength";
-  const Expression s_T(strength, {"x", "y"}, name);
+  const Expression s_T(strength, {"x", "y", "nx", "ny"}, name);
   const dealii::QGauss<1> quadrature(n_quadrature_points);
 
   std::vector<double> strengths;
@@ -43,7 +46,8 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
       const dealii::Point<2> p =
           interface.start +
           quadrature.point(q)[0] * (interface.end - interface.start);
-      const double value = s_T({p[0], p[1]});
+      const double value =
+          s_T({p[0], p[1], interface.normal[0], interface.normal[1]});
       if (!std::isfinite(value) || value < 0.)
         throw InputError(
             text("'", name, "' = '", strength, "' is ", text_of_number(value),

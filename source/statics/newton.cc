@@ -15,9 +15,11 @@ using Jump = DiscreteProblem::Jump;
 
 namespace
 {
-/** A factorisation that fails is tried again with a larger shift. */
+/**
+ * A factorisation that fails is tried again with a larger shift, up to the
+ * largest coefficient.
+ */
 constexpr double factor_of_shift = 100.;
-constexpr double largest_shift = 1.;
 
 /** The slope at the end of a line search, relative to that at its beginning. */
 constexpr double slope_reduction = 0.1;
@@ -95,12 +97,16 @@ std::vector<double> Newton::direction(double shift,
         proximal_force(shift, present.u[k], centre[k]) - present.gradient[k];
 
   std::vector<Jump> second(present.jumps.size());
+  double largest = 1.;
   for (unsigned int e = 0; e < second.size(); ++e)
+  {
     second[e] = law.second_derivative(e, present.jumps[e]);
+    largest = std::max({largest, second[e].normal, second[e].tangential});
+  }
   while (!system.prepare(second, shift))
   {
     shift *= factor_of_shift;
-    if (shift > largest_shift)
+    if (!(shift <= largest))
       throw SolverError(
           "A linear system of Newton's method cannot be factorised.");
   }
@@ -141,7 +147,8 @@ double Newton::search(const std::vector<double> &direction,
       trial.jumps[e].tangential += t * step_jumps[e].tangential;
     }
     evaluate(trial);
-    return slope(trial);
+    const double s = slope(trial);
+    return std::isfinite(s) ? s : std::numeric_limits<double>::max();
   };
 
   double lower = 0., slope_lower = slope(present);

@@ -17,9 +17,20 @@ foreach(_run "paraview|10|0" "paraview_collapse|0.9|3")
     message(FATAL_ERROR "voussoir ended with status ${status}")
   endif()
 endforeach()
+# A uniform stress with three components that differ.
+execute_process(
+  COMMAND ${VOUSSOIR} ${SOURCE_DIR}/prm/verification_1.prm
+    --set "Output directory=paraview_uniform"
+    --set "Formulation=least energy"
+    --set "Loads/Boundary load=uniform stress"
+    --set [[Loads/Stress=-1, 0.3; 0.3, -2]]
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "voussoir ended with status ${status}")
+endif()
 execute_process(
   COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/read_with_paraview.py
-    paraview paraview_collapse
+    paraview paraview_collapse paraview_uniform
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the files are not as they should be")

@@ -8,7 +8,7 @@ import sys
 
 from paraview.simple import XMLUnstructuredGridReader
 
-directory, collapse = sys.argv[1:]
+directory, collapse, uniform = sys.argv[1:]
 
 
 def read(name, directory=directory):
@@ -79,4 +79,11 @@ expect("largest displacement", round(max(-low, high), 6), round(block, 6))
 bounds = mechanism.GetDataInformation().GetBounds()
 expect("bounds of the moved blocks", [round(b, 5) for b in bounds],
        [round(b, 5) for b in (low, 1 + high, 0, 1, 0, 0)])
+
+# The stress [[-1, 0.3], [0.3, -2]] in every sub-cell.
+stress = read("stress.vtu", uniform)
+for component, value in {0: -1, 1: 0.3, 3: 0.3, 4: -2, 2: 0, 8: 0}.items():
+    expect_range(stress, "stress", component, value, value)
+expect_range(stress, "principal_stress_1", 0, -1.5 + 0.34 ** 0.5,
+             -1.5 + 0.34 ** 0.5)
 print("ParaView reads the files")

@@ -73,6 +73,16 @@ int main()
                                              packing.interfaces()[e].end[0])));
   check_error("mean of a quadratic strength", error, 1e-14);
 
+  const Packing courses = wall(4, 3);
+  const auto by_kind = strengths(courses, "abs(ny) > 0.5 ? 1 : 0.2");
+  bool right = true;
+  for (unsigned int e = 0; e < by_kind.size(); ++e)
+  {
+    const bool bed = courses.interfaces()[e].normal[1] > 0.5;
+    right &= std::abs(by_kind[e] - (bed ? 1. : 0.2)) < 1e-15;
+  }
+  check("bed and head joints of different strength", right);
+
   const Packing bricks = wall(2, 1);
   show_refusal([&] { strengths(bricks, "-1"); });
   show_refusal([&] { strengths(bricks, "sqrt(0.25 - x)"); });
