@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -43,7 +44,7 @@ std::string message_of(const Collapse &collapse)
   message.precision(10); // close to the limit the ratio is hardly above one
   message << "The load is not carried: along a mechanism of the blocks that "
              "closes no joint it does ";
-  if (collapse.proof.work_over_dissipation < frictionless_ratio)
+  if (std::isfinite(collapse.proof.work_over_dissipation))
     message << collapse.proof.work_over_dissipation
             << " times the work that friction can dissipate";
   else
@@ -189,6 +190,9 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
                            "is ",
                            proof.work_over_dissipation, "."));
 
+  if (proof.work_over_dissipation > frictionless_ratio)
+    collapse.proof.work_over_dissipation =
+        std::numeric_limits<double>::infinity();
   collapse.parts = load_parts(collapse.scene, collapse.displacement);
   collapse.timings =
       timer.get_summary_data(dealii::TimerOutput::total_wall_time);
@@ -221,7 +225,7 @@ void Simulation::check_certificate(const Results &results) const
         " of the largest load on a cell. The load may be close to what the "
         "packing can carry; try a larger 'Solver/Maximum iterations', or a "
         "slightly smaller load."));
-  if (results.outcome != "converged" && results.n_iterations > 0)
+  if (results.outcome != "converged" && results.outcome != nothing_to_balance)
     terminal.warning(text(
         "the solver ", results.outcome,
         ". The forces are balanced and admissible to what is said below, but "

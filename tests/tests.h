@@ -110,10 +110,12 @@ inline Voussoir::Scene scene_under_stress(Voussoir::Packing packing,
 }
 
 /** The shear wall of 12 courses of 6 bricks: +1 along the top, -1 below. */
-inline Voussoir::Scene shear_wall(const double strength)
+inline Voussoir::Scene shear_wall(const double strength,
+                                  const double width = 1.,
+                                  const double height = 1.)
 {
   return scene_with(
-      wall(12, 6), strength,
+      wall(12, 6, width, height), strength,
       [](const dealii::Point<2> &, const dealii::Tensor<1, 2> &n) {
         dealii::Tensor<1, 2> g;
         g[0] = n[1];

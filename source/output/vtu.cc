@@ -5,6 +5,7 @@
 #include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 

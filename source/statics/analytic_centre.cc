@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/newton.h>
@@ -37,6 +38,9 @@ constexpr double half_way = 0.316;
 constexpr double fix_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fix_joints_steps = 30;
 
+/** The work of a load, over the size of its terms, that is not rounding. */
+constexpr double least_resistance = 1e-10;
+
 /**
  * The uniform dilation u = alpha x_c with the alpha of least energy. Where the
  * load resists no dilation any alpha will do.
@@ -52,8 +56,12 @@ std::vector<double> dilation(const DiscreteProblem &problem,
   double sum_of_weights = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
     sum_of_weights += law.weight(e);
+  double size_of_terms = 0.;
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      size_of_terms += std::abs(problem.loads()[c][i] * u[problem.dof(c, i)]);
   const double resistance = -problem.work(u.data());
-  if (resistance > 0.)
+  if (resistance > least_resistance * size_of_terms)
     for (double &component : u)
       component *= sum_of_weights / resistance;
   return u;
@@ -67,11 +75,15 @@ std::vector<double> dilation(const DiscreteProblem &problem,
  * displacement would grow without end. As the shift goes to zero, p and
  * s_e |e| - |q| then fall with its square root in those joints, and tend to
  * positive limits in all others.
+ *
+ * @return nothing if a minimum was not reached.
  */
-std::vector<BarrierJoint::Fixed> fixed_joints(const DiscreteProblem &problem,
-                                              const BarrierJoint &law,
-                                              const double last_shift,
-                                              Newton &newton)
+std::optional<std::vector<BarrierJoint::Fixed>>
+fixed_joints(const DiscreteProblem &problem,
+             const BarrierJoint &law,
+             const double last_shift,
+             const unsigned int n_max_steps,
+             Newton &newton)
 {
   const std::vector<double> origin(problem.n_dofs(), 0.);
   const unsigned int n_joints = problem.joints().size();
@@ -85,12 +97,15 @@ std::vector<BarrierJoint::Fixed> fixed_joints(const DiscreteProblem &problem,
 
   for (double shift = first_shift; shift >= last_shift; shift *= shift_ratio)
   {
-    for (unsigned int i = 0; i < n_max_fix_joints_steps; ++i)
+    unsigned int n_steps = 0;
+    do
     {
+      if (n_steps++ == n_max_fix_joints_steps ||
+          newton.n_iterations() >= n_max_steps)
+        return {};
       newton.step(shift, origin);
-      if (newton.decrement() <= fix_joints_decrement)
-        break;
-    }
+    } while (!(newton.decrement() <= fix_joints_decrement));
+
     for (unsigned int e = 0; e < n_joints; ++e)
     {
       const Jump &jump = newton.jumps()[e];
@@ -107,17 +122,20 @@ std::vector<BarrierJoint::Fixed> fixed_joints(const DiscreteProblem &problem,
 Solution minimise_barrier(const DiscreteProblem &problem,
                           const BarrierJoint &law,
                           JointSystem &system,
-                          const SolverControls &controls,
+                          const double tolerance,
+                          const unsigned int n_max_iterations,
                           Terminal &terminal)
 {
   Newton newton(problem, law, system, dilation(problem, law));
-  const NewtonControls until = {
-      controls.tolerance, largest_decrement,
-      std::min(n_max_newton_iterations, controls.n_max_iterations)};
+  const auto advance = [&]() -> std::optional<Mechanism> {
+    newton.step(least_shift, newton.u());
+    return {};
+  };
   // No displacement of its own: the barrier's grows with its parameter.
-  return minimise(
-      problem, newton, until, [&]() { newton.step(least_shift, newton.u()); },
-      0., terminal);
+  return minimise(problem, newton,
+                  {tolerance, largest_decrement,
+                   std::min(n_max_newton_iterations, n_max_iterations)},
+                  advance, 0., terminal);
 }
 } // namespace
 
@@ -158,28 +176,47 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
 {
   BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::automatic);
-  Solution solution =
-      minimise_barrier(problem, law, system, controls, terminal);
+  unsigned int n_iterations = 0, n_evaluations = 0;
+  const auto solve = [&]() {
+    Solution found =
+        minimise_barrier(problem, law, system, controls.tolerance,
+                         controls.n_max_iterations - n_iterations, terminal);
+    n_iterations += found.n_iterations;
+    n_evaluations += found.n_evaluations;
+    return found;
+  };
 
+  Solution solution = solve();
   for (const double last_shift : last_shifts)
   {
-    if (solution.converged() || solution.mechanism)
+    if (solution.converged() || solution.mechanism ||
+        n_iterations >= controls.n_max_iterations)
       break;
     law = BarrierJoint(problem, weights);
     Newton newton(problem, law, system, dilation(problem, law));
-    law.fixed = fixed_joints(problem, law, last_shift, newton);
-    Solution reduced =
-        minimise_barrier(problem, law, system, controls, terminal);
-    reduced.n_iterations += solution.n_iterations + newton.n_iterations();
-    reduced.n_evaluations += solution.n_evaluations + newton.n_evaluations();
-    solution = std::move(reduced);
+    const auto fixed =
+        fixed_joints(problem, law, last_shift,
+                     controls.n_max_iterations - n_iterations, newton);
+    n_iterations += newton.n_iterations();
+    n_evaluations += newton.n_evaluations();
+    if (fixed && n_iterations < controls.n_max_iterations)
+    {
+      law.fixed = *fixed;
+      solution = solve();
+    }
   }
 
-  for (const BarrierJoint::Fixed &fixed : law.fixed)
-  {
-    solution.never_pressed.push_back(fixed.never_pressed);
-    solution.always_sliding.push_back(fixed.sliding != 0);
-  }
+  solution.n_iterations = n_iterations;
+  solution.n_evaluations = n_evaluations;
+  // What the joints have in common is known only if the rest has a centre.
+  if (solution.converged())
+    for (const BarrierJoint::Fixed &fixed : law.fixed)
+    {
+      solution.never_pressed.push_back(fixed.never_pressed);
+      solution.always_sliding.push_back(fixed.sliding != 0);
+    }
+  else if (!solution.mechanism && n_iterations < controls.n_max_iterations)
+    solution.outcome = "found no centre";
   return solution;
 }
 
@@ -188,7 +225,15 @@ std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
 {
   const BarrierJoint law(problem, BarrierWeights::equal);
   JointSystem system(problem, LinearSolver::automatic);
-  return minimise_barrier(problem, law, system, SolverControls(), terminal)
-      .mechanism;
+  try
+  {
+    return minimise_barrier(problem, law, system, SolverControls().tolerance,
+                            n_max_newton_iterations, terminal)
+        .mechanism;
+  }
+  catch (const SolverError &)
+  {
+    return {}; // whoever asked goes on without a proof
+  }
 }
 } // namespace Voussoir

@@ -8,6 +8,8 @@
 #include <IpTNLP.hpp>
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <utility>
 
 namespace Voussoir
@@ -40,11 +42,8 @@ public:
   /** Why this class or the program, rather than Ipopt, ended the search. */
   std::string stop_reason;
 
-  void look_for_collapse()
-  {
-    asked = true;
-    result.mechanism = find_collapse(problem, terminal);
-  }
+  /** Ipopt takes every exception for its own failure: keep it. */
+  std::exception_ptr exception;
 
   bool get_nlp_info(Index &n,
                     Index &m,
@@ -169,7 +168,18 @@ public:
                                     inf_du, ", interpenetration ", inf_pr));
     result.mechanism = find_mechanism(problem, latest);
     if (!result.mechanism && !asked && result.n_iterations >= n_before_doubt)
-      look_for_collapse();
+    {
+      asked = true;
+      try
+      {
+        result.mechanism = find_collapse(problem, terminal);
+      }
+      catch (...)
+      {
+        exception = std::current_exception();
+        return false;
+      }
+    }
     if (!result.mechanism)
       stop_reason = program.verdict(iteration);
     return !result.mechanism && stop_reason.empty();
@@ -271,6 +281,10 @@ IpoptResult solve_with_ipopt(const DiscreteProblem &problem,
 
   const Ipopt::ApplicationReturnStatus status = ipopt->OptimizeTNLP(
       Ipopt::SmartPtr<Ipopt::TNLP>(Ipopt::GetRawPtr(adapter)));
+  if (adapter->exception)
+    std::rethrow_exception(adapter->exception);
+  if (status == Ipopt::Insufficient_Memory)
+    throw std::bad_alloc();
   IpoptResult result = adapter->result;
   result.outcome =
       adapter->stop_reason.empty() ? describe(status) : adapter->stop_reason;

@@ -63,7 +63,6 @@ public:
   {
     cholmod_start(&common);
     common.print = 0; // failures are reported by their status
-    make_pattern();
   }
 
   ~Cholesky() override
@@ -79,6 +78,8 @@ public:
   bool prepare(const std::vector<Jump> &coefficients,
                const double shift) override
   {
+    if (matrix == nullptr)
+      make_pattern();
     fill(coefficients, shift);
     if (factor == nullptr)
       factor = check(cholmod_analyze(matrix, &common));

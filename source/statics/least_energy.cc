@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace Voussoir
 {
@@ -164,23 +166,18 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                 std::vector<double>(problem.n_dofs(), 0.));
   ProximalSteps proximal(newton);
   const auto advance = [&]() {
-    proximal.advance();
+    std::optional<Mechanism> mechanism;
+    if (newton.n_iterations() == n_before_doubt)
+      mechanism = find_collapse(problem, terminal);
+    if (!mechanism)
+      proximal.advance();
+    return mechanism;
   };
-  const double unit = problem.stress_scale() * problem.length_scale() / modulus;
-
-  NewtonControls until = {controls.tolerance, HUGE_VAL,
-                          std::min(controls.n_max_iterations, n_before_doubt)};
-  Solution solution = minimise(problem, newton, until, advance, unit, terminal);
-  if (solution.converged() || solution.mechanism)
-    return solution;
-
-  solution.mechanism = find_collapse(problem, terminal);
-  if (solution.mechanism)
-  {
-    solution.outcome = "stopped by a proof of collapse";
-    return solution;
-  }
-  until.n_max_iterations = controls.n_max_iterations;
-  return minimise(problem, newton, until, advance, unit, terminal);
+  return minimise(problem, newton,
+                  {controls.tolerance, std::numeric_limits<double>::infinity(),
+                   controls.n_max_iterations},
+                  advance,
+                  problem.stress_scale() * problem.length_scale() / modulus,
+                  terminal);
 }
 } // namespace Voussoir

@@ -2,6 +2,7 @@
 #include <voussoir/statics/convex_program.h>
 #include <voussoir/statics/linear_program.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Voussoir
@@ -103,8 +104,13 @@ public:
     forces.normal.assign(multipliers.begin(), multipliers.begin() + n_joints);
     forces.tangential.resize(n_joints);
     for (unsigned int k = 0; k < rough.size(); ++k)
-      forces.tangential[rough[k]] =
-          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)];
+    {
+      // The two multipliers add up to minus the strength, but for rounding.
+      const double strength = problem.joints()[rough[k]].strength;
+      forces.tangential[rough[k]] = std::clamp(multipliers[forward_row(k) + 1] -
+                                                   multipliers[forward_row(k)],
+                                               -strength, strength);
+    }
     return forces;
   }
 

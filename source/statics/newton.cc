@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Voussoir
@@ -98,19 +99,33 @@ std::vector<double> Newton::direction(double shift,
 
   std::vector<Jump> second(present.jumps.size());
   double largest = 1.;
+  bool finite = true;
   for (unsigned int e = 0; e < second.size(); ++e)
   {
     second[e] = law.second_derivative(e, present.jumps[e]);
     largest = std::max({largest, second[e].normal, second[e].tangential});
+    finite &= std::isfinite(second[e].normal + second[e].tangential);
   }
-  while (!system.prepare(second, shift))
-  {
-    shift *= factor_of_shift;
-    if (!(shift <= largest))
-      throw SolverError(
-          "A linear system of Newton's method cannot be factorised.");
-  }
-  return system.solve(right);
+  if (!finite)
+    throw SolverError("The stiffness of a joint is beyond all numbers: its "
+                      "strength is too far above the load. Lower "
+                      "'Friction/Strength', or take another 'Formulation'.");
+  // Rounding can cost the matrix its definiteness; then the step would not lead
+  // downhill.
+  for (; shift <= largest; shift *= factor_of_shift)
+    if (system.prepare(second, shift))
+    {
+      std::vector<double> d = system.solve(right);
+      long double descent = 0.;
+      for (unsigned int k = 0; k < d.size(); ++k)
+        descent += right[k] * d[k];
+      if (std::isfinite(descent) && descent >= 0.)
+        return d;
+    }
+  throw SolverError("A linear system of Newton's method cannot be solved: the "
+                    "strengths or the "
+                    "sizes of the interfaces differ by too much. Take another "
+                    "'Formulation'.");
 }
 
 double Newton::search(const std::vector<double> &direction,
@@ -152,7 +167,8 @@ double Newton::search(const std::vector<double> &direction,
   };
 
   double lower = 0., slope_lower = slope(present);
-  last_decrement = std::sqrt(std::max(0., -slope_lower));
+  last_decrement = slope_lower <= 0. ? std::sqrt(-slope_lower)
+                                     : std::numeric_limits<double>::infinity();
   const double small = slope_reduction * std::abs(slope_lower);
   double upper = std::min(1., longest);
   double slope_upper = slope_at(upper);
@@ -235,7 +251,7 @@ unsigned int Newton::n_evaluations() const
 Solution minimise(const DiscreteProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
-                  const std::function<void()> &advance,
+                  const std::function<std::optional<Mechanism>()> &advance,
                   const double displacement_unit,
                   Terminal &terminal)
 {
@@ -251,7 +267,7 @@ Solution minimise(const DiscreteProblem &problem,
     const unsigned int n = newton.n_iterations();
     const bool converged = imbalance <= controls.imbalance &&
                            newton.decrement() <= controls.decrement;
-    if (imbalance < least || converged)
+    if (imbalance < least || converged || best_u.empty())
     {
       least = imbalance;
       best = n;
@@ -270,9 +286,14 @@ Solution minimise(const DiscreteProblem &problem,
       solution.outcome = "stopped at the limit of rounding";
     else
     {
-      terminal.progress("Newton",
-                        text("iteration ", n, ", imbalance ", imbalance));
-      advance();
+      const std::string state =
+          text("iteration ", n, ", imbalance ", imbalance);
+      if (terminal.verbosity() >= 2)
+        terminal.stage("  Newton", state);
+      else
+        terminal.progress("Newton", state);
+      if ((solution.mechanism = advance()))
+        solution.outcome = "stopped by a proof of collapse";
     }
   }
 

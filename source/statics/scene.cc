@@ -71,6 +71,14 @@ Scene::Scene(Packing packing_in,
   for (unsigned int b = 0; b < boundary.size(); ++b)
   {
     const Tensor<1, 2> force = boundary[b].length * traction[b];
+    const bool none = traction[b][0] == 0. && traction[b][1] == 0.;
+    if (!std::isfinite(force.norm()) || (!none && !(force.norm() > 0.)))
+      throw InputError(
+          text("The traction on the boundary edge at ",
+               text_of_point(boundary[b].midpoint()), " of cell ",
+               boundary[b].cell, " is (", traction[b][0], ", ", traction[b][1],
+               "), a force whose square is beyond the computer's numbers. "
+               "Choose units in which it is between 1e-150 and 1e150."));
     load[boundary[b].cell] += force;
     size[boundary[b].cell] += force.norm();
   }
@@ -79,6 +87,15 @@ Scene::Scene(Packing packing_in,
     if (load[c].norm() <= cancellation_tolerance * size[c])
       load[c] = 0.;
   check_balance(*this, size);
+
+  // A cell by itself carries nothing: what is left of its load is rounding.
+  const std::vector<unsigned int> group = connected_groups(packing);
+  std::vector<unsigned int> n_cells(group.size(), 0);
+  for (const unsigned int g : group)
+    ++n_cells[g];
+  for (unsigned int c = 0; c < group.size(); ++c)
+    if (n_cells[group[c]] == 1)
+      load[c] = 0.;
 }
 
 Tensor<1, 2> InterfaceForces::on_cell_minus(const Packing::Interface &interface,

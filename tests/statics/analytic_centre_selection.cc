@@ -51,10 +51,13 @@ InterfaceForces from_start(const Scene &scene,
   Newton newton(problem, law, system, u);
   std::ostringstream nowhere;
   Terminal quiet(nowhere, 0);
-  return dimensional_forces(
-      problem, minimise(
-                   problem, newton, {1e-10, 1e-7, 200},
-                   [&]() { newton.step(least_shift, newton.u()); }, 0., quiet));
+  return dimensional_forces(problem, minimise(
+                                         problem, newton, {1e-10, 1e-7, 200},
+                                         [&]() -> std::optional<Mechanism> {
+                                           newton.step(least_shift, newton.u());
+                                           return {};
+                                         },
+                                         0., quiet));
 }
 
 int main()

@@ -63,6 +63,52 @@ void try_strength(const Way &way, const double strength)
   }
 }
 
+/** A wall of another shape has the same limit. */
+void try_shape(const Way &way, const double width, const double height)
+{
+  for (const double strength : {1.5, 0.99})
+  {
+    const Scene scene = shear_wall(strength, width, height);
+    const DiscreteProblem problem(scene);
+    const Solution solution = Solver(way).solve(problem);
+    std::cout << way.name << ", " << width << " x " << height
+              << ", s_T = " << strength << ": "
+              << (solution.mechanism ? "collapse" : "carried") << std::endl;
+    if (!solution.mechanism)
+      check_error("  equilibrium",
+                  certify(scene, dimensional_forces(problem, solution))
+                      .equilibrium_residual,
+                  1e-6);
+  }
+}
+
+/** Just above the limit marks are right or not given; the limit is obeyed. */
+void try_marks(const Way &way)
+{
+  for (const double above : {1e-3, 1e-5, 1e-6, 1e-7, 1e-9})
+  {
+    const Scene scene = shear_wall(1. + above);
+    const DiscreteProblem problem(scene);
+    const Solution solution = Solver(way).solve(problem);
+    bool right = solution.never_pressed.empty() ||
+                 std::count(solution.always_sliding.begin(),
+                            solution.always_sliding.end(), true) == 0;
+    for (unsigned int e = 0; e < solution.never_pressed.size(); ++e)
+      right &= solution.never_pressed[e] ==
+               (std::abs(scene.packing.interfaces()[e].normal[1]) > 0.5);
+    check(way.name + ": marks right or none", right);
+    check(way.name + ": some at 1e-3",
+          above < 1e-3 || !solution.never_pressed.empty());
+
+    Solver solver(way);
+    for (const unsigned int n : {1, 60, 75})
+      check(way.name + ": within the iterations allowed",
+            solver.parameters.formulation()
+                    .solve(problem, {1e-10, n}, solver.quiet)
+                    .n_iterations <= n);
+  }
+}
+
 int main()
 {
   for (const Way &way : all_ways)
@@ -71,4 +117,11 @@ int main()
       if (!(strength == 1. &&
             (way.name == "hard" || way.name == "linear program")))
         try_strength(way, strength);
+
+  for (const Way &way : all_ways)
+    for (const auto &[width, height] :
+         {std::make_pair(2., 1.), {3., 1.}, {7., 1.}, {1., 100.}, {100., 1.}})
+      try_shape(way, width, height);
+  for (const Way &way : {centre, centre_equal})
+    try_marks(way);
 }

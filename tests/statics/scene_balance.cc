@@ -10,6 +10,19 @@ using Vector = dealii::Tensor<1, 2>;
 
 int main()
 {
+  // Forces whose squares are beyond the numbers are refused, not lost.
+  for (const double size : {1e160, 1e-170})
+    show_refusal([&] {
+      scene_under_stress(random_packing(3, 1), 1, size * tensor(-1, 0, 0, -1));
+    });
+  // What balance leaves to a cell by itself is rounding.
+  const Scene alone =
+      scene_with(random_packing(1, 1), 1,
+                 [](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) {
+                   return -(1. + 1e-12 * x[0]) * n;
+                 });
+  check("a cell by itself carries nothing", alone.load[0].norm() == 0.);
+
   show_refusal([] {
     scene_with(wall(2, 3), 1., [](const dealii::Point<2> &, const Vector &n) {
       Vector g;

@@ -14,6 +14,9 @@
 
 namespace Voussoir
 {
+/** The outcome where there is no interface or no load. */
+inline const std::string nothing_to_balance = "nothing to balance";
+
 /** What all formulations are told about how to solve. */
 struct SolverControls
 {

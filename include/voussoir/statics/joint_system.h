@@ -41,8 +41,8 @@ public:
   /**
    * Prepare to solve with the given coefficients, one pair for each joint.
    *
-   * @return whether the matrix is positive definite in the computer's numbers;
-   *   a larger shift helps if not.
+   * @return false if a factorisation found that rounding has cost the matrix
+   *   its positive definiteness; a larger shift helps then.
    */
   bool prepare(const std::vector<DiscreteProblem::Jump> &coefficients,
                double shift);

@@ -8,6 +8,8 @@
 #include <voussoir/statics/solution.h>
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +40,7 @@ public:
    * Take one step.
    *
    * @return the length of the step, in units of Newton's own.
-   * @throws SolverError if the linear system cannot be factorised.
+   * @throws SolverError if the linear system cannot be solved.
    */
   double step(double shift, const std::vector<double> &centre);
 
@@ -103,9 +105,10 @@ struct NewtonControls
 };
 
 /**
- * Call @p advance, which takes a step, until the controls are met, the
- * displacement proves that there is no minimum, or there is no progress; then
- * say what was found. The outcome is "converged" in the first case.
+ * Call @p advance, which takes a step and may return a proof of collapse found
+ * otherwise, until the controls are met, the displacement proves that there is
+ * no minimum, or there is no progress; then say what was found. The outcome is
+ * "converged" in the first case.
  *
  * @param displacement_unit of the nondimensional displacement, in the user's;
  *   zero to report none.
@@ -113,13 +116,14 @@ struct NewtonControls
 Solution minimise(const DiscreteProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
-                  const std::function<void()> &advance,
+                  const std::function<std::optional<Mechanism>()> &advance,
                   double displacement_unit,
                   Terminal &terminal);
 
 /**
- * The smallest shift, for matrices with entries of order one: far below what
- * the forces could show, far enough above rounding for a factorisation.
+ * The shift of a step that is to be Newton's own, for matrices with entries of
+ * order one: far below what the forces could show, far enough above rounding
+ * for a factorisation.
  */
 constexpr double least_shift = 1e-13;
 } // namespace Voussoir
