@@ -6,39 +6,18 @@
 
 #include <voussoir/command_line.h>
 
-#include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
+#include "table.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 namespace
 {
-/** The columns of a .csv file by name. */
-using Table = std::map<std::string, std::vector<double>>;
-
-Table read_table(const std::string &file)
-{
-  std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  std::vector<std::string> names, words;
-  boost::split(names, line, boost::is_any_of(","));
-  Table table;
-  while (std::getline(in, line))
-  {
-    boost::split(words, line, boost::is_any_of(","));
-    for (unsigned int i = 0; i < names.size(); ++i)
-      table[names[i]].push_back(std::stod(words.at(i)));
-  }
-  return table;
-}
-
 void print_range(const std::string &name, const std::vector<double> &values)
 {
   if (values.empty())

@@ -69,9 +69,11 @@ bar.WindowLocation = "Lower Center"
 bar.ScalarBarLength = 0.5
 
 if collapse:
-    # Blocks that move together have merged: lines are where they part.
-    outlines = [FeatureEdges(Input=ExtractSurface(Input=CleantoGrid(
-        Input=blocks)), FeatureEdges=0, NonManifoldEdges=0)]
+    # Blocks that move together have merged: lines are where they part, by more
+    # than the rounding of single precision.
+    merged = CleantoGrid(Input=blocks, Tolerance=1e-5)
+    outlines = [FeatureEdges(Input=ExtractSurface(Input=merged),
+                             FeatureEdges=0, NonManifoldEdges=0)]
 else:
     outlines = [read("interfaces.vtu"), Outline(Input=blocks)]
 for source in outlines:

@@ -26,7 +26,7 @@ constexpr double largest_decrement = 1e-7;
  */
 constexpr unsigned int n_max_newton_iterations = 50;
 
-/** The shifts of fix_joints(): from, to, and the ratio of one to the next. */
+/** The shifts of fixed_joints(): from, to, and the ratio of one to the next. */
 constexpr double first_shift = 1e-4, shift_ratio = 1e-2;
 /** The smaller, the closer to the limit of its strength a joint may be. */
 constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
@@ -35,8 +35,8 @@ constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
  * ratio where it vanishes, one where it does not; this is half way.
  */
 constexpr double half_way = 0.316;
-constexpr double fix_joints_decrement = 1e-4;
-constexpr unsigned int n_max_fix_joints_steps = 30;
+constexpr double fixed_joints_decrement = 1e-4;
+constexpr unsigned int n_max_fixed_joints_steps = 30;
 
 /** The work of a load, over the size of its terms, that is not rounding. */
 constexpr double least_resistance = 1e-10;
@@ -100,11 +100,11 @@ fixed_joints(const DiscreteProblem &problem,
     unsigned int n_steps = 0;
     do
     {
-      if (n_steps++ == n_max_fix_joints_steps ||
+      if (n_steps++ == n_max_fixed_joints_steps ||
           newton.n_iterations() >= n_max_steps)
         return {};
       newton.step(shift, origin);
-    } while (!(newton.decrement() <= fix_joints_decrement));
+    } while (!(newton.decrement() <= fixed_joints_decrement));
 
     for (unsigned int e = 0; e < n_joints; ++e)
     {

@@ -21,8 +21,7 @@ using Joint = DiscreteProblem::Joint;
  */
 constexpr unsigned int n_before_doubt = 20;
 
-/** Newton's own steps are good as long as they are not cut shorter than this.
- */
+/** The shortest cut of Newton's own steps with which they are still good. */
 constexpr double shortest_good_step = 0.01;
 constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
@@ -96,7 +95,6 @@ private:
   unsigned int n_inner = 0, n_outer = 0;
   double previous_imbalance = std::numeric_limits<double>::infinity();
 };
-
 } // namespace
 
 ElasticJoint::ElasticJoint(const DiscreteProblem &problem) : problem(problem)

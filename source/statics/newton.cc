@@ -122,10 +122,10 @@ std::vector<double> Newton::direction(double shift,
       if (std::isfinite(descent) && descent >= 0.)
         return d;
     }
-  throw SolverError("A linear system of Newton's method cannot be solved: the "
-                    "strengths or the "
-                    "sizes of the interfaces differ by too much. Take another "
-                    "'Formulation'.");
+  throw SolverError(
+      "A linear system of Newton's method cannot be solved: the strengths or "
+      "the sizes of the interfaces differ by too much. Take another "
+      "'Formulation'.");
 }
 
 double Newton::search(const std::vector<double> &direction,
