@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -25,6 +26,27 @@ struct CellLoops
   std::vector<unsigned int> first = {0};
   /** The centre x_c of each cell; empty to take the centroids. */
   std::vector<dealii::Point<2>> centres;
+
+  /**
+   * The names of groups of cells, and for each cell the number of its name.
+   * Both empty: every cell is called "block".
+   */
+  std::vector<std::string> group_names;
+  std::vector<unsigned int> group;
+
+  /**
+   * How far a vertex may lie inside the chord of its neighbours in a cell that
+   * counts as convex, beyond rounding; a length. Zero for what was computed,
+   * more for what was read and matched within a tolerance.
+   */
+  double tolerance = 0.;
+
+  /** Where the cells were read: the file and the line of each; or empty. */
+  std::string file;
+  std::vector<unsigned int> lines;
+
+  /** What the user ought to know of how the input was understood. */
+  std::vector<std::string> notices;
 };
 
 /**
