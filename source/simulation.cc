@@ -38,6 +38,20 @@ constexpr double frictionless_ratio = 1e9;
 /** The largest relative closing of a joint in a mechanism, for rounding. */
 constexpr double largest_closing = 1e-12;
 
+/** A sentence on the cells that are not convex, or none. */
+std::vector<std::string> cells_not_convex(const Packing &packing)
+{
+  if (packing.not_convex().empty())
+    return {};
+  const unsigned int c = packing.not_convex().front();
+  return {text(packing.not_convex().size(),
+               " cells are not convex, the first is ", packing.describe(c),
+               " at ", text_of_point(packing.centre(c)),
+               ". Each can be seen whole from its centre, so the forces on its "
+               "sides are those of the model; whether it would interlock with "
+               "its neighbours is not looked at.")};
+}
+
 std::string message_of(const Collapse &collapse)
 {
   std::ostringstream message;
@@ -77,6 +91,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
                     Anything());
   solver.add_parameters(prm);
   packing.add_parameters(prm);
+  supports.add_parameters(prm);
   loads.add_parameters(prm);
   friction.add_parameters(prm);
   stress.add_parameters(prm);
@@ -99,8 +114,11 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   terminal.stage("Packing",
                  text(scene.packing.n_cells(), " cells, ",
                       scene.packing.interfaces().size(), " interfaces, ",
+                      scene.packing.n_supports(), " of them supports, ",
                       scene.packing.boundary_edges().size(),
                       " boundary edges"));
+  for (const std::string &warning : cells_not_convex(scene.packing))
+    terminal.warning(warning);
   timer.leave_subsection();
 
   timer.enter_subsection("statics");
@@ -138,9 +156,12 @@ void Simulation::run(const dealii::ParameterHandler &prm,
 Scene Simulation::make_scene(const std::filesystem::path &directory) const
 {
   Packing blocks = packing.make_packing(directory);
+  for (const std::string &notice : blocks.notices())
+    terminal.warning(notice);
+  supports.support(blocks);
   std::vector<double> strengths = friction.strengths(blocks);
-  std::vector<dealii::Tensor<1, 2>> tractions = loads.tractions(blocks);
-  return {std::move(blocks), std::move(strengths), std::move(tractions)};
+  Loads on_blocks = loads.loads(blocks);
+  return {std::move(blocks), std::move(strengths), std::move(on_blocks)};
 }
 
 void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
@@ -150,6 +171,7 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   check_certificate(results);
 
   timer.enter_subsection("stress");
+  results.reactions = reactions(scene, results.forces);
   results.torques = residual_torques(scene, results.forces);
   results.mean_stresses = cell_mean_stresses(scene, results.forces);
   if (stress.reconstruct())

@@ -38,6 +38,7 @@ double largest_imbalance(const Table &cells, const Table &interfaces)
 {
   const unsigned int n = cells.at("id").size();
   std::vector<std::array<double, 2>> sum(n);
+  std::array<double, 2> ground = {{0., 0.}};
   double largest_load = 0., largest = 0.;
   for (unsigned int c = 0; c < n; ++c)
   {
@@ -51,7 +52,8 @@ double largest_imbalance(const Table &cells, const Table &interfaces)
     const double fn = interfaces.at("normal_force")[e];
     const double ft = interfaces.at("tangential_force")[e];
     auto &minus = sum[interfaces.at("cell_minus")[e]];
-    auto &plus = sum[interfaces.at("cell_plus")[e]];
+    const double cell_plus = interfaces.at("cell_plus")[e];
+    auto &plus = cell_plus < 0. ? ground : sum[cell_plus];
     const double fx = fn * nx - ft * ny, fy = fn * ny + ft * nx;
     minus[0] += fx;
     minus[1] += fy;

@@ -3,6 +3,7 @@
 #define voussoir_tests_table_h
 
 #include <boost/algorithm/string.hpp>
+#include <boost/lexical_cast.hpp>
 
 #include <fstream>
 #include <map>
@@ -24,7 +25,12 @@ inline Table read_table(const std::string &file)
   {
     boost::split(words, line, boost::is_any_of(","));
     for (unsigned int i = 0; i < names.size(); ++i)
-      table[names[i]].push_back(std::stod(words.at(i)));
+    {
+      // A name among the numbers, as that of a group, is of no interest here.
+      double value = 0.;
+      boost::conversion::try_lexical_convert(words.at(i), value);
+      table[names[i]].push_back(value);
+    }
   }
   return table;
 }

@@ -96,7 +96,7 @@ scene_with(Voussoir::Packing packing, const double strength, const Traction &g)
   for (const auto &edge : packing.boundary_edges())
     tractions.push_back(g(edge.midpoint(), edge.normal));
   std::vector<double> strengths(packing.interfaces().size(), strength);
-  return Voussoir::Scene(std::move(packing), strengths, tractions);
+  return Voussoir::Scene(std::move(packing), strengths, {tractions, {}, {}});
 }
 
 /** A scene with one strength everywhere, under the tractions S n. */

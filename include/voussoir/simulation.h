@@ -9,6 +9,7 @@
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/friction.h>
 #include <voussoir/statics/loads.h>
+#include <voussoir/statics/supports.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -59,6 +60,7 @@ private:
   std::string output_directory = "output";
   unsigned int verbosity = 1;
   PackingParameters packing;
+  SupportParameters supports;
   LoadParameters loads;
   FrictionParameters friction;
   SolverParameters solver;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/expression.h>
+#include <voussoir/base/text.h>
 
 #include <muParser.h>
 
@@ -82,5 +83,24 @@ double Expression::operator()(const std::vector<double> &values) const
 {
   std::copy(values.begin(), values.end(), implementation->values.begin());
   return implementation->parser.Eval();
+}
+
+Condition::Condition(const std::string &formula,
+                     const std::vector<std::string> &variables,
+                     const std::string &parameter)
+    : expression(formula, variables, parameter), formula(formula),
+      parameter(parameter)
+{
+}
+
+bool Condition::operator()(const std::vector<double> &values) const
+{
+  const double value = expression(values);
+  if (std::isnan(value))
+    throw InputError("The condition '" + formula + "' of '" + parameter +
+                     "' is not a number at " +
+                     text_of_point({values[0], values[1]}) +
+                     "; it must be true or false.");
+  return value != 0.;
 }
 } // namespace Voussoir

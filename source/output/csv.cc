@@ -16,6 +16,12 @@ void write_row(std::ostream &out, const First &first, const Others &...others)
   ((out << ',' << others), ...);
 }
 
+/** The number of cell c+ of an interface: of the ground, -1. */
+int number_of_plus(const Packing &packing, const Packing::Interface &interface)
+{
+  return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
+}
+
 void use_all_digits(std::ostream &out)
 {
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -33,9 +39,9 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = scene.packing.interfaces()[e];
-    write_row(out, i.cell_minus, i.cell_plus, i.start[0], i.start[1], i.end[0],
-              i.end[1], i.normal[0], i.normal[1], i.length,
-              results.forces.normal[e], results.forces.tangential[e],
+    write_row(out, i.cell_minus, number_of_plus(scene.packing, i), i.start[0],
+              i.start[1], i.end[0], i.end[1], i.normal[0], i.normal[1],
+              i.length, results.forces.normal[e], results.forces.tangential[e],
               scene.strength[e], utilisation(scene, results.forces, e));
     if (marked)
       out << ',' << results.never_pressed[e] << ','
@@ -47,7 +53,7 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
 void write_cells_csv(std::ostream &out, const Results &results)
 {
   use_all_digits(out);
-  out << "id,x,y,area,load_x,load_y,ux,uy,torque,sxx,sxy,syx,syy\n";
+  out << "id,x,y,area,load_x,load_y,ux,uy,torque,sxx,sxy,syx,syy,group\n";
   const Packing &packing = results.scene.packing;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
@@ -56,7 +62,7 @@ void write_cells_csv(std::ostream &out, const Results &results)
               packing.area(c), results.scene.load[c][0],
               results.scene.load[c][1], results.displacement[c][0],
               results.displacement[c][1], results.torques[c], s[0][0], s[0][1],
-              s[1][0], s[1][1]);
+              s[1][0], s[1][1], packing.group_name(c));
     out << '\n';
   }
 }
@@ -84,10 +90,12 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = scene.packing.interfaces()[e];
-    const dealii::Tensor<1, 2> jump = collapse.displacement[i.cell_plus] -
-                                      collapse.displacement[i.cell_minus];
-    write_row(out, i.cell_minus, i.cell_plus, i.normal[0], i.normal[1],
-              i.length, scene.strength[e], jump * i.normal, jump * i.tangent());
+    dealii::Tensor<1, 2> jump = -collapse.displacement[i.cell_minus];
+    if (i.cell_plus != scene.packing.ground())
+      jump += collapse.displacement[i.cell_plus];
+    write_row(out, i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
+              i.normal[1], i.length, scene.strength[e], jump * i.normal,
+              jump * i.tangent());
     out << '\n';
   }
 }

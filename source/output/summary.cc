@@ -26,6 +26,14 @@ using Json = nlohmann::ordered_json;
 Json summary_of(const RunRecord &run, const std::string &status)
 {
   const Packing &packing = run.scene.packing;
+  std::vector<unsigned int> group_sizes(packing.group_names().size(), 0);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    ++group_sizes[packing.group(c)];
+  Json groups = Json::array();
+  for (unsigned int g = 0; g + 1 < group_sizes.size(); ++g)
+    groups.push_back(
+        {{"name", packing.group_names()[g]}, {"cells", group_sizes[g]}});
+
   Json summary;
   summary["title"] = run.title;
   summary["status"] = status;
@@ -34,12 +42,33 @@ Json summary_of(const RunRecord &run, const std::string &status)
   summary["packing"] = {
       {"cells", packing.n_cells()},
       {"interfaces", packing.interfaces().size()},
+      {"supports", packing.n_supports()},
       {"boundary_edges", packing.boundary_edges().size()},
-      {"static_indeterminacy", packing.static_indeterminacy()}};
+      {"static_indeterminacy", packing.static_indeterminacy()},
+      {"groups", groups}};
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};
   return summary;
+}
+
+/** The loads, and what the ground does about them. */
+Json ground_summary(const Results &results)
+{
+  const auto pair = [](const auto &v) {
+    return Json::array({v[0], v[1]});
+  };
+  Json supports = Json::array();
+  for (const Reaction &reaction : results.reactions)
+    supports.push_back({{"from", pair(reaction.start)},
+                        {"to", pair(reaction.end)},
+                        {"reaction", pair(reaction.force)}});
+  const GroundBalance balance =
+      balance_on_ground(results.scene, results.reactions);
+  return {{"load", pair(balance.load)},
+          {"reaction", pair(balance.reaction)},
+          {"imbalance", balance.imbalance},
+          {"supports", supports}};
 }
 
 /** Add what stands last, and write. */
@@ -71,6 +100,8 @@ void write_summary_json(std::ostream &out, const Results &results)
       {"admissibility_violation", certificate.admissibility_violation},
       {"max_utilisation", certificate.max_utilisation},
       {"max_torque", certificate.max_torque}};
+  if (!results.reactions.empty())
+    summary["ground"] = ground_summary(results);
   if (!results.never_pressed.empty())
     summary["interfaces"] = {
         {"never_pressed", std::count(results.never_pressed.begin(),
@@ -113,6 +144,14 @@ void show_summary(Terminal &terminal, const Results &results)
   terminal.summary("Admissibility",
                    text("violation ", certificate.admissibility_violation,
                         " of the largest load on a cell"));
+  if (!results.reactions.empty())
+  {
+    const GroundBalance balance =
+        balance_on_ground(results.scene, results.reactions);
+    terminal.summary("Reaction",
+                     text("(", balance.reaction[0], ", ", balance.reaction[1],
+                          ") on ", results.reactions.size(), " supports"));
+  }
   terminal.summary("Friction",
                    text("largest utilisation ", certificate.max_utilisation));
   terminal.summary(

@@ -104,6 +104,7 @@ void write_stress_vtu(std::ostream &out, const Results &results)
   grid.add_scalar("skew");
   grid.add_vector("div");
   grid.add_scalar("cell");
+  grid.add_scalar("group");
   grid.add_vector("displacement");
   grid.add_scalar("reconstructed");
 
@@ -129,8 +130,8 @@ void write_stress_vtu(std::ostream &out, const Results &results)
                {s[0][0], s[0][1], s[1][0], s[1][1], mean + radius,
                 mean - radius, std::sqrt(mean * mean + 3. * radius * radius),
                 0.5 * (s[0][1] - s[1][0]), sub_cell.divergence[0],
-                sub_cell.divergence[1], double(c), u[0], u[1],
-                double(reconstructed)});
+                sub_cell.divergence[1], double(c), double(packing.group(c)),
+                u[0], u[1], double(reconstructed)});
     }
   }
   grid.write(out);
@@ -153,6 +154,7 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
   for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
     const Packing::Interface &i = interfaces[e];
+    const bool is_support = i.cell_plus == scene.packing.ground();
     const double normal = results.forces.normal[e];
     const double tangential = results.forces.tangential[e];
     std::vector<double> values = {normal,
@@ -162,7 +164,7 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
                                   scene.strength[e],
                                   utilisation(scene, results.forces, e),
                                   double(i.cell_minus),
-                                  double(i.cell_plus)};
+                                  is_support ? -1. : double(i.cell_plus)};
     if (marked)
       values.insert(values.end(), {double(results.never_pressed[e]),
                                    double(results.always_sliding[e])});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/generator.h>
 #include <voussoir/packing/running_bond.h>
 #include <voussoir/packing/voronoi.h>
@@ -29,12 +30,21 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
     generator->add_parameters(prm);
     prm.leave_subsection();
   }
+  prm.add_parameter(
+      "Groups", groups,
+      "Names for groups of cells, \"name: condition; name: condition\", with "
+      "expressions in the coordinates x, y of a cell's centre. Of the "
+      "conditions that a cell meets the last one counts; a cell that meets "
+      "none keeps the name that the generator gave it.",
+      dealii::Patterns::Anything());
   prm.leave_subsection();
 }
 
 Packing
 PackingParameters::make_packing(const std::filesystem::path &directory) const
 {
-  return Packing(generators[chosen]->generate(directory));
+  Packing packing(generators[chosen]->generate(directory));
+  assign_groups(packing, groups);
+  return packing;
 }
 } // namespace Voussoir

@@ -24,6 +24,8 @@ namespace
  */
 constexpr double convexity_tolerance = 1e-12;
 
+const std::string ground_name = "ground";
+
 double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
@@ -41,12 +43,7 @@ struct Halfedge
   }
 };
 
-[[noreturn]] void
-refuse_cell(unsigned int cell, const Point<2> &place, const std::string &fault)
-{
-  throw InputError(
-      text("Cell ", cell, " at ", text_of_point(place), " ", fault));
-}
+constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 } // namespace
 
 Tensor<1, 2> Packing::Interface::tangent() const
@@ -69,68 +66,96 @@ Point<2> Packing::BoundaryEdge::midpoint() const
 
 Packing::Packing(CellLoops cells) : mesh(std::move(cells))
 {
-  measure_and_check();
-  find_edges();
-}
-
-void Packing::measure_and_check()
-{
   const bool take_centroids = mesh.centres.empty();
   mesh.centres.resize(n_cells());
   areas.resize(n_cells());
-
+  name_groups();
   for (unsigned int c = 0; c < n_cells(); ++c)
   {
-    const unsigned int n = n_sides(c);
-    if (n < 3)
-      throw InputError(text("Cell ", c, " has ", n,
-                            " vertices; a polygon has at least three."));
-    const Point<2> &origin = vertex(c, 0);
-
-    // Area and first moments by triangles from the first vertex, in
-    // coordinates relative to it, so that a distant origin cancels nothing.
-    double area = 0.;
-    Tensor<1, 2> moment;
-    for (unsigned int i = 1; i + 1 < n; ++i)
-    {
-      const Tensor<1, 2> a = vertex(c, i) - origin;
-      const Tensor<1, 2> b = vertex(c, i + 1) - origin;
-      area += 0.5 * cross(a, b);
-      moment += cross(a, b) / 6. * (a + b);
-    }
-    if (!(area > 0.) || !std::isfinite(area))
-      refuse_cell(c, origin,
-                  text("has the area ", text_of_number(area),
-                       "; its vertices must be finite and run "
-                       "counterclockwise around a positive area."));
-    areas[c] = area;
-    if (take_centroids)
-      mesh.centres[c] = origin + moment / area;
-
-    const double size = std::sqrt(area);
-    double turning = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const Tensor<1, 2> a = vertex(c, i + 1) - vertex(c, i);
-      const Tensor<1, 2> b = vertex(c, i + 2) - vertex(c, i + 1);
-      if (!(a.norm() > 0.))
-        refuse_cell(c, vertex(c, i), "repeats a vertex; give each once.");
-      if (cross(a, b) <
-          -convexity_tolerance * size * std::max(a.norm(), b.norm()))
-        refuse_cell(c, vertex(c, i + 1),
-                    "is not convex there; cut it into convex cells.");
-      turning += std::atan2(cross(a, b), a * b);
-      if (!(cross(a, mesh.centres[c] - vertex(c, i)) > 0.))
-        refuse_cell(c, mesh.centres[c],
-                    "does not have its centre inside; move the centre.");
-    }
-    // A convex corner everywhere still allows a loop that winds twice.
-    if (turning > 3. * dealii::numbers::PI)
-      refuse_cell(c, origin, "crosses itself; its loop winds more than once.");
+    measure(c, take_centroids);
+    check_shape(c);
   }
+  find_edges();
 }
 
-void Packing::find_edges()
+void Packing::name_groups()
+{
+  auto &names = mesh.group_names;
+  if (names.empty())
+    names = {"block"};
+  if (std::find(names.begin(), names.end(), ground_name) != names.end())
+    throw InputError("A group of cells is called '" + ground_name +
+                     "', which is the name of what supports the packing; "
+                     "choose another.");
+  names.push_back(ground_name);
+}
+
+void Packing::measure(const unsigned int c, const bool take_centroid)
+{
+  const unsigned int n = n_sides(c);
+  if (n < 3)
+    throw InputError(text("Cell ", c, " has ", n,
+                          " vertices; a polygon has at least three."));
+  const Point<2> &origin = vertex(c, 0);
+
+  // Area and first moments by triangles from the first vertex, in coordinates
+  // relative to it, so that a distant origin cancels nothing.
+  double area = 0.;
+  Tensor<1, 2> moment;
+  for (unsigned int i = 1; i + 1 < n; ++i)
+  {
+    const Tensor<1, 2> a = vertex(c, i) - origin;
+    const Tensor<1, 2> b = vertex(c, i + 1) - origin;
+    area += 0.5 * cross(a, b);
+    moment += cross(a, b) / 6. * (a + b);
+  }
+  if (!(area > 0.) || !std::isfinite(area))
+    refuse(c, origin,
+           text("has the area ", text_of_number(area),
+                "; its vertices must be finite and run counterclockwise "
+                "around a positive area."));
+  areas[c] = area;
+  if (take_centroid)
+    mesh.centres[c] = origin + moment / area;
+}
+
+void Packing::check_shape(const unsigned int c)
+{
+  const double size = std::sqrt(areas[c]);
+  const double tolerance = convexity_tolerance * size + mesh.tolerance;
+  bool convex = true;
+  double turning = 0.;
+  for (unsigned int i = 0; i < n_sides(c); ++i)
+  {
+    const Tensor<1, 2> a = vertex(c, i + 1) - vertex(c, i);
+    const Tensor<1, 2> b = vertex(c, i + 2) - vertex(c, i + 1);
+    if (!(a.norm() > 0.))
+      refuse(c, vertex(c, i), "repeats a vertex; give each once.");
+    convex &= cross(a, b) >= -tolerance * std::max(a.norm(), b.norm());
+    turning += std::atan2(cross(a, b), a * b);
+  }
+  // A positive area still allows a loop that winds twice.
+  if (turning > 3. * dealii::numbers::PI)
+    refuse(c, vertex(c, 0), "crosses itself; its loop winds more than once.");
+
+  const Point<2> &centre = mesh.centres[c];
+  for (unsigned int i = 0; i < n_sides(c); ++i)
+  {
+    const Tensor<1, 2> side = vertex(c, i + 1) - vertex(c, i);
+    if (cross(side, centre - vertex(c, i)) > 0.)
+      continue;
+    if (convex)
+      refuse(c, centre, "does not have its centre inside; move the centre.");
+    refuse(c, vertex(c, i),
+           text("is not convex, and the side that begins there cannot be seen "
+                "from its centre ",
+                text_of_point(centre), "; cut it into convex cells."));
+  }
+  if (!convex)
+    star_shaped.push_back(c);
+}
+
+std::vector<unsigned int> Packing::find_opposite_sides() const
 {
   std::vector<Halfedge> halfedges;
   halfedges.reserve(mesh.loops.size());
@@ -143,65 +168,111 @@ void Packing::find_edges()
     }
   std::sort(halfedges.begin(), halfedges.end());
 
-  const unsigned int none = dealii::numbers::invalid_unsigned_int;
-  std::vector<unsigned int> neighbour(halfedges.size(), none);
+  std::vector<unsigned int> opposite(halfedges.size(), none);
   for (std::size_t k = 0; k + 1 < halfedges.size(); ++k)
   {
     const Halfedge &one = halfedges[k], &other = halfedges[k + 1];
     if (one.low != other.low || one.high != other.high)
       continue;
-    unsigned int &first = neighbour[mesh.first[one.cell] + one.side];
-    unsigned int &second = neighbour[mesh.first[other.cell] + other.side];
-    const bool opposite = mesh.loops[mesh.first[one.cell] + one.side] !=
-                          mesh.loops[mesh.first[other.cell] + other.side];
-    if (first != none || one.cell == other.cell || !opposite)
-      refuse_cell(other.cell, vertex(other.cell, other.side),
-                  text("shares an edge with cell ", one.cell,
-                       " on the same side of it; cells must not overlap."));
-    first = other.cell;
-    second = one.cell;
+    const unsigned int first = mesh.first[one.cell] + one.side;
+    const unsigned int second = mesh.first[other.cell] + other.side;
+    const bool same_side = mesh.loops[first] == mesh.loops[second];
+    if (opposite[first] != none || one.cell == other.cell || same_side)
+      refuse(other.cell, vertex(other.cell, other.side),
+             text("shares an edge with ", describe(one.cell),
+                  " on the same side of it; cells must not overlap."));
+    opposite[first] = second;
+    opposite[second] = first;
   }
+  return opposite;
+}
+
+void Packing::find_edges()
+{
+  const std::vector<unsigned int> opposite = find_opposite_sides();
+  std::vector<unsigned int> cell_of_side(mesh.loops.size());
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    std::fill_n(cell_of_side.begin() + mesh.first[c], n_sides(c), c);
 
   side_list.resize(mesh.loops.size());
-  for (unsigned int c = 0; c < n_cells(); ++c)
-    for (unsigned int i = 0; i < n_sides(c); ++i)
-    {
-      const unsigned int other = neighbour[mesh.first[c] + i];
-      if (other < c)
-        continue; // numbered below, from the cell c- of the interface
-      const Point<2> &a = vertex(c, i), &b = vertex(c, i + 1);
-      const Tensor<1, 2> edge = b - a;
-      const double length = edge.norm();
-      Tensor<1, 2> normal;
-      normal[0] = edge[1] / length;
-      normal[1] = 0. - edge[0] / length;
-
-      Side &side = side_list[mesh.first[c] + i];
-      if (other == none)
-      {
-        side = {true, static_cast<unsigned int>(boundary_list.size())};
-        boundary_list.push_back({c, a, b, normal, length});
-      }
-      else
-      {
-        side = {false, static_cast<unsigned int>(interface_list.size())};
-        interface_list.push_back({c, other, a, b, normal, length});
-      }
-    }
-
-  // The other side of each interface: halfedges come in pairs, c- first.
-  for (std::size_t k = 0; k + 1 < halfedges.size(); ++k)
+  for (unsigned int s = 0; s < side_list.size(); ++s)
   {
-    const Halfedge &one = halfedges[k], &other = halfedges[k + 1];
-    if (one.low == other.low && one.high == other.high)
-      side_list[mesh.first[other.cell] + other.side] =
-          side_list[mesh.first[one.cell] + one.side];
+    const unsigned int c = cell_of_side[s];
+    if (opposite[s] < s) // numbered from the cell c- of the interface
+    {
+      side_list[s] = side_list[opposite[s]];
+      continue;
+    }
+    const Point<2> &a = vertex(c, s - mesh.first[c]);
+    const Point<2> &b = vertex(c, s - mesh.first[c] + 1);
+    const Tensor<1, 2> edge = b - a;
+    const double length = edge.norm();
+    Tensor<1, 2> normal;
+    normal[0] = edge[1] / length;
+    normal[1] = 0. - edge[0] / length; // not -0
+    if (opposite[s] == none)
+    {
+      side_list[s] = {true, static_cast<unsigned int>(boundary_list.size())};
+      boundary_list.push_back({c, a, b, normal, length});
+    }
+    else
+    {
+      side_list[s] = {false, static_cast<unsigned int>(interface_list.size())};
+      interface_list.push_back(
+          {c, cell_of_side[opposite[s]], a, b, normal, length});
+    }
   }
+}
+
+void Packing::support(const std::vector<bool> &is_support)
+{
+  AssertDimension(is_support.size(), boundary_list.size());
+  std::vector<unsigned int> number(boundary_list.size());
+  std::vector<BoundaryEdge> free;
+  for (unsigned int b = 0; b < boundary_list.size(); ++b)
+  {
+    const BoundaryEdge &edge = boundary_list[b];
+    if (is_support[b])
+    {
+      number[b] = interface_list.size();
+      interface_list.push_back({edge.cell, ground(), edge.start, edge.end,
+                                edge.normal, edge.length});
+      ++support_count;
+    }
+    else
+    {
+      number[b] = free.size();
+      free.push_back(edge);
+    }
+  }
+  for (Side &side : side_list)
+    if (side.on_boundary)
+      side = {!is_support[side.index], number[side.index]};
+  boundary_list = std::move(free);
+}
+
+void Packing::refuse(const unsigned int cell,
+                     const Point<2> &place,
+                     const std::string &fault) const
+{
+  std::string name = describe(cell);
+  name.front() = 'C';
+  throw InputError(text(name, " at ", text_of_point(place), " ", fault));
 }
 
 unsigned int Packing::n_cells() const
 {
   return mesh.first.size() - 1;
+}
+
+unsigned int Packing::ground() const
+{
+  return n_cells();
+}
+
+unsigned int Packing::n_supports() const
+{
+  return support_count;
 }
 
 const std::vector<Packing::Interface> &Packing::interfaces() const
@@ -229,6 +300,41 @@ double Packing::area() const
   return std::accumulate(areas.begin(), areas.end(), 0.);
 }
 
+const std::vector<std::string> &Packing::group_names() const
+{
+  return mesh.group_names;
+}
+
+unsigned int Packing::group(const unsigned int cell) const
+{
+  if (cell == ground())
+    return mesh.group_names.size() - 1;
+  return mesh.group.empty() ? 0 : mesh.group[cell];
+}
+
+const std::string &Packing::group_name(const unsigned int cell) const
+{
+  return mesh.group_names[group(cell)];
+}
+
+void Packing::set_group(const unsigned int cell, const std::string &name)
+{
+  auto &names = mesh.group_names;
+  mesh.group.resize(n_cells(), 0);
+  auto found = std::find(names.begin(), names.end() - 1, name);
+  if (found == names.end() - 1)
+    found = names.insert(found, name);
+  mesh.group[cell] = found - names.begin();
+}
+
+double Packing::distance(const Interface &interface) const
+{
+  const Point<2> far = interface.cell_plus == ground()
+                           ? interface.midpoint()
+                           : centre(interface.cell_plus);
+  return (far - centre(interface.cell_minus)) * interface.normal;
+}
+
 unsigned int Packing::n_sides(const unsigned int cell) const
 {
   return mesh.first[cell + 1] - mesh.first[cell];
@@ -254,15 +360,35 @@ const Point<2> &Packing::vertex(const unsigned int cell,
 unsigned int Packing::static_indeterminacy() const
 {
   const std::vector<unsigned int> group = connected_groups(*this);
-  unsigned int n_groups = 0;
+  unsigned int n_free_groups = 0;
   for (unsigned int c = 0; c < n_cells(); ++c)
-    n_groups += (group[c] == c);
-  return 2 * interface_list.size() - 2 * (n_cells() - n_groups);
+    n_free_groups += (group[c] == c && group[c] != group[ground()]);
+  return 2 * interface_list.size() - 2 * (n_cells() - n_free_groups);
+}
+
+const std::vector<unsigned int> &Packing::not_convex() const
+{
+  return star_shaped;
+}
+
+const std::vector<std::string> &Packing::notices() const
+{
+  return mesh.notices;
+}
+
+std::string Packing::describe(const unsigned int cell) const
+{
+  if (cell == ground())
+    return "the ground";
+  std::string name = text("cell ", cell);
+  if (!mesh.lines.empty())
+    name += text(" (line ", mesh.lines[cell], " of '", mesh.file, "')");
+  return name;
 }
 
 std::vector<unsigned int> connected_groups(const Packing &packing)
 {
-  const unsigned int n = packing.n_cells();
+  const unsigned int n = packing.n_cells() + 1;
   std::vector<unsigned int> rank(n, 0), parent(n);
   boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
                                                             parent.data());

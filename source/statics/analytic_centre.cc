@@ -42,24 +42,21 @@ constexpr unsigned int n_max_fixed_joints_steps = 30;
 constexpr double least_resistance = 1e-10;
 
 /**
- * The uniform dilation u = alpha x_c with the alpha of least energy. Where the
- * load resists no dilation any alpha will do.
+ * The multiple of the problem's opening that has the least energy. Where the
+ * load does not resist it any will do.
  */
-std::vector<double> dilation(const DiscreteProblem &problem,
-                             const BarrierJoint &law)
+std::vector<double> start(const DiscreteProblem &problem,
+                          const BarrierJoint &law)
 {
-  std::vector<double> u(problem.n_dofs());
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[problem.dof(c, i)] = problem.centres()[c][i];
+  std::vector<double> u = problem.opening();
 
   double sum_of_weights = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
     sum_of_weights += law.weight(e);
   double size_of_terms = 0.;
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms += std::abs(problem.loads()[c][i] * u[problem.dof(c, i)]);
+      size_of_terms += std::abs(problem.loads()[b][i] * u[problem.dof(b, i)]);
   const double resistance = -problem.work(u.data());
   if (resistance > least_resistance * size_of_terms)
     for (double &component : u)
@@ -126,7 +123,7 @@ Solution minimise_barrier(const DiscreteProblem &problem,
                           const unsigned int n_max_iterations,
                           Terminal &terminal)
 {
-  Newton newton(problem, law, system, dilation(problem, law));
+  Newton newton(problem, law, system, start(problem, law));
   const auto advance = [&]() -> std::optional<Mechanism> {
     newton.step(least_shift, newton.u());
     return {};
@@ -174,6 +171,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 const SolverControls &controls,
                                 Terminal &terminal) const
 {
+  require_interior(problem, name());
   BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::automatic);
   unsigned int n_iterations = 0, n_evaluations = 0;
@@ -193,7 +191,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
         n_iterations >= controls.n_max_iterations)
       break;
     law = BarrierJoint(problem, weights);
-    Newton newton(problem, law, system, dilation(problem, law));
+    Newton newton(problem, law, system, start(problem, law));
     const auto fixed =
         fixed_joints(problem, law, last_shift,
                      controls.n_max_iterations - n_iterations, newton);
@@ -223,6 +221,8 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
 std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
                                        Terminal &terminal)
 {
+  if (problem.opening().empty())
+    return {};
   const BarrierJoint law(problem, BarrierWeights::equal);
   JointSystem system(problem, LinearSolver::automatic);
   try

@@ -34,6 +34,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     return certificate; // neither loads nor forces
 
   std::vector<Tensor<1, 2>> sum = scene.load;
+  sum.emplace_back(); // of the ground, which takes any force
   double violation = 0.;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
@@ -61,9 +62,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   return certificate;
 }
 
-MechanismCertificate
-certify_mechanism(const Scene &scene,
-                  const std::vector<Tensor<1, 2>> &displacement)
+MechanismCertificate certify_mechanism(const Scene &scene,
+                                       std::vector<Tensor<1, 2>> displacement)
 {
   double largest = 0., closing = 0., work = 0., dissipation = 0.;
   for (unsigned int c = 0; c < displacement.size(); ++c)
@@ -71,6 +71,7 @@ certify_mechanism(const Scene &scene,
     largest = std::max(largest, displacement[c].norm());
     work += scene.load[c] * displacement[c];
   }
+  displacement.emplace_back(); // the ground does not move
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = scene.packing.interfaces()[e];

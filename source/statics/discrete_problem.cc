@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/opening.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     centroid += packing.area(c) / area * packing.centre(c);
   centre.reserve(packing.n_cells());
-  load.reserve(packing.n_cells());
+  load.reserve(packing.n_cells() + 1);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     centre.push_back((packing.centre(c) - centroid) / length_unit);
@@ -30,18 +31,16 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
   {
     const Packing::Interface &i = packing.interfaces()[e];
     const double length = i.length / length_unit;
-    const double distance =
-        (packing.centre(i.cell_plus) - packing.centre(i.cell_minus)) *
-        i.normal / length_unit;
     joint_list.push_back({i.cell_minus, i.cell_plus, i.normal, i.tangent(),
-                          length, distance,
+                          length, packing.distance(i) / length_unit,
                           scene.strength[e] / stress_unit * length});
   }
 
-  // What rounding leaves of the total force of a group is spread over its
-  // cells, so that a translation does exactly no work.
   group = connected_groups(packing);
-  remove_group_means(load);
+  if (packing.n_supports() > 0)
+    load.emplace_back();
+  group.resize(load.size());
+  balance_loads();
 }
 
 void DiscreteProblem::choose_scales(const Scene &scene)
@@ -59,27 +58,72 @@ void DiscreteProblem::choose_scales(const Scene &scene)
     stress_unit = total / std::sqrt(area);
 }
 
-void DiscreteProblem::remove_group_means(std::vector<Tensor<1, 2>> &v) const
+/**
+ * What rounding leaves of the total force of a group is spread over its cells,
+ * and the ground takes that of its own group.
+ */
+void DiscreteProblem::balance_loads()
 {
-  std::vector<Tensor<1, 2>> sum(n_cells());
-  std::vector<unsigned int> size(n_cells(), 0);
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  std::vector<Tensor<1, 2>> sum(n_bodies());
+  std::vector<unsigned int> size(n_bodies(), 0);
+  for (unsigned int b = 0; b < n_bodies(); ++b)
   {
-    sum[group[c]] += v[c];
-    ++size[group[c]];
+    sum[group[b]] += load[b];
+    ++size[group[b]];
   }
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    if (n_bodies() == n_cells() || group[b] != group.back())
+      load[b] -= sum[group[b]] / size[group[b]];
+  if (n_bodies() > n_cells())
+    load.back() = -sum[group.back()];
+}
+
+void DiscreteProblem::remove_translations(std::vector<double> &u) const
+{
+  const bool has_ground = n_bodies() > n_cells();
+  std::vector<Tensor<1, 2>> sum(n_bodies());
+  std::vector<unsigned int> size(n_bodies(), 0);
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+  {
+    for (unsigned int i = 0; i < 2; ++i)
+      sum[group[b]][i] += u[dof(b, i)];
+    ++size[group[b]];
+  }
+  if (has_ground)
+  {
+    size[group.back()] = 1;
+    for (unsigned int i = 0; i < 2; ++i)
+      sum[group.back()][i] = u[dof(n_cells(), i)];
+  }
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
+}
+
+std::vector<Tensor<1, 2>>
+DiscreteProblem::displacement_of_cells(const std::vector<double> &u,
+                                       const double unit) const
+{
+  std::vector<Tensor<1, 2>> displacement(n_cells());
   for (unsigned int c = 0; c < n_cells(); ++c)
-    v[c] -= sum[group[c]] / size[group[c]];
+    for (unsigned int i = 0; i < 2; ++i)
+      displacement[c][i] = unit * u[dof(c, i)];
+  return displacement;
 }
 
 unsigned int DiscreteProblem::n_cells() const
+{
+  return centre.size();
+}
+
+unsigned int DiscreteProblem::n_bodies() const
 {
   return load.size();
 }
 
 unsigned int DiscreteProblem::n_dofs() const
 {
-  return 2 * n_cells();
+  return 2 * n_bodies();
 }
 
 const std::vector<DiscreteProblem::Joint> &DiscreteProblem::joints() const
@@ -102,17 +146,33 @@ const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const
   return centre;
 }
 
-const std::vector<unsigned int> &DiscreteProblem::groups() const
+const std::vector<double> &DiscreteProblem::opening() const
 {
-  return group;
+  if (!opening_displacement)
+    opening_displacement = find_opening(*this);
+  return *opening_displacement;
+}
+
+bool DiscreteProblem::is_held(const unsigned int body) const
+{
+  const bool with_ground =
+      n_bodies() > n_cells() && group[body] == group.back();
+  return with_ground ? body == n_cells() : body == group[body];
+}
+
+DiscreteProblem DiscreteProblem::without_loads() const
+{
+  DiscreteProblem problem(*this);
+  problem.load.assign(n_bodies(), Tensor<1, 2>());
+  return problem;
 }
 
 double DiscreteProblem::work(const double *u) const
 {
   long double work = 0.;
-  for (unsigned int c = 0; c < n_cells(); ++c)
+  for (unsigned int b = 0; b < n_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      work += load[c][i] * u[dof(c, i)];
+      work += load[b][i] * u[dof(b, i)];
   return work;
 }
 

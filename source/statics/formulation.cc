@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/formulation.h>
@@ -21,6 +22,19 @@ Solution Formulation::solve(const DiscreteProblem &problem,
   nothing.displacement.resize(problem.n_cells());
   nothing.outcome = nothing_to_balance;
   return nothing;
+}
+
+void require_interior(const DiscreteProblem &problem,
+                      const std::string &formulation)
+{
+  if (problem.opening().empty())
+    throw InputError(
+        "The supports clamp the packing: no motion opens all contacts, so that "
+        "normal forces can balance by themselves and have no bound. The "
+        "formulation '" +
+        formulation +
+        "' has no answer there; set 'Formulation = least energy', which has "
+        "one.");
 }
 
 SolverParameters::SolverParameters()

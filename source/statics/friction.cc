@@ -2,11 +2,16 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/expression.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/friction.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace Voussoir
 {
@@ -15,6 +20,60 @@ namespace
 /** Exact for strengths that vary along a joint as polynomials up to degree 5.
  */
 constexpr unsigned int n_quadrature_points = 3;
+/** s_T as an expression, from one of the parameters. */
+class StrengthFormula
+{
+public:
+  StrengthFormula(const std::string &formula, const std::string &parameter)
+      : s_T(formula, {"x", "y", "nx", "ny"}, parameter), formula(formula),
+        parameter(parameter)
+  {
+  }
+
+  /** The mean of s_T over the interface @p i. */
+  double mean(const Packing &packing, const Packing::Interface &i) const
+  {
+    static const dealii::QGauss<1> quadrature(n_quadrature_points);
+    double mean = 0.;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    {
+      const dealii::Point<2> p =
+          i.start + quadrature.point(q)[0] * (i.end - i.start);
+      const double value = s_T({p[0], p[1], i.normal[0], i.normal[1]});
+      if (!std::isfinite(value) || value < 0.)
+        throw InputError(text("'", parameter, "' = '", formula, "' is ",
+                              text_of_number(value), " at ", text_of_point(p),
+                              ", on the interface of ",
+                              packing.describe(i.cell_minus), " and ",
+                              packing.describe(i.cell_plus),
+                              "; a strength must be finite and not negative."));
+      mean += quadrature.weight(q) * value;
+    }
+    return mean;
+  }
+
+private:
+  Expression s_T;
+  std::string formula, parameter;
+};
+
+/** Two groups of cells, the lower number first. */
+using GroupPair = std::pair<unsigned int, unsigned int>;
+
+/** The groups that a user names as "one, other". */
+GroupPair pair_of_names(const Packing &packing,
+                        const std::string &names,
+                        const std::string &parameter)
+{
+  const std::vector<std::string> words =
+      dealii::Utilities::split_string_list(names, ',');
+  if (words.size() != 2)
+    throw InputError("The parameter '" + parameter + "' has '" + names +
+                     "' where the names of two groups are expected, as in "
+                     "\"brick, lintel: 0.5\".");
+  return std::minmax({group_of_name(packing, words[0], parameter),
+                      group_of_name(packing, words[1], parameter)});
+}
 } // namespace
 
 void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -27,36 +86,36 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
                     "unit normal nx, ny of the interface, whose sign is "
                     "arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
                     "bed joints and another for head joints.");
+  prm.add_parameter("Pair strengths", pair_strengths,
+                    "Other strengths where two groups of cells meet, \"name, "
+                    "name: expression; name, name: expression\", as in brick, "
+                    "brick: 0.3; brick, ground: 1 + x. What supports the "
+                    "packing is called ground.",
+                    dealii::Patterns::Anything());
   prm.leave_subsection();
 }
 
 std::vector<double> FrictionParameters::strengths(const Packing &packing) const
 {
-  const std::string name = "Friction/Strength";
-  const Expression s_T(strength, {"x", "y", "nx", "ny"}, name);
-  const dealii::QGauss<1> quadrature(n_quadrature_points);
+  const StrengthFormula everywhere(strength, "Friction/Strength");
+  const std::string parameter = "Friction/Pair strengths";
+  std::map<GroupPair, StrengthFormula> of_pair;
+  for (const auto &[names, formula] :
+       split_named_list(pair_strengths, parameter))
+    of_pair.insert_or_assign(pair_of_names(packing, names, parameter),
+                             StrengthFormula(formula, parameter));
 
   std::vector<double> strengths;
   strengths.reserve(packing.interfaces().size());
-  for (const Packing::Interface &interface : packing.interfaces())
+  for (const Packing::Interface &i : packing.interfaces())
   {
-    double mean = 0.;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-    {
-      const dealii::Point<2> p =
-          interface.start +
-          quadrature.point(q)[0] * (interface.end - interface.start);
-      const double value =
-          s_T({p[0], p[1], interface.normal[0], interface.normal[1]});
-      if (!std::isfinite(value) || value < 0.)
-        throw InputError(
-            text("'", name, "' = '", strength, "' is ", text_of_number(value),
-                 " at ", text_of_point(p), ", on the interface of cells ",
-                 interface.cell_minus, " and ", interface.cell_plus,
-                 "; a strength must be finite and not negative."));
-      mean += quadrature.weight(q) * value;
-    }
-    strengths.push_back(mean);
+    const auto found =
+        of_pair.empty()
+            ? of_pair.end()
+            : of_pair.find(std::minmax(
+                  {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
+    strengths.push_back(
+        (found == of_pair.end() ? everywhere : found->second).mean(packing, i));
   }
   return strengths;
 }

@@ -68,11 +68,11 @@ public:
   {
     std::fill_n(x_lower, n, -ipopt_infinity);
     std::fill_n(x_upper, n, ipopt_infinity);
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
-      if (problem.groups()[c] == c)
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+      if (problem.is_held(b))
         for (unsigned int i = 0; i < 2; ++i)
         {
-          const unsigned int k = problem.dof(c, i);
+          const unsigned int k = problem.dof(b, i);
           x_lower[k] = x_upper[k] = start[k];
         }
     std::fill_n(g_lower, m, 0.);

@@ -121,15 +121,15 @@ private:
   }
 
   /**
-   * The columns of a cell have its diagonal block and below it the blocks of
-   * its joints to higher cells, in the order of these, which is that of the
+   * The columns of a body have its diagonal block and below it the blocks of
+   * its joints to higher bodies, in the order of these, which is that of the
    * joints of a packing only by chance.
    */
   void make_pattern()
   {
-    const unsigned int n_cells = problem.n_cells();
+    const unsigned int n_bodies = problem.n_bodies();
     std::vector<std::vector<std::pair<unsigned int, unsigned int>>> below(
-        n_cells); // cell and joint
+        n_bodies); // body and joint
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
       const Joint &joint = problem.joints()[e];
@@ -139,28 +139,28 @@ private:
 
     const unsigned int n = n_components;
     const std::size_t n_entries =
-        n_cells * n * (n + 1) / 2 + problem.joints().size() * n * n;
+        n_bodies * n * (n + 1) / 2 + problem.joints().size() * n * n;
     matrix =
-        check(cholmod_allocate_sparse(n * n_cells, n * n_cells, n_entries, true,
-                                      true, -1, CHOLMOD_REAL, &common));
+        check(cholmod_allocate_sparse(n * n_bodies, n * n_bodies, n_entries,
+                                      true, true, -1, CHOLMOD_REAL, &common));
     int *first = static_cast<int *>(matrix->p);
     int *rows = static_cast<int *>(matrix->i);
-    of_cell.resize(n_cells * n);
+    of_body.resize(n_bodies * n);
     of_joint.resize(problem.joints().size() * n);
     int k = 0;
-    for (unsigned int c = 0; c < n_cells; ++c)
+    for (unsigned int c = 0; c < n_bodies; ++c)
     {
       std::sort(below[c].begin(), below[c].end());
       for (unsigned int j = 0; j < n; ++j)
       {
         first[n * c + j] = k;
-        of_cell[n * c + j] = k;
+        of_body[n * c + j] = k;
         for (unsigned int i = j; i < n; ++i)
           rows[k++] = n * c + i;
         unsigned int previous = dealii::numbers::invalid_unsigned_int;
         for (const auto &[other, e] : below[c])
         {
-          // Two joints between the same cells share their entries.
+          // Two joints between the same bodies share their entries.
           if (other != previous)
             for (unsigned int i = 0; i < n; ++i)
               rows[k++] = n * other + i;
@@ -169,7 +169,7 @@ private:
         }
       }
     }
-    first[n * n_cells] = k;
+    first[n * n_bodies] = k;
   }
 
   void fill(const std::vector<Jump> &coefficients, const double shift)
@@ -177,9 +177,9 @@ private:
     const unsigned int n = n_components;
     double *values = static_cast<double *>(matrix->x);
     std::fill_n(values, static_cast<int *>(matrix->p)[matrix->ncol], 0.);
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int c = 0; c < problem.n_bodies(); ++c)
       for (unsigned int j = 0; j < n; ++j)
-        values[of_cell[n * c + j]] = shift;
+        values[of_body[n * c + j]] = shift;
     for (unsigned int e = 0; e < coefficients.size(); ++e)
     {
       const Joint &joint = problem.joints()[e];
@@ -191,7 +191,7 @@ private:
           values[of_joint[n * e + j] + i] -= entry;
           if (i >= j)
             for (const unsigned int c : {joint.cell_minus, joint.cell_plus})
-              values[of_cell[n * c + j] + i - j] += entry;
+              values[of_body[n * c + j] + i - j] += entry;
         }
     }
   }
@@ -202,7 +202,7 @@ private:
   cholmod_sparse *matrix = nullptr;
   cholmod_factor *factor = nullptr;
   /** Where the diagonal entry of each column is. */
-  std::vector<int> of_cell;
+  std::vector<int> of_body;
   /** Where the first entry of each column of each joint's block is. */
   std::vector<int> of_joint;
 };
@@ -219,8 +219,8 @@ public:
         for (unsigned int j = 0; j < 2; ++j)
           pattern.add(problem.dof(c, i), problem.dof(d, j));
     };
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
-      couple(c, c);
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+      couple(b, b);
     for (const Joint &joint : problem.joints())
     {
       couple(joint.cell_minus, joint.cell_plus);
@@ -242,9 +242,9 @@ public:
     data.smoother_sweeps = n_smoother_sweeps;
     // The rigid motions of the packing: its translations.
     data.constant_modes.assign(2, std::vector<bool>(problem.n_dofs()));
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
       for (unsigned int i = 0; i < 2; ++i)
-        data.constant_modes[i][problem.dof(c, i)] = true;
+        data.constant_modes[i][problem.dof(b, i)] = true;
     preconditioner.initialize(matrix, data);
     return true;
   }
@@ -332,6 +332,11 @@ bool JointSystem::prepare(const std::vector<Jump> &coefficients,
   else
     use(two_components, 2u);
   return current->prepare(coefficients, shift);
+}
+
+bool JointSystem::is_direct() const
+{
+  return current != multigrid.get();
 }
 
 std::vector<double> JointSystem::solve(const std::vector<double> &r)

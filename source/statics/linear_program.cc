@@ -26,13 +26,11 @@ public:
         rough.push_back(e);
   }
 
-  /** The dilation, which opens every joint, and v_e = d_e. */
+  /** The problem's opening, and v_e = d_e above its least. */
   std::vector<double> start() const override
   {
-    std::vector<double> x(n_unknowns());
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
-      for (unsigned int i = 0; i < 2; ++i)
-        x[problem.dof(c, i)] = problem.centres()[c][i];
+    std::vector<double> x = problem.opening();
+    x.resize(n_unknowns());
     for (unsigned int k = 0; k < rough.size(); ++k)
     {
       const Joint &joint = problem.joints()[rough[k]];
@@ -53,9 +51,9 @@ public:
   std::vector<double> gradient(const double * /*x*/) override
   {
     std::vector<double> g(n_unknowns());
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
       for (unsigned int i = 0; i < 2; ++i)
-        g[problem.dof(c, i)] = -problem.loads()[c][i];
+        g[problem.dof(b, i)] = -problem.loads()[b][i];
     for (unsigned int k = 0; k < rough.size(); ++k)
       g[problem.n_dofs() + k] = problem.joints()[rough[k]].strength;
     return g;
@@ -156,6 +154,7 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
                                const SolverControls &controls,
                                Terminal &terminal) const
 {
+  require_interior(problem, name());
   Program program(problem);
   const IpoptResult result = solve_with_ipopt(
       problem, program, {controls.tolerance, controls.n_max_iterations},

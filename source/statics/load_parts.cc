@@ -1,79 +1,64 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/packing/straight_runs.h>
 #include <voussoir/statics/load_parts.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Voussoir
 {
-using dealii::Point;
 using dealii::Tensor;
 
 namespace
 {
-/** The angle, and the offset over the size of the packing, within rounding. */
-constexpr double straightness = 1e-9;
-
-/** Boundary edges on one straight line that face the same way. */
-struct Side
+/** Add the parts of the forces that act inside the cells. */
+void add_forces_inside(const Scene &scene,
+                       const std::vector<Tensor<1, 2>> &displacement,
+                       std::vector<LoadPart> &parts)
 {
-  Tensor<1, 2> normal;
-  Point<2> start;
-  Point<2> end;
-  double work = 0.;
-
-  /** Counterclockwise around the packing. */
-  Tensor<1, 2> along() const
+  if (scene.body.empty())
+    return;
+  LoadPart body = {"the body force", 0.};
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+    body.work += scene.body.force(scene.packing, c) * displacement[c];
+  for (const CellForce &f : scene.on_cells)
   {
-    return dealii::Point<2>(-normal[1], normal[0]);
+    LoadPart part = {"the force on '" + f.name + "'", 0.};
+    for (const unsigned int c : f.cells)
+      part.work += f.force * displacement[c];
+    body.work -= part.work;
+    parts.push_back(part);
   }
-
-  bool continues(const Packing::BoundaryEdge &edge, const double size) const
-  {
-    return (edge.normal - normal).norm() <= straightness &&
-           std::abs((edge.start - start) * normal) <= straightness * size;
-  }
-
-  void add(const Packing::BoundaryEdge &edge)
-  {
-    for (const Point<2> &x : {edge.start, edge.end})
-    {
-      if ((x - start) * along() < 0.)
-        start = x;
-      if ((x - end) * along() > 0.)
-        end = x;
-    }
-  }
-};
+  if (scene.has_body_force)
+    parts.push_back(body);
+}
 } // namespace
 
 std::vector<LoadPart> load_parts(const Scene &scene,
                                  const std::vector<Tensor<1, 2>> &displacement)
 {
-  const double size = std::sqrt(scene.packing.area());
-  std::vector<Side> sides;
+  std::vector<Packing::BoundaryEdge> loaded;
+  std::vector<double> work;
   for (unsigned int b = 0; b < scene.traction.size(); ++b)
-  {
-    if (scene.traction[b].norm() == 0.)
-      continue;
-    const Packing::BoundaryEdge &edge = scene.packing.boundary_edges()[b];
-    auto side =
-        std::find_if(sides.begin(), sides.end(), [&](const Side &other) {
-          return other.continues(edge, size);
-        });
-    if (side == sides.end())
-      side = sides.insert(sides.end(), {edge.normal, edge.start, edge.end});
-    side->add(edge);
-    side->work += edge.length * scene.traction[b] * displacement[edge.cell];
-  }
+    if (scene.traction[b].norm() > 0.)
+    {
+      const Packing::BoundaryEdge &edge = scene.packing.boundary_edges()[b];
+      loaded.push_back(edge);
+      work.push_back(edge.length * scene.traction[b] * displacement[edge.cell]);
+    }
 
   std::vector<LoadPart> parts;
-  for (const Side &side : sides)
-    parts.push_back({"the traction on the side from " +
-                         text_of_point(side.start) + " to " +
-                         text_of_point(side.end),
-                     side.work});
+  for (const StraightRun &run : straight_runs(loaded))
+  {
+    LoadPart part = {"the traction on the side from " +
+                         text_of_point(run.start) + " to " +
+                         text_of_point(run.end),
+                     0.};
+    for (const unsigned int k : run.edges)
+      part.work += work[k];
+    parts.push_back(part);
+  }
+  add_forces_inside(scene, displacement, parts);
   std::stable_sort(
       parts.begin(), parts.end(),
       [](const LoadPart &a, const LoadPart &b) { return a.work > b.work; });

@@ -3,17 +3,88 @@
 #include <voussoir/base/expression.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/loads.h>
+#include <voussoir/statics/supports.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/lexical_cast.hpp>
+
 #include <cmath>
+#include <regex>
 
 namespace Voussoir
 {
+using dealii::Point;
 using dealii::Tensor;
+
+namespace
+{
+/** Two expressions "f_x; f_y" in x, y, ... */
+class VectorExpression
+{
+public:
+  VectorExpression(const std::string &formulas,
+                   const std::vector<std::string> &variables,
+                   const std::string &parameter)
+      : components(dealii::Utilities::split_string_list(formulas, ';')),
+        parameter(parameter)
+  {
+    for (const std::string &component : components)
+      f.emplace_back(component, variables, parameter);
+  }
+
+  /** @throws InputError that ends with @p where if a value is not finite. */
+  template <typename Where>
+  Tensor<1, 2> operator()(const std::vector<double> &values,
+                          const Where &where) const
+  {
+    Tensor<1, 2> result;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      result[i] = f[i](values);
+      if (!std::isfinite(result[i]))
+        throw InputError(text("'", parameter, "' has the component '",
+                              components[i], "', which is ",
+                              text_of_number(result[i]), " at ",
+                              text_of_point({values[0], values[1]}), where()));
+    }
+    return result;
+  }
+
+private:
+  std::vector<std::string> components;
+  std::string parameter;
+  std::vector<Expression> f;
+};
+
+/** The cells that a user calls @p name: a group, or "cell" and a number. */
+std::vector<unsigned int> cells_of_name(const Packing &packing,
+                                        const std::string &name,
+                                        const std::string &parameter)
+{
+  std::smatch match;
+  unsigned int number = 0;
+  if (std::regex_match(name, match, std::regex("cell +([0-9]+)")))
+  {
+    if (!boost::conversion::try_lexical_convert(match[1].str(), number) ||
+        number >= packing.n_cells())
+      throw InputError(text("The parameter '", parameter, "' names '", name,
+                            "', but the cells have the numbers from 0 to ",
+                            packing.n_cells() - 1, "."));
+    return {number};
+  }
+  const unsigned int group = group_of_name(packing, name, parameter);
+  std::vector<unsigned int> cells;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (packing.group(c) == group)
+      cells.push_back(c);
+  return cells;
+}
+} // namespace
 
 void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 {
@@ -39,27 +110,51 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "'Traction'; raise it for loads that vary within an edge "
                     "more than a polynomial of a few degrees.",
                     Integer(1, 100));
+  prm.add_parameter("Where", loaded_where,
+                    "The boundary edges that the load acts on: those at whose "
+                    "midpoint x, y, with the outward unit normal nx, ny, this "
+                    "expression is not zero. 1: all that are not supported.",
+                    Anything());
+  prm.add_parameter("Body force", body,
+                    "The components \"b_x; b_y\" of a force per unit area and "
+                    "thickness, such as weight: 0; -20 in kN/m^3. Expressions "
+                    "in x and y.",
+                    List(Anything(), 2, 2, ";"));
+  prm.add_parameter("Cell forces", cell_forces,
+                    "Forces on cells by name, \"name: F_x, F_y; name: F_x, "
+                    "F_y\": on each cell of the group of that name, or on the "
+                    "cell with a number, as in cell 12: 0, -5. Per unit "
+                    "thickness; spread evenly over the cell.",
+                    Anything());
   prm.leave_subsection();
+}
+
+Loads LoadParameters::loads(const Packing &packing) const
+{
+  return {tractions(packing), body_force(packing), forces_on_cells(packing)};
 }
 
 std::vector<Tensor<1, 2>>
 LoadParameters::tractions(const Packing &packing) const
 {
-  return kind == Kind::traction ? tractions_of_expression(packing)
-                                : tractions_of_uniform_stress(packing);
+  std::vector<Tensor<1, 2>> g = kind == Kind::traction
+                                    ? tractions_of_expression(packing)
+                                    : tractions_of_uniform_stress(packing);
+  if (loaded_where != "1")
+  {
+    const std::vector<bool> chosen =
+        boundary_edges_where(packing, loaded_where, "Loads/Where");
+    for (unsigned int b = 0; b < g.size(); ++b)
+      if (!chosen[b])
+        g[b] = Tensor<1, 2>();
+  }
+  return g;
 }
 
 std::vector<Tensor<1, 2>>
 LoadParameters::tractions_of_expression(const Packing &packing) const
 {
-  const std::string name = "Loads/Traction";
-  const std::vector<std::string> components =
-      dealii::Utilities::split_string_list(traction, ';');
-  std::vector<Expression> g;
-  for (const std::string &component : components)
-    g.emplace_back(component, std::vector<std::string>{"x", "y", "nx", "ny"},
-                   name);
-
+  const VectorExpression g(traction, {"x", "y", "nx", "ny"}, "Loads/Traction");
   const dealii::QGauss<1> quadrature(n_quadrature_points);
   std::vector<Tensor<1, 2>> tractions;
   tractions.reserve(packing.boundary_edges().size());
@@ -67,19 +162,15 @@ LoadParameters::tractions_of_expression(const Packing &packing) const
   {
     Tensor<1, 2> mean;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      for (unsigned int i = 0; i < 2; ++i)
-      {
-        const dealii::Point<2> p =
-            edge.start + quadrature.point(q)[0] * (edge.end - edge.start);
-        const double value = g[i]({p[0], p[1], edge.normal[0], edge.normal[1]});
-        if (!std::isfinite(value))
-          throw InputError(text("'", name, "' has the component '",
-                                components[i], "', which is ",
-                                text_of_number(value), " at ", text_of_point(p),
-                                ", on the boundary of cell ", edge.cell,
-                                "; a traction must be finite."));
-        mean[i] += quadrature.weight(q) * value;
-      }
+    {
+      const Point<2> p =
+          edge.start + quadrature.point(q)[0] * (edge.end - edge.start);
+      mean += quadrature.weight(q) *
+              g({p[0], p[1], edge.normal[0], edge.normal[1]}, [&] {
+                return text(", on the boundary of cell ", edge.cell,
+                            "; a traction must be finite.");
+              });
+    }
     tractions.push_back(mean);
   }
   return tractions;
@@ -99,5 +190,44 @@ LoadParameters::tractions_of_uniform_stress(const Packing &packing) const
   for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
     tractions.push_back(S * edge.normal);
   return tractions;
+}
+
+BodyForce LoadParameters::body_force(const Packing &packing) const
+{
+  const VectorExpression b(body, {"x", "y"}, "Loads/Body force");
+  if (std::regex_match(body, std::regex(" *0 *; *0 *")))
+    return {};
+  return {packing, [&](const Point<2> &p, const unsigned int cell) {
+            return b({p[0], p[1]}, [&] {
+              return text(", in cell ", cell, "; a force must be finite.");
+            });
+          }};
+}
+
+std::vector<CellForce>
+LoadParameters::forces_on_cells(const Packing &packing) const
+{
+  const std::string parameter = "Loads/Cell forces";
+  std::vector<CellForce> forces;
+  for (const auto &[name, value] : split_named_list(cell_forces, parameter))
+  {
+    const auto components = dealii::Utilities::split_string_list(value, ',');
+    CellForce f = {name, cells_of_name(packing, name, parameter), {}};
+    bool valid = components.size() == 2;
+    for (unsigned int i = 0; valid && i < 2; ++i)
+      valid =
+          boost::conversion::try_lexical_convert(components[i], f.force[i]) &&
+          std::isfinite(f.force[i]);
+    if (!valid)
+      throw InputError("The parameter '" + parameter + "' gives '" + name +
+                       "' the force '" + value +
+                       "'; two finite numbers \"F_x, F_y\" are expected.");
+    if (f.cells.empty())
+      throw InputError("The parameter '" + parameter + "' gives a force to '" +
+                       name +
+                       "', which takes none; name a group that has cells.");
+    forces.push_back(std::move(f));
+  }
+  return forces;
 }
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -13,6 +14,10 @@ namespace
  * dissipation for the difference not to be rounding.
  */
 constexpr double rounding_margin = 1e-12;
+
+/** The closing of a joint, relative to the largest displacement, that is none.
+ */
+constexpr double rounding_of_closing = 1e-13;
 
 double largest_component(const std::vector<double> &v)
 {
@@ -32,17 +37,29 @@ bool divide(std::vector<double> &v, const double divisor)
   return true;
 }
 
-/** Make the mean of @p v vanish in each connected group of cells. */
-void remove_translations(const DiscreteProblem &problem, std::vector<double> &v)
+/**
+ * Add to @p v as much of an opening as its closing joints need.
+ *
+ * @return how much; infinite if there is nothing that opens them.
+ */
+double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 {
-  std::vector<dealii::Tensor<1, 2>> u(problem.n_cells());
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[c][i] = v[problem.dof(c, i)];
-  problem.remove_group_means(u);
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      v[problem.dof(c, i)] = u[c][i];
+  double closing = 0.;
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    closing = std::max(closing, -problem.jump(joint, v.data()).normal);
+  if (closing <= rounding_of_closing)
+    return 0.;
+  const std::vector<double> &opening = problem.opening();
+  if (opening.empty())
+    return std::numeric_limits<double>::infinity();
+
+  double share = 0.;
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    share = std::max(share, -problem.jump(joint, v.data()).normal /
+                                problem.jump(joint, opening.data()).normal);
+  for (unsigned int k = 0; k < v.size(); ++k)
+    v[k] += share * opening[k];
+  return share;
 }
 } // namespace
 
@@ -50,22 +67,16 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
                                         const std::vector<double> &u)
 {
   std::vector<double> v = u;
-  remove_translations(problem, v);
+  problem.remove_translations(v);
   if (!divide(v, largest_component(v)) || problem.joints().empty())
     return {};
+  const double opening = open_joints(problem, v);
+  if (!std::isfinite(opening))
+    return {};
+  problem.remove_translations(v);
 
-  // [x_c] . n_e is the distance d_e between the centres.
-  double dilation = 0.;
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    dilation = std::max(dilation,
-                        -problem.jump(joint, v.data()).normal / joint.distance);
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      v[problem.dof(c, i)] += dilation * problem.centres()[c][i];
-  remove_translations(problem, v);
-
-  // A motion that the dilation all but undoes is lost in rounding.
-  const double remainder = largest_component(v) / (1. + dilation);
+  // A motion that the opening all but undoes is lost in rounding.
+  const double remainder = largest_component(v) / (1. + opening);
   if (!divide(v, largest_component(v)))
     return {};
 
@@ -77,17 +88,14 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
         joint.strength * std::abs(problem.jump(joint, v.data()).tangential);
 
   double size_of_terms = mechanism.dissipation;
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms += std::abs(problem.loads()[c][i] * v[problem.dof(c, i)]);
+      size_of_terms += std::abs(problem.loads()[b][i] * v[problem.dof(b, i)]);
   if (!(mechanism.work - mechanism.dissipation >
         rounding_margin / remainder * size_of_terms))
     return {};
 
-  mechanism.displacement.resize(problem.n_cells());
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      mechanism.displacement[c][i] = v[problem.dof(c, i)];
+  mechanism.displacement = problem.displacement_of_cells(v, 1.);
   return mechanism;
 }
 } // namespace Voussoir

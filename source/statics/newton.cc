@@ -40,6 +40,17 @@ constexpr double smallest_bracket = 1e-15;
 constexpr unsigned int n_stalled_iterations = 20;
 constexpr double imbalance_near_rounding = 1e-7;
 
+/** What refine() may find of a right-hand side that was not solved for. */
+constexpr double little_left = 1e-3;
+
+double largest(const std::vector<double> &v)
+{
+  double size = 0.;
+  for (const double component : v)
+    size = std::max(size, std::abs(component));
+  return size;
+}
+
 double proximal_force(const double shift, const double u, const double centre)
 {
   return -shift * (u - centre);
@@ -72,9 +83,9 @@ void Newton::evaluate(State &state)
   const auto &joints = problem.joints();
   state.forces.resize(joints.size());
   state.gradient.resize(problem.n_dofs());
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      state.gradient[problem.dof(c, i)] = -problem.loads()[c][i];
+      state.gradient[problem.dof(b, i)] = -problem.loads()[b][i];
   for (unsigned int e = 0; e < joints.size(); ++e)
   {
     state.forces[e] = law.force(e, state.jumps[e]);
@@ -98,12 +109,12 @@ std::vector<double> Newton::direction(double shift,
         proximal_force(shift, present.u[k], centre[k]) - present.gradient[k];
 
   std::vector<Jump> second(present.jumps.size());
-  double largest = 1.;
+  double stiffest = 1.;
   bool finite = true;
   for (unsigned int e = 0; e < second.size(); ++e)
   {
     second[e] = law.second_derivative(e, present.jumps[e]);
-    largest = std::max({largest, second[e].normal, second[e].tangential});
+    stiffest = std::max({stiffest, second[e].normal, second[e].tangential});
     finite &= std::isfinite(second[e].normal + second[e].tangential);
   }
   if (!finite)
@@ -112,10 +123,12 @@ std::vector<double> Newton::direction(double shift,
                       "'Friction/Strength', or take another 'Formulation'.");
   // Rounding can cost the matrix its definiteness; then the step would not lead
   // downhill.
-  for (; shift <= largest; shift *= factor_of_shift)
+  for (; shift <= stiffest; shift *= factor_of_shift)
     if (system.prepare(second, shift))
     {
       std::vector<double> d = system.solve(right);
+      if (shift == least_shift && system.is_direct())
+        refine(second, right, d);
       long double descent = 0.;
       for (unsigned int k = 0; k < d.size(); ++k)
         descent += right[k] * d[k];
@@ -126,6 +139,30 @@ std::vector<double> Newton::direction(double shift,
       "A linear system of Newton's method cannot be solved: the strengths or "
       "the sizes of the interfaces differ by too much. Take another "
       "'Formulation'.");
+}
+
+/**
+ * Take out of @p d what the shift has put into it, where that is little: cells
+ * that no joint holds owe their whole displacement to the shift.
+ */
+void Newton::refine(const std::vector<Jump> &second,
+                    const std::vector<double> &right,
+                    std::vector<double> &d)
+{
+  std::vector<double> left(right);
+  for (unsigned int e = 0; e < second.size(); ++e)
+  {
+    const Jump jump = problem.jump(problem.joints()[e], d.data());
+    problem.add_jump_gradient(problem.joints()[e],
+                              {-second[e].normal * jump.normal,
+                               -second[e].tangential * jump.tangential},
+                              left.data());
+  }
+  if (largest(left) > little_left * largest(right))
+    return;
+  const std::vector<double> correction = system.solve(left);
+  for (unsigned int k = 0; k < d.size(); ++k)
+    d[k] += correction[k];
 }
 
 double Newton::search(const std::vector<double> &direction,
@@ -304,12 +341,9 @@ Solution minimise(const DiscreteProblem &problem,
     solution.forces.normal.push_back(force.normal);
     solution.forces.tangential.push_back(force.tangential);
   }
-  solution.displacement.resize(problem.n_cells());
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      solution.displacement[c][i] =
-          displacement_unit * best_u[problem.dof(c, i)];
-  problem.remove_group_means(solution.displacement);
+  problem.remove_translations(best_u);
+  solution.displacement =
+      problem.displacement_of_cells(best_u, displacement_unit);
   return solution;
 }
 } // namespace Voussoir

@@ -21,33 +21,19 @@ constexpr double balance_tolerance = 1e-10;
 /** The same for what is left of the forces on one cell where they cancel. */
 constexpr double cancellation_tolerance = 1e-14;
 
-/** @param size the sum of the sizes of the forces on each cell. */
-void check_balance(const Scene &scene, const std::vector<double> &size)
-{
-  const std::vector<unsigned int> group = connected_groups(scene.packing);
-  std::vector<Tensor<1, 2>> total(group.size());
-  std::vector<double> sizes(group.size(), 0.);
-  for (unsigned int c = 0; c < group.size(); ++c)
-  {
-    total[group[c]] += scene.load[c];
-    sizes[group[c]] += size[c];
-  }
+/** How many groups that are not balanced a message names. */
+constexpr unsigned int n_named_groups = 5;
 
-  bool connected = true;
-  for (const unsigned int g : group)
-    connected &= (g == 0);
-  for (unsigned int g = 0; g < group.size(); ++g)
-    if (total[g].norm() > balance_tolerance * sizes[g])
-      throw InputError(text(
-          "The loads are not balanced: on ",
-          connected ? "the packing"
-                    : text("the connected group of cells around cell ", g,
-                           " at ", text_of_point(scene.packing.centre(g))),
-          " their sum is (", total[g][0], ", ", total[g][1], "), ",
-          total[g].norm() / sizes[g],
-          " of the sum of their sizes. Nothing supports the packing, so the "
-          "total force must be zero; change the loads, or raise "
-          "'Loads/Quadrature points' if they vary within an edge."));
+/** Refuse a force whose square cannot be computed. */
+template <typename What>
+void check_size(const Tensor<1, 2> &force, const What &what)
+{
+  const bool none = force[0] == 0. && force[1] == 0.;
+  if (!std::isfinite(force.norm()) || (!none && !(force.norm() > 0.)))
+    throw InputError(
+        text(what(), " is (", force[0], ", ", force[1],
+             "), a force whose square is beyond the computer's numbers. Choose "
+             "units in which it is between 1e-150 and 1e150."));
 }
 
 /** Torque (x - centre) x f about the centre, positive counterclockwise. */
@@ -60,41 +46,111 @@ double torque(const dealii::Point<2> &x,
 }
 } // namespace
 
-Scene::Scene(Packing packing_in,
-             std::vector<double> strength_in,
-             std::vector<Tensor<1, 2>> traction_in)
+Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
-      traction(std::move(traction_in)), load(packing.n_cells())
+      traction(std::move(loads.traction)), on_cells(std::move(loads.on_cells)),
+      body(std::move(loads.body)), has_body_force(!body.empty()),
+      load(packing.n_cells())
 {
-  const auto &boundary = packing.boundary_edges();
+  for (const CellForce &f : on_cells)
+    for (const unsigned int c : f.cells)
+      body.add(packing, c, f.force);
+  check_balance(add_up_loads());
+  clear_single_cells();
+}
+
+std::vector<double> Scene::add_up_loads()
+{
   std::vector<double> size(packing.n_cells(), 0.);
+  const auto add = [&](const unsigned int c, const Tensor<1, 2> &force,
+                       const auto &what) {
+    check_size(force, what);
+    load[c] += force;
+    size[c] += force.norm();
+  };
+  const auto &boundary = packing.boundary_edges();
   for (unsigned int b = 0; b < boundary.size(); ++b)
-  {
-    const Tensor<1, 2> force = boundary[b].length * traction[b];
-    const bool none = traction[b][0] == 0. && traction[b][1] == 0.;
-    if (!std::isfinite(force.norm()) || (!none && !(force.norm() > 0.)))
-      throw InputError(
-          text("The traction on the boundary edge at ",
-               text_of_point(boundary[b].midpoint()), " of cell ",
-               boundary[b].cell, " is (", traction[b][0], ", ", traction[b][1],
-               "), a force whose square is beyond the computer's numbers. "
-               "Choose units in which it is between 1e-150 and 1e150."));
-    load[boundary[b].cell] += force;
-    size[boundary[b].cell] += force.norm();
-  }
+    add(boundary[b].cell, boundary[b].length * traction[b], [&] {
+      return text("The traction on the boundary edge at ",
+                  text_of_point(boundary[b].midpoint()), " of cell ",
+                  boundary[b].cell);
+    });
+  if (!body.empty())
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      add(c, body.force(packing, c), [&] {
+        return text("The body force on ", packing.describe(c), " at ",
+                    text_of_point(packing.centre(c)));
+      });
+
   // Rounding must not pass for a load where all forces on a cell cancel.
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (load[c].norm() <= cancellation_tolerance * size[c])
       load[c] = 0.;
-  check_balance(*this, size);
+  return size;
+}
 
-  // A cell by itself carries nothing: what is left of its load is rounding.
+void Scene::check_balance(const std::vector<double> &size) const
+{
   const std::vector<unsigned int> group = connected_groups(packing);
-  std::vector<unsigned int> n_cells(group.size(), 0);
+  std::vector<Tensor<1, 2>> total(group.size());
+  std::vector<double> sizes(group.size(), 0.);
+  std::vector<unsigned int> n_members(group.size(), 0);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    total[group[c]] += load[c];
+    sizes[group[c]] += size[c];
+    ++n_members[group[c]];
+  }
+
+  std::vector<unsigned int> floating;
+  for (unsigned int g = 0; g < packing.n_cells(); ++g)
+    if (g != group[packing.ground()] &&
+        total[g].norm() > balance_tolerance * sizes[g])
+      floating.push_back(g);
+  if (floating.empty())
+    return;
+
+  const unsigned int g = floating.front();
+  const auto name = [&](const unsigned int first) {
+    return text(
+        n_members[first] > 1 ? "the connected group of cells around " : "",
+        packing.describe(first), " at ", text_of_point(packing.centre(first)));
+  };
+  std::string message = text(
+      "The loads are not balanced: on ",
+      n_members[g] == packing.n_cells() ? "the packing" : name(g),
+      n_members[g] == 1 && packing.n_cells() > 1 ? ", which touches no other,"
+                                                 : "",
+      " their sum is (", total[g][0], ", ", total[g][1], "), ",
+      total[g].norm() / sizes[g], " of the sum of their sizes.");
+  if (floating.size() > 1)
+    message += text(" So it is on ", floating.size() - 1, " more:");
+  for (unsigned int k = 1; k < floating.size() && k < n_named_groups; ++k)
+    message += text(k > 1 ? "; " : " ", name(floating[k]));
+  if (floating.size() > n_named_groups)
+    message += "; ...";
+  if (floating.size() > 1)
+    message += ".";
+  throw InputError(
+      message +
+      (packing.n_supports() == 0
+           ? " Nothing supports the packing, so the total force must be zero; "
+             "change the loads, choose 'Supports/Where', or raise "
+             "'Loads/Quadrature points' if they vary within an edge."
+           : " What floats touches neither the ground nor what rests on it: "
+             "close the gaps, for example by a larger matching tolerance, or "
+             "change 'Supports/Where'."));
+}
+
+/** A cell by itself carries nothing: what is left of its load is rounding. */
+void Scene::clear_single_cells()
+{
+  const std::vector<unsigned int> group = connected_groups(packing);
+  std::vector<unsigned int> n_members(group.size(), 0);
   for (const unsigned int g : group)
-    ++n_cells[g];
-  for (unsigned int c = 0; c < group.size(); ++c)
-    if (n_cells[group[c]] == 1)
+    ++n_members[g];
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (n_members[group[c]] == 1)
       load[c] = 0.;
 }
 
@@ -124,14 +180,20 @@ std::vector<double> residual_torques(const Scene &scene,
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     torques[i.cell_minus] +=
         torque(i.midpoint(), packing.centre(i.cell_minus), f);
-    torques[i.cell_plus] -=
-        torque(i.midpoint(), packing.centre(i.cell_plus), f);
+    if (i.cell_plus != packing.ground())
+      torques[i.cell_plus] -=
+          torque(i.midpoint(), packing.centre(i.cell_plus), f);
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     torques[edge.cell] += torque(edge.midpoint(), packing.centre(edge.cell),
                                  edge.length * scene.traction[b]);
+  }
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const Tensor<2, 2> moment = scene.body.moment(c); // b (x) (x - x_c)
+    torques[c] += moment[1][0] - moment[0][1];
   }
   return torques;
 }

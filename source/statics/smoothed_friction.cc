@@ -50,15 +50,11 @@ public:
   {
   }
 
-  /** Hard contact starts from the dilation, which opens every joint. */
+  /** Hard contact starts where every joint is open. */
   std::vector<double> start() const override
   {
-    std::vector<double> x(problem.n_dofs(), 0.);
-    if (contact == Contact::hard)
-      for (unsigned int c = 0; c < problem.n_cells(); ++c)
-        for (unsigned int i = 0; i < 2; ++i)
-          x[problem.dof(c, i)] = problem.centres()[c][i];
-    return x;
+    return contact == Contact::hard ? problem.opening()
+                                    : std::vector<double>(problem.n_dofs(), 0.);
   }
 
   double value(const double *x) override
@@ -74,9 +70,9 @@ public:
   std::vector<double> gradient(const double *x) override
   {
     std::vector<double> g(problem.n_dofs());
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
       for (unsigned int i = 0; i < 2; ++i)
-        g[problem.dof(c, i)] = -problem.loads()[c][i];
+        g[problem.dof(b, i)] = -problem.loads()[b][i];
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
       const Joint &joint = problem.joints()[e];
@@ -88,17 +84,17 @@ public:
     return g;
   }
 
-  // First the three entries of each cell's diagonal block, then the four of
+  // First the three entries of each body's diagonal block, then the four of
   // each joint's block (c+, c-); c- < c+.
   std::vector<Entry> hessian(const double *x) const override
   {
-    const unsigned int n_cells = problem.n_cells();
+    const unsigned int n_bodies = problem.n_bodies();
     std::vector<Entry> entries;
-    entries.reserve(3 * n_cells + 4 * problem.joints().size());
-    for (unsigned int c = 0; c < n_cells; ++c)
+    entries.reserve(3 * n_bodies + 4 * problem.joints().size());
+    for (unsigned int b = 0; b < n_bodies; ++b)
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int j = 0; j <= i; ++j)
-          entries.push_back({problem.dof(c, i), problem.dof(c, j), 0.});
+          entries.push_back({problem.dof(b, i), problem.dof(b, j), 0.});
 
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
@@ -163,8 +159,7 @@ public:
   /** The forces at the end, and the displacement with eps = 1. */
   Solution solution(IpoptResult result) const
   {
-    const std::vector<double> x =
-        most_balanced.empty() ? result.x : most_balanced;
+    std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
     const std::vector<double> multipliers = result.multipliers;
     Solution solution = make_solution(problem, std::move(result));
     if (solution.mechanism)
@@ -178,11 +173,9 @@ public:
                                                                 : force.normal);
       solution.forces.tangential.push_back(force.tangential);
     }
-    for (unsigned int c = 0; c < problem.n_cells(); ++c)
-      for (unsigned int i = 0; i < 2; ++i)
-        solution.displacement[c][i] =
-            x[problem.dof(c, i)] / law.displacement_unit();
-    problem.remove_group_means(solution.displacement);
+    problem.remove_translations(x);
+    solution.displacement =
+        problem.displacement_of_cells(x, 1. / law.displacement_unit());
     return solution;
   }
 
@@ -254,6 +247,8 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
                                   const SolverControls &controls,
                                   Terminal &terminal) const
 {
+  if (contact == Contact::hard)
+    require_interior(problem, "smoothed friction' with 'Contact = hard");
   Program program(problem, contact, controls.tolerance);
   IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
   if (contact == Contact::compliant)

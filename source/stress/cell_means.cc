@@ -21,13 +21,16 @@ std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
     const Packing::Interface &i = packing.interfaces()[e];
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     add(i.cell_minus, i.midpoint(), f);
-    add(i.cell_plus, i.midpoint(), -f);
+    if (i.cell_plus != packing.ground())
+      add(i.cell_plus, i.midpoint(), -f);
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     add(edge.cell, edge.midpoint(), edge.length * scene.traction[b]);
   }
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    mean[c] += scene.body.moment(c) / packing.area(c);
   return mean;
 }
 } // namespace Voussoir

@@ -21,12 +21,7 @@ namespace
 {
 constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
-/**
- * Gauss points per direction: exact but for (div sigma, div tau), where 1/det J
- * is singular at the corner of 180 degrees. det J being the area of the
- * sub-cell times the same function of the reference coordinates in all of them,
- * the error is one common factor, which the minimiser does not see.
- */
+/** Gauss points per direction: exact for tau : j(p). */
 constexpr unsigned int n_gauss_points = 2;
 
 /** Ratio of the pivots of B B^T below which a cell counts as undetermined. */
@@ -140,10 +135,12 @@ void Fan::number_unknowns()
 bool Fan::solve(const Point<2> &centre,
                 const std::vector<Point<2>> &vertices,
                 const std::vector<Tensor<1, 2>> &forces,
+                const std::vector<Tensor<1, 2>> &body_forces,
                 const dealii::ArrayView<SubCell> &sub_cells)
 {
   AssertDimension(vertices.size(), n_sides);
   AssertDimension(forces.size(), n_sides);
+  AssertDimension(body_forces.size(), n_sides);
   AssertDimension(sub_cells.size(), n_sides);
 
   // Work in a cell of unit area, so that all coefficients are of order one.
@@ -164,8 +161,12 @@ bool Fan::solve(const Point<2> &centre,
   for (Tensor<1, 2> &flux : fluxes)
     flux /= 2. * size; // through each half of a side
 
+  std::vector<Tensor<1, 2>> sources(body_forces);
+  for (Tensor<1, 2> &source : sources)
+    source /= size;
+
   place(centre, vertices, size);
-  assemble(fluxes);
+  assemble(fluxes, sources);
   if (!is_determined())
     return false;
   matrix.compute_lu_factorization();
@@ -221,7 +222,8 @@ double Fan::coefficient(const LocalDof &dof, const Tensor<1, 2> &flux) const
                              : solution[dof.unknown];
 }
 
-void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
+void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes,
+                   const std::vector<Tensor<1, 2>> &sources)
 {
   const dealii::FEValuesExtractors::Scalar multiplier(4);
   const unsigned int n_local = element.dofs_per_cell;
@@ -245,26 +247,28 @@ void Fan::assemble(const std::vector<Tensor<1, 2>> &fluxes)
         matrix(dofs[test].unknown, dofs[trial].unknown) += value;
     };
 
-    // The divergence of a basis function of unit flux is +-1 / det J: the
-    // integral of the product of two is +-1 times that of 1 / det J over the
-    // reference square. From the derivatives of the basis functions the same
+    // The divergence of a basis function of unit flux is +-1 / det J, and det J
+    // the area of the sub-cell times a function of the reference coordinates
+    // that is the same in all. So the integral of the product of two is +-1
+    // over the area times a common factor, which the minimiser does not see;
+    // without it the divergence is compared with the body force in the mean
+    // over each sub-cell. From the derivatives of the basis functions the same
     // would come out with a rounding error that ruins slender sub-cells.
-    double inverse_det_J = 0.;
+    double area = 0.;
     for (unsigned int q = 0; q < centre_point; ++q)
-    {
-      const double weight = fe_values.get_quadrature().weight(q);
-      inverse_det_J += weight * (weight / fe_values.JxW(q));
-    }
+      area += fe_values.JxW(q);
 
     for (unsigned int k = 0; k < n_local; ++k)
     {
       if (dofs[k].is_multiplier)
         continue;
       const dealii::FEValuesExtractors::Vector row(2 * dofs[k].row);
+      if (dofs[k].unknown != none)
+        solution[dofs[k].unknown] -=
+            dofs[k].outward_flux * sources[i][dofs[k].row] / area;
       for (unsigned int l = 0; l < n_local; ++l)
         if (!dofs[l].is_multiplier && dofs[l].row == dofs[k].row)
-          add(k, l,
-              dofs[k].outward_flux * dofs[l].outward_flux * inverse_det_J);
+          add(k, l, dofs[k].outward_flux * dofs[l].outward_flux / area);
         else if (dofs[l].is_multiplier)
         {
           double integral = 0.; // tau : j(p)

@@ -38,7 +38,7 @@ struct Scratch
 
   std::map<unsigned int, std::unique_ptr<Fan>> fans;
   std::vector<Point<2>> vertices;
-  std::vector<Tensor<1, 2>> forces;
+  std::vector<Tensor<1, 2>> forces, body_forces;
 };
 
 /** Each cell writes to a place of its own: there is nothing to copy. */
@@ -92,9 +92,11 @@ StressField reconstruct_stress(const Scene &scene,
     const auto sides = packing.sides(c);
     scratch.vertices.clear();
     scratch.forces.clear();
+    scratch.body_forces.clear();
     for (unsigned int i = 0; i < sides.size(); ++i)
     {
       scratch.vertices.push_back(packing.vertex(c, i));
+      scratch.body_forces.push_back(scene.body.force(packing, c, i));
       const unsigned int k = sides[i].index;
       if (sides[i].on_boundary)
         scratch.forces.push_back(packing.boundary_edges()[k].length *
@@ -110,7 +112,7 @@ StressField reconstruct_stress(const Scene &scene,
         field.sub_cells.data() + packing.first_side(c), sides.size());
     determined[c] = scratch.fan(sides.size())
                         .solve(packing.centre(c), scratch.vertices,
-                               scratch.forces, sub_cells);
+                               scratch.forces, scratch.body_forces, sub_cells);
   };
 
   // In blocks, for a progress line between them.

@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Means over edges: tractions and strengths that are polynomials along an edge
-// are averaged exactly; uniform stress gives S n; bad values are refused.
+// are averaged exactly; uniform stress gives S n; strengths of pairs of groups,
+// body forces, forces on cells and loaded parts of the boundary; bad values are
+// refused.
 
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/friction.h>
 #include <voussoir/statics/loads.h>
+#include <voussoir/statics/supports.h>
 
 #include "tests.h"
 
 using namespace Voussoir;
 
-std::vector<dealii::Tensor<1, 2>> tractions(const Packing &packing,
-                                            const std::string &settings)
+Loads loads_on(const Packing &packing, const std::string &settings)
 {
   LoadParameters loads;
   dealii::ParameterHandler prm;
   loads.add_parameters(prm);
   prm.parse_input_from_string("subsection Loads\n" + settings + "\nend\n");
-  return loads.tractions(packing);
+  return loads.loads(packing);
 }
 
 std::vector<double> strengths(const Packing &packing,
-                              const std::string &strength)
+                              const std::string &strength,
+                              const std::string &pair_strengths = "")
 {
   FrictionParameters friction;
   dealii::ParameterHandler prm;
   friction.add_parameters(prm);
   prm.parse_input_from_string(
-      "subsection Friction\nset Strength = " + strength + "\nend\n");
+      "subsection Friction\nset Strength = " + strength +
+      "\nset Pair strengths = " + pair_strengths + "\nend\n");
   return friction.strengths(packing);
 }
 
@@ -41,7 +46,8 @@ int main()
 {
   const Packing packing = random_packing(100, 1);
 
-  const auto g = tractions(packing, "set Traction = x^2 * nx; y^2 - ny");
+  const auto g =
+      loads_on(packing, "set Traction = x^2 * nx; y^2 - ny").traction;
   double error = 0.;
   for (unsigned int b = 0; b < g.size(); ++b)
   {
@@ -55,8 +61,9 @@ int main()
   }
   check_error("mean of a quadratic traction", error, 1e-14);
 
-  const auto S_n = tractions(
-      packing, "set Boundary load = uniform stress\nset Stress = 1, 2; 2, -5");
+  const auto S_n = loads_on(packing, "set Boundary load = uniform stress\n"
+                                     "set Stress = 1, 2; 2, -5")
+                       .traction;
   error = 0.;
   for (unsigned int b = 0; b < S_n.size(); ++b)
     error = std::max(error, (S_n[b] - tensor(1, 2, 2, -5) *
@@ -83,14 +90,85 @@ int main()
   }
   check("bed and head joints of different strength", right);
 
+  Packing courses_on_ground = wall(4, 3);
+  courses_on_ground.support(
+      boundary_edges_where(courses_on_ground, "ny < -0.5", "here"));
+  assign_groups(courses_on_ground, "odd: floor(4*y) == 1; top: y > 0.75");
+  const auto by_pair =
+      strengths(courses_on_ground, "7",
+                "block, ground: 2; odd,block : 3 + x; top, top: 0.5");
+  right = true;
+  for (unsigned int e = 0; e < by_pair.size(); ++e)
+  {
+    const auto &i = courses_on_ground.interfaces()[e];
+    const double y = i.midpoint()[1];
+    double expected = 7.;
+    if (y == 0.)
+      expected = 2.;
+    else if (y == 0.25 || y == 0.5) // odd, the course from 0.25 to 0.5
+      expected = 3. + i.midpoint()[0];
+    else if (y > 0.75)
+      expected = 0.5;
+    right &= std::abs(by_pair[e] - expected) < 1e-15;
+  }
+  check("pairs of groups, the ground among them", right);
+
+  // A body force that varies, against the moments of a polygon by Green's
+  // formula; and a force on one cell, which its sub-cells share.
+  const Loads inside =
+      loads_on(packing, "set Body force = x; 1 - y\n"
+                        "set Cell forces = cell 7: 3, -4; block: 0.5, 0");
+  error = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    double Ix = 0., Iy = 0.;
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    {
+      const auto &a = packing.vertex(c, i), &b = packing.vertex(c, i + 1);
+      const double cross = a[0] * b[1] - a[1] * b[0];
+      Ix += cross * (a[0] + b[0]) / 6.;
+      Iy += cross * (a[1] + b[1]) / 6.;
+    }
+    const auto F = inside.body.force(packing, c);
+    error = std::max(
+        {error, std::abs(F[0] - Ix), std::abs(F[1] - packing.area(c) + Iy)});
+  }
+  check_error("integrals of a linear body force", error, 1e-15);
+  check("forces on cells by number and by group",
+        inside.on_cells[0].cells == std::vector<unsigned int>{7} &&
+            inside.on_cells[0].force[1] == -4. &&
+            inside.on_cells[1].cells.size() == packing.n_cells());
+  check("nothing without a body force", loads_on(packing, "").body.empty());
+  const Loads on_top = loads_on(packing, "set Traction = 1; 2\n"
+                                         "set Where = ny > 0.5 && x < 0.5");
+  right = true;
+  for (unsigned int b = 0; b < on_top.traction.size(); ++b)
+  {
+    const auto &edge = packing.boundary_edges()[b];
+    const bool loaded = edge.normal[1] > 0.5 && edge.midpoint()[0] < 0.5;
+    right &= on_top.traction[b].norm() == (loaded ? std::sqrt(5.) : 0.);
+  }
+  check("a traction on a part of the boundary", right);
+
   const Packing bricks = wall(2, 1);
   show_refusal([&] { strengths(bricks, "-1"); });
   show_refusal([&] { strengths(bricks, "sqrt(0.25 - x)"); });
   show_refusal([&] { strengths(bricks, "1 +"); });
-  show_refusal([&] { tractions(bricks, "set Traction = 1/(y-1); 0"); });
-  show_refusal([&] { tractions(bricks, "set Traction = u; 0"); });
+  show_refusal([&] { loads_on(bricks, "set Traction = 1/(y-1); 0"); });
+  show_refusal([&] { loads_on(bricks, "set Traction = u; 0"); });
   show_refusal([&] {
-    tractions(bricks, "set Boundary load = uniform stress\n"
-                      "set Stress = 1, 2; 3, 4");
+    loads_on(bricks, "set Boundary load = uniform stress\n"
+                     "set Stress = 1, 2; 3, 4");
   });
+  show_refusal([&] { loads_on(bricks, "set Where = y > 2"); });
+  show_refusal([&] { loads_on(bricks, "set Where = log(y - 5)"); });
+  show_refusal([&] { loads_on(bricks, "set Body force = 0; 1/(x-x)"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = lintel: 0, 1"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = cell 9: 0, 1"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = block: 1"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = block"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = ground: 0, 1"); });
+  show_refusal([&] { strengths(bricks, "1", "block: 2"); });
+  show_refusal([&] { strengths(bricks, "1", "block, stone: 2"); });
+  show_refusal([&] { strengths(bricks, "1", "block, block: -2"); });
 }

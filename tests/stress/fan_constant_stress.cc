@@ -28,7 +28,7 @@ double error_of(const std::vector<Point<2>> &vertices,
   }
   std::vector<Fan::SubCell> sub_cells(n);
   Fan fan(n);
-  if (!fan.solve(centre, vertices, forces,
+  if (!fan.solve(centre, vertices, forces, std::vector<dealii::Tensor<1, 2>>(n),
                  dealii::ArrayView<Fan::SubCell>(sub_cells.data(), n)))
     return std::numeric_limits<double>::infinity();
   double error = 0.;

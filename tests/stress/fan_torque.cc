@@ -19,13 +19,14 @@ int main()
   const std::vector<Point<2>> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const Point<2> centre(0.5, 0.5);
   std::vector<Tensor<1, 2>> forces(4);
+  const std::vector<Tensor<1, 2>> no_body_force(4);
   forces[0][0] = -1.;
   forces[2][0] = 1.;
 
   Fan fan(4);
   std::vector<Fan::SubCell> sub_cells(4);
   const bool unique =
-      fan.solve(centre, square, forces,
+      fan.solve(centre, square, forces, no_body_force,
                 dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
   check("a unique answer", unique);
 
@@ -53,7 +54,7 @@ int main()
   // Without torque the same cell is free of divergence.
   forces[1][1] = 1.;
   forces[3][1] = -1.;
-  fan.solve(centre, square, forces,
+  fan.solve(centre, square, forces, no_body_force,
             dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
   double divergence = 0.;
   for (const auto &sub_cell : sub_cells)
@@ -64,7 +65,7 @@ int main()
   const Point<2> edge(0.5, 1e-15);
   const auto before = sub_cells;
   const bool degenerate =
-      fan.solve(edge, square, forces,
+      fan.solve(edge, square, forces, no_body_force,
                 dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
   double change = 0.;
   for (unsigned int i = 0; i < 4; ++i)

@@ -40,6 +40,23 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation;
 };
+
+/** An Expression in x, y, ... that chooses places: where it is not zero. */
+class Condition
+{
+public:
+  /** As for Expression; the first two variables are x and y. */
+  Condition(const std::string &formula,
+            const std::vector<std::string> &variables,
+            const std::string &parameter);
+
+  /** @throws InputError naming the place if the value is not a number. */
+  bool operator()(const std::vector<double> &values) const;
+
+private:
+  Expression expression;
+  std::string formula, parameter;
+};
 } // namespace Voussoir
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <voussoir/statics/certificate.h>
 #include <voussoir/statics/load_parts.h>
+#include <voussoir/statics/reactions.h>
 #include <voussoir/statics/scene.h>
 #include <voussoir/stress/reconstruction.h>
 
@@ -47,6 +48,7 @@ struct Results : RunRecord
   std::vector<bool> never_pressed, always_sliding;
   std::vector<dealii::Tensor<1, 2>> displacement;
   Certificate certificate;
+  std::vector<Reaction> reactions;
   std::vector<double> torques;
   std::vector<dealii::Tensor<2, 2>> mean_stresses;
   StressField stress;

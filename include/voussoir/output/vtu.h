@@ -12,15 +12,17 @@ namespace Voussoir
  * The stress as a VTK unstructured grid of the sub-cells, with values that are
  * constant in each: the tensor stress, principal_stress_1 >=
  * principal_stress_2, von_mises (of plane stress), skew = (sigma_xy -
- * sigma_yx)/2, div, cell, displacement, and reconstructed, which is 0 where the
+ * sigma_yx)/2, div, cell, group (its number in summary.json), displacement, and
+ * reconstructed, which is 0 where the
  * cell's mean stress had to stand in.
  */
 void write_stress_vtu(std::ostream &out, const Results &results);
 
 /**
  * The interfaces as lines, with the normal and tangential force and stress, the
- * strength, the utilisation and the numbers of the cells; and never_pressed and
- * always_sliding, if the formulation finds out (see Results).
+ * strength, the utilisation and the numbers of the cells, -1 for the ground;
+ * and never_pressed and always_sliding, if the formulation finds out (see
+ * Results).
  */
 void write_interfaces_vtu(std::ostream &out, const Results &results);
 

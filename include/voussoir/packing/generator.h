@@ -51,6 +51,7 @@ public:
 private:
   std::vector<std::unique_ptr<PackingGenerator>> generators;
   unsigned int chosen = 0;
+  std::string groups;
 };
 } // namespace Voussoir
 

@@ -58,6 +58,9 @@ struct CellLoops
  * to c+ and its tangent is t_e = R(pi/2) n_e = (-n_y, n_x), which runs from the
  * edge's start to its end (Marazzato and Venkataramani, section 2). An edge of
  * one cell only is a boundary edge, with the outward normal.
+ *
+ * The ground is a cell without shape, numbered F. A boundary edge that rests on
+ * it is a support: an interface from its cell to the ground.
  */
 class Packing
 {
@@ -105,7 +108,18 @@ public:
    */
   explicit Packing(CellLoops cells);
 
+  /**
+   * Let boundary edges rest on the ground: those for which @p is_support is
+   * true (one entry for each of boundary_edges()) become interfaces to it,
+   * behind all others and in their order.
+   */
+  void support(const std::vector<bool> &is_support);
+
   unsigned int n_cells() const;
+  /** The number that stands for the ground, in Interface::cell_plus. */
+  unsigned int ground() const;
+  /** How many of interfaces(), the last ones, are supports. */
+  unsigned int n_supports() const;
   const std::vector<Interface> &interfaces() const;
   const std::vector<BoundaryEdge> &boundary_edges() const;
 
@@ -113,6 +127,19 @@ public:
   double area(unsigned int cell) const;
   /** The sum of the areas of all cells. */
   double area() const;
+  /**
+   * The names of the groups of cells; every cell belongs to one. The last is
+   * "ground", whose only member is ground().
+   */
+  const std::vector<std::string> &group_names() const;
+  /** The group of a cell, as its number among group_names(). */
+  unsigned int group(unsigned int cell) const;
+  const std::string &group_name(unsigned int cell) const;
+  /** Let @p cell belong to the group @p name. */
+  void set_group(unsigned int cell, const std::string &name);
+
+  /** d_e = (x_{c+} - x_{c-}) . n_e; to a support the distance from x_c. */
+  double distance(const Interface &interface) const;
 
   /** The number of sides of a cell, which is that of its vertices. */
   unsigned int n_sides(unsigned int cell) const;
@@ -125,24 +152,44 @@ public:
   /**
    * The degree of static indeterminacy: two forces per interface, less the
    * independent equations of force balance, two per cell but for two per
-   * connected group of cells.
+   * connected group of cells that has no support.
    */
   unsigned int static_indeterminacy() const;
 
+  /** The cells that are not convex, only star-shaped about their centre. */
+  const std::vector<unsigned int> &not_convex() const;
+  /** What the user ought to know of how the input was understood. */
+  const std::vector<std::string> &notices() const;
+  /** "cell 3", with the line of its file if it was read; "the ground". */
+  std::string describe(unsigned int cell) const;
+
 private:
-  void measure_and_check();
+  void name_groups();
+  void measure(unsigned int cell, bool take_centroid);
+  void check_shape(unsigned int cell);
+  /**
+   * For each side, all cells' sides counted through, the side of another cell
+   * along the same edge, or invalid_unsigned_int.
+   */
+  std::vector<unsigned int> find_opposite_sides() const;
   void find_edges();
+  [[noreturn]] void refuse(unsigned int cell,
+                           const dealii::Point<2> &place,
+                           const std::string &fault) const;
 
   CellLoops mesh;
   std::vector<double> areas;
   std::vector<Side> side_list;
   std::vector<Interface> interface_list;
   std::vector<BoundaryEdge> boundary_list;
+  std::vector<unsigned int> star_shaped;
+  unsigned int support_count = 0;
 };
 
 /**
- * The connected groups of cells: for each cell the lowest cell number of its
- * group. Groups touch each other nowhere, so each must be balanced by itself.
+ * The connected groups of cells and the ground: for each cell, and at last for
+ * the ground, the lowest number in its group. Groups touch each other nowhere,
+ * so a group without the ground must be balanced by itself.
  */
 std::vector<unsigned int> connected_groups(const Packing &packing);
 } // namespace Voussoir

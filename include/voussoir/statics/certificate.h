@@ -32,8 +32,8 @@ struct Certificate
 Certificate certify(const Scene &scene, const InterfaceForces &forces);
 
 /**
- * How good a proof of collapse is, by the same rules: the displacements may be
- * multiplied by any positive number.
+ * How good a proof of collapse is, by the same rules: the displacements, one
+ * for each cell, may be multiplied by any positive number.
  */
 struct MechanismCertificate
 {
@@ -45,7 +45,7 @@ struct MechanismCertificate
 
 MechanismCertificate
 certify_mechanism(const Scene &scene,
-                  const std::vector<dealii::Tensor<1, 2>> &displacement);
+                  std::vector<dealii::Tensor<1, 2>> displacement);
 } // namespace Voussoir
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/array_view.h>
 
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -23,7 +24,11 @@ namespace Voussoir
  * out of order one whatever the user's units. Displacements have no scale of
  * their own, the energy being homogeneous; a formulation chooses one.
  *
- * Unknowns are ordered cell by cell, component by component; see dof().
+ * The ground, where there are supports, is one more body behind the cells. The
+ * load on it is minus all others in its connected group, so that in every group
+ * the loads add up to zero and a translation does no work.
+ *
+ * Unknowns are ordered body by body, component by component; see dof().
  */
 class DiscreteProblem
 {
@@ -32,6 +37,7 @@ public:
   struct Joint
   {
     unsigned int cell_minus;
+    /** Possibly the ground. */
     unsigned int cell_plus;
     /** n_e, from c- to c+. */
     dealii::Tensor<1, 2> normal;
@@ -39,7 +45,7 @@ public:
     dealii::Tensor<1, 2> tangent;
     /** |e| */
     double length;
-    /** d_e = (x_{c+} - x_{c-}) . n_e, which is positive. */
+    /** d_e, which is positive; see Packing::distance(). */
     double distance;
     /** s_e |e|, the largest tangential force. */
     double strength;
@@ -61,19 +67,32 @@ public:
   explicit DiscreteProblem(const Scene &scene);
 
   unsigned int n_cells() const;
+  /** The cells, and the ground if there are supports. */
+  unsigned int n_bodies() const;
   unsigned int n_dofs() const;
   const std::vector<Joint> &joints() const;
-  /** F_c; nondimensional. In each connected group they sum to zero. */
+  /** F_c of each body; nondimensional. In each group they sum to zero. */
   const std::vector<dealii::Tensor<1, 2>> &loads() const;
   /** Whether there is any load at all. */
   bool is_loaded() const;
-  /** x_c; nondimensional, from the centroid of the packing. */
+  /** x_c of each cell; nondimensional, from the centroid of the packing. */
   const std::vector<dealii::Tensor<1, 2>> &centres() const;
-  /** For each cell the lowest cell of its connected group. */
-  const std::vector<unsigned int> &groups() const;
+  /**
+   * A displacement that opens every joint, n_dofs() numbers: the strict
+   * interior of the contact constraints. Without supports it is the uniform
+   * dilation u = x_c, from the centroid of the packing, for which [u]_e . n_e =
+   * d_e. Empty if there is none, as for a block clamped between two walls: then
+   * there are normal forces that balance by themselves, and no bound to them.
+   */
+  const std::vector<double> &opening() const;
+  /**
+   * Whether @p body stands for its connected group where one displacement of
+   * each must be held: the ground, or else the lowest cell.
+   */
+  bool is_held(unsigned int body) const;
 
-  /** The unknown of component @p i of the displacement of @p cell. */
-  static unsigned int dof(unsigned int cell, unsigned int i);
+  /** The unknown of component @p i of the displacement of @p body. */
+  static unsigned int dof(unsigned int body, unsigned int i);
 
   /** The jump of the displacement @p u (n_dofs() numbers) across a joint. */
   static Jump jump(const Joint &joint, const double *u);
@@ -82,8 +101,18 @@ public:
   static void
   add_jump_gradient(const Joint &joint, const Jump &f, double *gradient);
 
-  /** Subtract from @p v, cell by cell, its mean over each connected group. */
-  void remove_group_means(std::vector<dealii::Tensor<1, 2>> &v) const;
+  /**
+   * Subtract from @p u (n_dofs() numbers) in each connected group the
+   * displacement of the ground, or else the mean.
+   */
+  void remove_translations(std::vector<double> &u) const;
+
+  /** The displacements of the cells among @p u, times @p unit. */
+  std::vector<dealii::Tensor<1, 2>>
+  displacement_of_cells(const std::vector<double> &u, double unit) const;
+
+  /** The same problem without any load. */
+  DiscreteProblem without_loads() const;
 
   /** sum_c F_c . u_c */
   double work(const double *u) const;
@@ -95,6 +124,7 @@ public:
 
 private:
   void choose_scales(const Scene &scene);
+  void balance_loads();
 
   double length_unit = 1.;
   double stress_unit = 1.;
@@ -102,15 +132,18 @@ private:
   std::vector<Joint> joint_list;
   std::vector<dealii::Tensor<1, 2>> load;
   std::vector<dealii::Tensor<1, 2>> centre;
+  /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
+  /** Found when it is first asked for. */
+  mutable std::optional<std::vector<double>> opening_displacement;
 };
 
 // ------------------------------------------------------------------- inline
 
-inline unsigned int DiscreteProblem::dof(const unsigned int cell,
+inline unsigned int DiscreteProblem::dof(const unsigned int body,
                                          const unsigned int i)
 {
-  return 2 * cell + i;
+  return 2 * body + i;
 }
 
 inline DiscreteProblem::Jump DiscreteProblem::jump(const Joint &joint,

@@ -60,6 +60,13 @@ private:
                           Terminal &terminal) const = 0;
 };
 
+/**
+ * @throws InputError if no motion opens all contacts of @p problem, in the name
+ *   of a @p formulation that needs one; the message names those that do not.
+ */
+void require_interior(const DiscreteProblem &problem,
+                      const std::string &formulation);
+
 /** The entry `Formulation` and the section `Solver`. */
 class SolverParameters
 {

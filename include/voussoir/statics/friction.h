@@ -11,7 +11,10 @@
 
 namespace Voussoir
 {
-/** The section `Friction`: the Tresca strength s_T of the interfaces. */
+/**
+ * The section `Friction`: the Tresca strength s_T of the interfaces, those to
+ * the ground among them.
+ */
 class FrictionParameters
 {
 public:
@@ -21,12 +24,13 @@ public:
    * The strength s_e of each interface, a stress: the mean of s_T over it.
    *
    * @throws InputError naming the interface if a strength is negative or not a
-   *   finite number.
+   *   finite number, or naming a group that does not exist.
    */
   std::vector<double> strengths(const Packing &packing) const;
 
 private:
   std::string strength = "1";
+  std::string pair_strengths;
 };
 } // namespace Voussoir
 

@@ -50,6 +50,9 @@ public:
   /** The solution for the right-hand side @p r (n_dofs() numbers). */
   std::vector<double> solve(const std::vector<double> &r);
 
+  /** Whether another solve() costs little after a prepare(). */
+  bool is_direct() const;
+
 private:
   /** One way to solve. */
   class Method;

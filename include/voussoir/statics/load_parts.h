@@ -20,8 +20,8 @@ struct LoadPart
 
 /**
  * The work along the displacements u_c of the traction on each straight side of
- * the packing that is loaded, the most work first. The works add up to
- * sum_c F_c . u_c.
+ * the packing that is loaded, of the body force and of the forces on cells of
+ * each name, the most work first. The works add up to sum_c F_c . u_c.
  */
 std::vector<LoadPart>
 load_parts(const Scene &scene,

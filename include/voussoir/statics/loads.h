@@ -3,6 +3,7 @@
 #define voussoir_statics_loads_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/statics/body_force.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -11,20 +12,40 @@
 
 namespace Voussoir
 {
-/** The section `Loads`: the traction g on the boundary of the packing. */
+/** A force on each of some cells, which acts evenly over the area of each. */
+struct CellForce
+{
+  /** As the user called the cells. */
+  std::string name;
+  std::vector<unsigned int> cells;
+  /** On each cell; per unit thickness. */
+  dealii::Tensor<1, 2> force;
+};
+
+/** All that acts on a packing, in the user's units. */
+struct Loads
+{
+  /** g_e on each boundary edge; a stress, tension positive. */
+  std::vector<dealii::Tensor<1, 2>> traction;
+  /** The body force, without that of on_cells. */
+  BodyForce body;
+  std::vector<CellForce> on_cells;
+};
+
+/** The section `Loads`. */
 class LoadParameters
 {
 public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * The traction g_e on each boundary edge, a stress: the mean of g over the
-   * edge, by Gauss quadrature.
+   * The loads on @p packing, whose supports must have been chosen. The traction
+   * g_e is the mean of g over an edge, by Gauss quadrature.
    *
-   * @throws InputError naming the place if a value is not a finite number, or
-   *   if the uniform stress is not symmetric.
+   * @throws InputError naming the place if a value is not a finite number, the
+   *   uniform stress is not symmetric, or nothing has a name or place given.
    */
-  std::vector<dealii::Tensor<1, 2>> tractions(const Packing &packing) const;
+  Loads loads(const Packing &packing) const;
 
 private:
   enum class Kind
@@ -33,15 +54,21 @@ private:
     uniform_stress
   };
 
+  std::vector<dealii::Tensor<1, 2>> tractions(const Packing &packing) const;
   std::vector<dealii::Tensor<1, 2>>
   tractions_of_expression(const Packing &packing) const;
   std::vector<dealii::Tensor<1, 2>>
   tractions_of_uniform_stress(const Packing &packing) const;
+  BodyForce body_force(const Packing &packing) const;
+  std::vector<CellForce> forces_on_cells(const Packing &packing) const;
 
   Kind kind = Kind::traction;
   std::string traction = "0; 0";
   std::string stress = "0, 0; 0, 0";
+  std::string loaded_where = "1";
   unsigned int n_quadrature_points = 5;
+  std::string body = "0; 0";
+  std::string cell_forces;
 };
 } // namespace Voussoir
 

@@ -18,8 +18,8 @@ namespace Voussoir
 struct Mechanism
 {
   /**
-   * Displacement of each cell, with zero mean in each connected group; its
-   * largest component is one.
+   * Displacement of each cell, with zero mean in each connected group that does
+   * not rest on the ground; its largest component is one.
    */
   std::vector<dealii::Tensor<1, 2>> displacement;
   /** sum_c F_c . u_c, nondimensional. */
@@ -30,8 +30,8 @@ struct Mechanism
 
 /**
  * Look whether the displacement @p u (n_dofs() numbers, any size) proves that
- * the load is not carried. Where it closes joints it is first corrected by the
- * uniform dilation u_c = x_c, which opens all of them; the correction's work
+ * the load is not carried. Where it closes joints it is first corrected by
+ * DiscreteProblem::opening(), which opens all of them; the correction's work
  * and dissipation are counted, so a mechanism that is returned is a proof.
  */
 std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,

@@ -81,6 +81,9 @@ private:
   void evaluate(State &state);
   std::vector<double> direction(double shift,
                                 const std::vector<double> &centre);
+  void refine(const std::vector<Jump> &second,
+              const std::vector<double> &right,
+              std::vector<double> &d);
   double search(const std::vector<double> &direction,
                 double shift,
                 const std::vector<double> &centre);

@@ -3,6 +3,7 @@
 #define voussoir_statics_scene_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/statics/loads.h>
 
 #include <vector>
 
@@ -16,19 +17,30 @@ struct Scene
 {
   /**
    * @param strength s_e of each interface; a stress.
-   * @param traction g_e on each boundary edge; a stress, tension positive.
-   * @throws InputError if the total force on a connected group of cells is not
-   *   zero: without supports nothing holds it.
+   * @throws InputError if the total force on a connected group of cells without
+   *   support is not zero, since nothing holds it, or if a load is too large or
+   *   too small to compute with.
    */
-  Scene(Packing packing,
-        std::vector<double> strength,
-        std::vector<dealii::Tensor<1, 2>> traction);
+  Scene(Packing packing, std::vector<double> strength, Loads loads);
 
   Packing packing;
   std::vector<double> strength;
+  /** g_e on each boundary edge; a stress, tension positive. */
   std::vector<dealii::Tensor<1, 2>> traction;
-  /** F_c on each cell: the sum of |e| g_e; a force per unit thickness. */
+  /** The forces on the cells, per unit thickness, by name; see body. */
+  std::vector<CellForce> on_cells;
+  /** The body force, with on_cells in it. */
+  BodyForce body;
+  /** Whether there is more in it than on_cells. */
+  bool has_body_force;
+  /** F_c on each cell, the sum of all these; a force per unit thickness. */
   std::vector<dealii::Tensor<1, 2>> load;
+
+private:
+  /** @return the sum of the sizes of the forces on each cell. */
+  std::vector<double> add_up_loads();
+  void check_balance(const std::vector<double> &size) const;
+  void clear_single_cells();
 };
 
 /**

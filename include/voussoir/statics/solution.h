@@ -16,7 +16,8 @@ struct Solution
   /** f_e^n and f_e^t of each joint; nondimensional. */
   InterfaceForces forces;
   /**
-   * u_c, in the user's unit, with zero mean in each connected group of cells.
+   * u_c, in the user's unit: from the ground, or with zero mean in each
+   * connected group of cells that does not rest on it.
    * Zero where the formulation has none of its own: blocks that carry their
    * load do not move.
    */

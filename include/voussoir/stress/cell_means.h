@@ -9,12 +9,13 @@
 namespace Voussoir
 {
 /**
- * The mean stress of each cell from the forces on its edges alone,
+ * The mean stress of each cell from the forces on it alone,
  *
- *   |c|^-1 sum_e f_e (x) (x_e - x_c),
+ *   |c|^-1 (sum_e f_e (x) (x_e - x_c) + int_c b (x) (x - x_c)),
  *
- * with the force f_e on the cell and the midpoint x_e of each of its edges:
- * the mean of any stress with these tractions and div sigma = 0. Component ij
+ * with the force f_e on the cell and the midpoint x_e of each of its edges and
+ * the body force b: the mean of any stress with these tractions and div sigma =
+ * -b. Component ij
  * is sigma_ij, a stress, tension positive; sigma_xy and sigma_yx differ by the
  * residual torque over the area.
  */

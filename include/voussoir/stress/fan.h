@@ -36,12 +36,12 @@ std::array<dealii::Point<2>, 4> fan_sub_cell(const dealii::Point<2> &centre,
  * over its two halves. The mixed problem is (Marazzato and Venkataramani,
  * section 4): for all tau with zero normal trace and all q in FE_DGQ(0)
  *
- *   (div sigma, div tau) + (tau, j(p)) = 0,
+ *   (div sigma, div tau) + (tau, j(p)) = -(b, div tau),
  *   (sigma, j(q))                      = 0,     j(q) = [[0, q], [-q, 0]],
  *
- * so that sigma is symmetric in the mean over each quadrilateral, and free of
- * divergence unless the forces leave a torque, which no symmetric stress can
- * balance.
+ * with div sigma and the body force b in the mean over each quadrilateral. So
+ * sigma is symmetric in that mean, and div sigma = -b unless the forces leave a
+ * torque, which no symmetric stress can balance.
  *
  * The topology and the finite element spaces depend on n alone, so one object
  * serves all cells with n sides, one after the other.
@@ -66,6 +66,7 @@ public:
    * @param centre of the cell.
    * @param vertices of the cell, counterclockwise; n_sides points.
    * @param forces the force on each side, from vertex i to i+1.
+   * @param body_forces the integral of b over each sub-cell.
    * @param sub_cells takes the result, one for each side.
    * @return false if the system is so close to singular that its solution would
    *   be arbitrary; sub_cells are then left alone.
@@ -73,6 +74,7 @@ public:
   bool solve(const dealii::Point<2> &centre,
              const std::vector<dealii::Point<2>> &vertices,
              const std::vector<dealii::Tensor<1, 2>> &forces,
+             const std::vector<dealii::Tensor<1, 2>> &body_forces,
              const dealii::ArrayView<SubCell> &sub_cells);
 
 private:
@@ -100,7 +102,8 @@ private:
   void place(const dealii::Point<2> &centre,
              const std::vector<dealii::Point<2>> &vertices,
              double size);
-  void assemble(const std::vector<dealii::Tensor<1, 2>> &fluxes);
+  void assemble(const std::vector<dealii::Tensor<1, 2>> &fluxes,
+                const std::vector<dealii::Tensor<1, 2>> &sources);
   bool is_determined();
   double coefficient(const LocalDof &dof,
                      const dealii::Tensor<1, 2> &flux) const;

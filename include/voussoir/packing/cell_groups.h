@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_cell_groups_h
+#define voussoir_packing_cell_groups_h
+
+#include <voussoir/packing/packing.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Split a list "name: value; name: value", as parameters about groups of cells
+ * have it, into names and values without the spaces around them.
+ *
+ * @throws InputError naming @p parameter if an element has no name or value.
+ */
+std::vector<std::pair<std::string, std::string>>
+split_named_list(const std::string &list, const std::string &parameter);
+
+/**
+ * The number of the group @p name.
+ *
+ * @throws InputError naming @p parameter and listing the groups if there is
+ *   none of that name.
+ */
+unsigned int group_of_name(const Packing &packing,
+                           const std::string &name,
+                           const std::string &parameter);
+
+/**
+ * Put cells into groups by the list @p groups, "name: condition; ...", where
+ * the conditions are expressions in the coordinates x, y of the centre. Of the
+ * conditions that a cell meets the last one counts; one that meets none keeps
+ * the group it has.
+ *
+ * @throws InputError if a condition cannot be evaluated or is met by no cell.
+ */
+void assign_groups(Packing &packing, const std::string &groups);
+} // namespace Voussoir
+
+#endif

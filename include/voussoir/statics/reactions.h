@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_reactions_h
+#define voussoir_statics_reactions_h
+
+#include <voussoir/statics/scene.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/** The force of the ground on the packing along one straight support. */
+struct Reaction
+{
+  /** Counterclockwise around the packing. */
+  dealii::Point<2> start;
+  dealii::Point<2> end;
+  /** Per unit thickness. */
+  dealii::Tensor<1, 2> force;
+};
+
+/** The reactions of all supports, in the user's units. */
+std::vector<Reaction> reactions(const Scene &scene,
+                                const InterfaceForces &forces);
+
+/** The sum of all loads and of all reactions, and how they agree. */
+struct GroundBalance
+{
+  dealii::Tensor<1, 2> load;
+  dealii::Tensor<1, 2> reaction;
+  /** |load + reaction| over the sum of the sizes of the loads on the cells. */
+  double imbalance;
+};
+
+GroundBalance balance_on_ground(const Scene &scene,
+                                const std::vector<Reaction> &reactions);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_supports_h
+#define voussoir_statics_supports_h
+
+#include <voussoir/packing/packing.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** The section `Supports`: which boundary edges rest on the ground. */
+class SupportParameters
+{
+public:
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Let the chosen boundary edges of @p packing rest on the ground.
+   *
+   * @throws InputError if a condition is given that holds on no edge.
+   */
+  void support(Packing &packing) const;
+
+private:
+  std::string where = "0";
+};
+
+/**
+ * Whether @p condition, an expression in the coordinates x, y of the midpoint
+ * and the outward unit normal nx, ny, holds on each boundary edge.
+ *
+ * @throws InputError naming @p parameter if it holds on none.
+ */
+std::vector<bool> boundary_edges_where(const Packing &packing,
+                                       const std::string &condition,
+                                       const std::string &parameter);
+} // namespace Voussoir
+
+#endif

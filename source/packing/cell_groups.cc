@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/expression.h>
+#include <voussoir/packing/cell_groups.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+std::vector<std::pair<std::string, std::string>>
+split_named_list(const std::string &list, const std::string &parameter)
+{
+  using dealii::Utilities::trim;
+  std::vector<std::pair<std::string, std::string>> elements;
+  for (const std::string &element :
+       dealii::Utilities::split_string_list(list, ';'))
+  {
+    const std::size_t colon = element.find(':');
+    const std::string name = trim(element.substr(0, colon));
+    const std::string value =
+        colon == std::string::npos ? "" : trim(element.substr(colon + 1));
+    if (name.empty() || value.empty())
+      throw InputError("The parameter '" + parameter + "' has the element '" +
+                       element +
+                       "', which is not of the form \"name: value\".");
+    elements.emplace_back(name, value);
+  }
+  return elements;
+}
+
+unsigned int group_of_name(const Packing &packing,
+                           const std::string &name,
+                           const std::string &parameter)
+{
+  const auto &names = packing.group_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end())
+    return found - names.begin();
+  std::string known;
+  for (const std::string &other : names)
+    known += (known.empty() ? "'" : ", '") + other + "'";
+  throw InputError("The parameter '" + parameter + "' names the group '" +
+                   name + "', which no cell belongs to. There are " + known +
+                   "; 'Packing/Groups' makes others.");
+}
+
+void assign_groups(Packing &packing, const std::string &groups)
+{
+  const std::string parameter = "Packing/Groups";
+  for (const auto &[name, condition] : split_named_list(groups, parameter))
+  {
+    const Condition holds(condition, {"x", "y"}, parameter);
+    bool any = false;
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      if (holds({packing.centre(c)[0], packing.centre(c)[1]}))
+      {
+        packing.set_group(c, name);
+        any = true;
+      }
+    if (!any)
+      throw InputError("The condition '" + condition + "' of the group '" +
+                       name +
+                       "' in 'Packing/Groups' is met by no cell; x and "
+                       "y are the coordinates of a cell's centre.");
+  }
+}
+} // namespace Voussoir

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Packings that stand on the ground: the stress in a column grows with depth,
+// the reaction is the weight, clamped blocks hang by friction, and what has no
+// interior of the contact constraints is named.
+
+#include <voussoir/statics/reactions.h>
+#include <voussoir/statics/supports.h>
+
+#include "tests.h"
+
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+/** A scene under its weight, supported where @p condition holds. */
+Scene under_weight(Packing packing,
+                   const double strength,
+                   const double gamma,
+                   const std::string &condition)
+{
+  packing.support(boundary_edges_where(packing, condition, "Supports/Where"));
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  loads.body = BodyForce(packing, [=](const Point<2> &, unsigned int) {
+    return Tensor<1, 2>({0., -gamma});
+  });
+  const std::vector<double> strengths(packing.interfaces().size(), strength);
+  return Scene(std::move(packing), strengths, std::move(loads));
+}
+
+/** Blocks on top of each other: a stack bond one block wide. */
+Packing column(const std::vector<double> &heights, const double width)
+{
+  CellLoops cells;
+  cells.vertices = {{0., 0.}, {width, 0.}};
+  for (unsigned int k = 0; k < heights.size(); ++k)
+  {
+    const double y = cells.vertices.back()[1] + heights[k];
+    cells.vertices.emplace_back(0., y);
+    cells.vertices.emplace_back(width, y);
+    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
+      cells.loops.push_back(v);
+    cells.first.push_back(cells.loops.size());
+  }
+  return Packing(cells);
+}
+
+/** A flat arch of n wedges between vertical jambs, joints leaning outwards. */
+Packing flat_arch(const unsigned int n, const double lean)
+{
+  CellLoops cells;
+  for (unsigned int k = 0; k <= n; ++k)
+  {
+    const double x = 2. * k / n - 1.;
+    const double shift = k == 0 || k == n ? 0. : lean * x;
+    cells.vertices.emplace_back(x, 0.);
+    cells.vertices.emplace_back(x + shift, 1.);
+  }
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    for (const unsigned int v : {2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1})
+      cells.loops.push_back(v);
+    cells.first.push_back(cells.loops.size());
+  }
+  return Packing(cells);
+}
+
+double total_weight(const Scene &scene)
+{
+  double sum = 0.;
+  for (const Tensor<1, 2> &F : scene.load)
+    sum += F.norm();
+  return sum;
+}
+
+void check_certificate(const std::string &what,
+                       const Scene &scene,
+                       const InterfaceForces &forces)
+{
+  const Certificate certificate = certify(scene, forces);
+  check_error(what + ": residual", certificate.equilibrium_residual, 1e-9);
+  check_error(what + ": violation", certificate.admissibility_violation, 1e-9);
+}
+
+int main()
+{
+  // The stress at depth z of a column is -gamma z, whatever the formulation.
+  const double gamma = 20.;
+  const std::vector<double> heights = {0.3, 1., 0.01, 2., 0.5, 0.7, 0.2};
+  const Scene pile = under_weight(column(heights, 0.4), 1., gamma, "y < 1e-9");
+  double top = 0.;
+  for (const double h : heights)
+    top += h;
+  for (const Way &way : all_ways)
+  {
+    const InterfaceForces forces = Solver(way, 1e-13).forces(pile);
+    double error = 0.;
+    for (unsigned int e = 0; e < forces.normal.size(); ++e)
+    {
+      const auto &i = pile.packing.interfaces()[e];
+      const double expected = -gamma * (top - i.midpoint()[1]);
+      error = std::max(error,
+                       std::abs(forces.normal[e] / i.length / expected - 1.));
+    }
+    check_error("column, " + way.name + ": stress over gamma z - 1", error,
+                1e-12);
+  }
+
+  // The reaction is the weight.
+  const Scene brickwork =
+      under_weight(wall(30, 12, 3., 2.), 5., gamma, "y < 0.01");
+  for (const Way &way : all_ways)
+  {
+    const InterfaceForces forces = Solver(way).forces(brickwork);
+    const auto ground = reactions(brickwork, forces);
+    check("wall, " + way.name + ": one straight support of the right length",
+          ground.size() == 1 && ground[0].start == Point<2>(0., 0.) &&
+              ground[0].end == Point<2>(3., 0.));
+    check_error("wall, " + way.name + ": reaction over weight - 1",
+                std::abs(ground[0].force[1] / (6. * gamma) - 1.), 1e-12);
+    check_error("wall, " + way.name + ": imbalance on the ground",
+                balance_on_ground(brickwork, ground).imbalance, 1e-12);
+    check_certificate("wall, " + way.name, brickwork, forces);
+  }
+
+  // A block between two walls hangs by friction on both of its sides if they
+  // bear half of its weight each; the contact problem has no interior.
+  for (const double strength : {0.51, 0.49})
+  {
+    const Scene clamped =
+        under_weight(column({1.}, 1.), strength, 1., "abs(nx) > 0.5");
+    const DiscreteProblem problem(clamped);
+    check("clamped: nothing opens both sides", problem.opening().empty());
+    for (const Way &way : {least_energy, compliant})
+    {
+      const Solution solution = Solver(way).solve(problem);
+      if (strength > 0.5)
+      {
+        const InterfaceForces forces = dimensional_forces(problem, solution);
+        check_certificate("clamped, " + way.name, clamped, forces);
+        check_error("clamped, " + way.name +
+                        ": half of the weight on each side",
+                    std::max(std::abs(std::abs(forces.tangential[0]) - 0.5),
+                             std::abs(std::abs(forces.tangential[1]) - 0.5)),
+                    1e-9);
+      }
+      else
+        check("clamped, " + way.name + ": falls by a mechanism",
+              solution.mechanism &&
+                  certify_mechanism(clamped, solution.mechanism->displacement)
+                          .work_over_dissipation > 1.);
+    }
+    if (strength > 0.5)
+      for (const Way &way : {hard, linear_program, centre})
+        show_refusal([&] { Solver(way).solve(problem); });
+  }
+
+  // Supports that face each other may leave an interior all the same: the
+  // wedges of a flat arch can rise.
+  const Scene arch = under_weight(flat_arch(7, 0.2), 1.2, 1., "abs(nx) > 0.99");
+  check("flat arch: two supports", arch.packing.n_supports() == 2);
+  const DiscreteProblem arch_problem(arch);
+  const std::vector<double> opening = arch_problem.opening();
+  bool opens = !opening.empty();
+  for (const auto &joint : arch_problem.joints())
+    opens &= arch_problem.jump(joint, opening.data()).normal > 0.;
+  check("flat arch: a motion opens every joint", opens);
+  for (const Way &way : all_ways)
+    check_certificate("flat arch, " + way.name, arch, Solver(way).forces(arch));
+
+  // Grains in a box: supported below and at both sides, open above.
+  const Scene box = under_weight(random_packing(300, 4), 0.2, 1., "ny < 0.5");
+  check_certificate("box, least energy", box, Solver(least_energy).forces(box));
+
+  // A corner: supports that do not face each other always leave an interior.
+  const Scene corner =
+      under_weight(random_packing(50, 2), 0.1, 1., "ny < -0.5 || nx < -0.5");
+  for (const Way &way : all_ways)
+    check_certificate("corner, " + way.name, corner,
+                      Solver(way).forces(corner));
+
+  // What floats is named.
+  CellLoops apart;
+  for (unsigned int k = 0; k < 8; ++k)
+  {
+    const double x = 2. * k;
+    for (const Point<2> &p : {Point<2>(x, 0.), Point<2>(x + 1., 0.),
+                              Point<2>(x + 1., 1.), Point<2>(x, 1.)})
+    {
+      apart.loops.push_back(apart.vertices.size());
+      apart.vertices.push_back(p);
+    }
+    apart.first.push_back(apart.loops.size());
+  }
+  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 1"); });
+  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 13"); });
+  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < -1"); });
+}
