@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/csv.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <limits>
 #include <ostream>
+#include <string>
 
 namespace Voussoir
 {
@@ -20,6 +23,14 @@ void write_row(std::ostream &out, const First &first, const Others &...others)
 int number_of_plus(const Packing &packing, const Packing::Interface &interface)
 {
   return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
+}
+
+/** A name as a field: in quotes where it has to be (RFC 4180). */
+std::string quoted(const std::string &name)
+{
+  if (name.find_first_of(",\"\n\r") == std::string::npos)
+    return name;
+  return '"' + boost::replace_all_copy(name, "\"", "\"\"") + '"';
 }
 
 void use_all_digits(std::ostream &out)
@@ -62,7 +73,7 @@ void write_cells_csv(std::ostream &out, const Results &results)
               packing.area(c), results.scene.load[c][0],
               results.scene.load[c][1], results.displacement[c][0],
               results.displacement[c][1], results.torques[c], s[0][0], s[0][1],
-              s[1][0], s[1][1], packing.group_name(c));
+              s[1][0], s[1][1], quoted(packing.group_name(c)));
     out << '\n';
   }
 }

@@ -40,8 +40,11 @@ std::array<dealii::Point<2>, 4> fan_sub_cell(const dealii::Point<2> &centre,
  *   (sigma, j(q))                      = 0,     j(q) = [[0, q], [-q, 0]],
  *
  * with div sigma and the body force b in the mean over each quadrilateral. So
- * sigma is symmetric in that mean, and div sigma = -b unless the forces leave a
- * torque, which no symmetric stress can balance.
+ * sigma is symmetric in that mean, and div sigma = -b in the sense of least
+ * squares: exactly over the whole cell, and in each quadrilateral if the stress
+ * is uniform, or if n <= 4 and the forces leave no torque, which no symmetric
+ * stress could balance. Beyond that, n spokes with two fluxes each cannot meet
+ * the 3 n - 3 equations.
  *
  * The topology and the finite element spaces depend on n alone, so one object
  * serves all cells with n sides, one after the other.
