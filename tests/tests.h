@@ -4,8 +4,8 @@
 
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/terminal.h>
-#include <voussoir/packing/running_bond.h>
 #include <voussoir/packing/voronoi.h>
+#include <voussoir/packing/wall.h>
 #include <voussoir/statics/certificate.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/scene.h>
@@ -77,7 +77,7 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
                               const double width = 1.,
                               const double height = 1.)
 {
-  Voussoir::RunningBondGenerator generator;
+  Voussoir::WallGenerator generator;
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.set("Courses", static_cast<long int>(n_courses));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/arch.h>
 #include <voussoir/packing/generator.h>
-#include <voussoir/packing/running_bond.h>
 #include <voussoir/packing/voronoi.h>
+#include <voussoir/packing/wall.h>
 
 namespace Voussoir
 {
@@ -11,7 +12,8 @@ PackingParameters::PackingParameters()
 {
   // The one place where a generator is registered.
   generators.push_back(std::make_unique<VoronoiGenerator>());
-  generators.push_back(std::make_unique<RunningBondGenerator>());
+  generators.push_back(std::make_unique<WallGenerator>());
+  generators.push_back(std::make_unique<ArchGenerator>());
 }
 
 void PackingParameters::add_parameters(dealii::ParameterHandler &prm)

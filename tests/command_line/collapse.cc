@@ -87,7 +87,7 @@ int main()
   fs::create_directory("run");
   fs::current_path("run");
   std::ofstream("scene.prm")
-      << "subsection Packing\n set Generator = running bond\nend\n"
+      << "subsection Packing\n set Generator = wall\nend\n"
          "subsection Loads\n set Traction = ny; 0\nend\n";
 
   for (const std::string formulation : {"smoothed friction", "linear program",

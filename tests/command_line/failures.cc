@@ -83,8 +83,8 @@ int main()
            "  set Points file = points.txt\n end\nend\n");
 
   // Geometry, loads, and the rest
-  run_with("subsection Packing\n set Generator = running bond\n"
-           " subsection running bond\n  set Width = 0\n end\nend\n");
+  run_with("subsection Packing\n set Generator = wall\n"
+           " subsection wall\n  set Width = 0\n end\nend\n");
   run_with("subsection Packing\n subsection Voronoi\n"
            "  set Upper right = 0, 1\n end\nend\n");
   run_with("subsection Loads\n set Traction = 1; 0\nend\n");
