@@ -83,4 +83,9 @@ double Expression::operator()(const std::vector<double> &values) const
   std::copy(values.begin(), values.end(), implementation->values.begin());
   return implementation->parser.Eval();
 }
+
+bool Expression::is_constant() const
+{
+  return implementation->parser.GetUsedVar().empty();
+}
 } // namespace Voussoir

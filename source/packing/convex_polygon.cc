@@ -188,7 +188,7 @@ std::string ConvexPolygon::description() const
   if (shape_name == "rectangle")
     return "rectangle from " + text_of_point(vertices[0]) + " to " +
            text_of_point(vertices[2]);
-  return text("polygon with ", n_sides(), " sides around ",
-              text_of_point(middle));
+  return text("polygon with ", n_sides(), " vertices from ",
+              text_of_point(vertices[0]), " on");
 }
 } // namespace Voussoir

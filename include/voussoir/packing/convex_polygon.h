@@ -54,7 +54,8 @@ public:
 
   /** "rectangle" or "polygon", for messages. */
   const std::string &shape() const;
-  /** "rectangle from (0, 0) to (1, 1)", "polygon with 6 sides around (0, 0)" */
+  /** "rectangle from (0, 0) to (1, 1)", "polygon with 6 vertices from (1, 0)
+   * on" */
   std::string description() const;
 
 private:
