@@ -70,13 +70,15 @@ void check_corners(const std::vector<Point<2>> &vertices,
 {
   const unsigned int n = vertices.size();
   const double least = flattest_corner * extent(vertices);
+  for (unsigned int i = 0; i < n; ++i)
+    if (vertices[i].distance(vertices[(i + n - 1) % n]) < least)
+      refuse(vertices, i, "repeats the one before it; give each vertex once.");
+
   double turning = 0.;
   for (unsigned int i = 0; i < n; ++i)
   {
     const Tensor<1, 2> before = vertices[i] - vertices[(i + n - 1) % n];
     const Tensor<1, 2> after = vertices[(i + 1) % n] - vertices[i];
-    if (before.norm() < least)
-      refuse(vertices, i, "repeats the one before it; give each vertex once.");
     const double twice_area = orientation * cross(before, after);
     const double chord = (before + after).norm();
     if (twice_area < -least * chord)

@@ -23,6 +23,12 @@ constexpr unsigned int least_triangles = 4096;
  */
 constexpr unsigned int most_raised_bounds = 200;
 
+/**
+ * How many points are tried for each that is kept, on average, before the size
+ * is taken to vanish somewhere: far more than bounds that fit ever cost.
+ */
+constexpr double most_tries = 100.;
+
 /** A triangle with an upper bound of the density in it. */
 struct Triangle
 {
@@ -150,6 +156,7 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
     mass_up_to.push_back(mass);
   }
   Random random(seed);
+  double tries_left = most_tries * (points.size() + most_tries);
   for (Point<2> &p : points)
     for (bool kept = false; !kept;)
     {
@@ -164,6 +171,8 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
       }
       p = triangle.at(a, b);
       const double value = density(p);
+      if (--tries_left < 0.)
+        size.refuse_as_too_small(p);
       if (value > triangle.bound)
       {
         raise_bound(triangle, 2. * value);

@@ -183,7 +183,7 @@ int main()
     generate<PerturbedGridGenerator>("set Perturbation = 0.36");
     std::cout << "FAILED: nothing was thrown" << std::endl;
   }
-  catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
+  catch (const dealii::ParameterHandler::ExcInvalidEntryForPattern &)
   {
     std::cout << "the perturbation is bounded: OK" << std::endl;
   }
