@@ -103,4 +103,9 @@ bool Condition::operator()(const std::vector<double> &values) const
                      "; it must be true or false.");
   return value != 0.;
 }
+
+bool Expression::is_constant() const
+{
+  return implementation->parser.GetUsedVar().empty();
+}
 } // namespace Voussoir

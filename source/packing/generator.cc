@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
-#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/arch.h>
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/generator.h>
+#include <voussoir/packing/honeycomb.h>
+#include <voussoir/packing/perturbed_grid.h>
 #include <voussoir/packing/voronoi.h>
 #include <voussoir/packing/wall.h>
 
@@ -14,6 +16,8 @@ PackingParameters::PackingParameters()
   generators.push_back(std::make_unique<VoronoiGenerator>());
   generators.push_back(std::make_unique<WallGenerator>());
   generators.push_back(std::make_unique<ArchGenerator>());
+  generators.push_back(std::make_unique<HoneycombGenerator>());
+  generators.push_back(std::make_unique<PerturbedGridGenerator>());
 }
 
 void PackingParameters::add_parameters(dealii::ParameterHandler &prm)

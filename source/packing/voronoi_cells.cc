@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/text.h>
+#include <voussoir/packing/cell_cutter.h>
 #include <voussoir/packing/voronoi_cells.h>
 
 #include <CGAL/Cartesian_converter.h>
@@ -13,8 +13,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
-#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -32,19 +30,15 @@ constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
  */
 constexpr double relative_resolution = 1e-12;
 
-/** The sides of the rectangle: left, right, bottom, top. */
-constexpr unsigned int n_rectangle_sides = 4;
-using SideSet = std::bitset<n_rectangle_sides>;
-
-/** What a vertex of the triangulation is: a generator, or its mirror image. */
-struct Site
-{
-  unsigned int cell = none;
-  unsigned int mirrored_in = none;
-};
+/**
+ * How far away the guards stand, relative to the size of the polygon: farther
+ * than any point of it is from a generator, by more than that distance again.
+ */
+constexpr double guard_distance = 4.;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Site, Kernel>;
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_2<unsigned int, Kernel>;
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<unsigned int, Kernel>;
 using Delaunay = CGAL::Delaunay_triangulation_2<
@@ -82,41 +76,53 @@ Point<2> circumcentre(const Delaunay::Face_handle &face)
 class VoronoiBuilder
 {
 public:
-  VoronoiBuilder(const PointList &generators, const Rectangle &rectangle);
+  VoronoiBuilder(const PointList &generators, const ConvexPolygon &polygon);
   CellLoops build();
 
 private:
-  double side_coordinate(unsigned int side) const;
-  /** How far @p p lies beyond a side; negative inside. */
-  double beyond(const Point<2> &p, unsigned int side) const;
   void check_generators() const;
   void insert_generators();
-  void insert_mirror_images();
+  void insert_guards();
   void make_vertices();
-  void merge_close_vertices();
-  CellLoops make_loops();
+  void make_loops();
+  bool reaches_outside(Delaunay::Vertex_handle site) const;
+  std::vector<CellCutter::Corner>
+  corners_of(Delaunay::Vertex_handle site) const;
+  std::vector<unsigned int> merge_close_vertices() const;
+  CellLoops number_vertices() const;
 
   const PointList &generators;
-  const Rectangle &rectangle;
+  const ConvexPolygon &polygon;
+  /** Points nearer to each other than this are one; a length. */
   double resolution = 0.;
+  /** A number larger than the size of the polygon; a length. */
+  double extent = 0.;
 
   Delaunay triangulation;
   std::vector<Delaunay::Vertex_handle> site_of_cell;
   std::vector<Point<2>> vertices;
-  std::vector<SideSet> vertex_sides;
-  std::vector<unsigned int> merged_into;
+  /** Of the vertices of the triangulation's faces, those not inside. */
+  std::vector<bool> outside;
+  /** On how many sides of the polygon each vertex lies. */
+  std::vector<unsigned char> n_sides_at;
+  /** The vertices of one cell after the other, and where each begins. */
+  std::vector<unsigned int> loops, first = {0};
 };
 
 VoronoiBuilder::VoronoiBuilder(const PointList &generators,
-                               const Rectangle &rectangle)
-    : generators(generators), rectangle(rectangle)
+                               const ConvexPolygon &polygon)
+    : generators(generators), polygon(polygon)
 {
-  const double cell_size =
-      std::sqrt(rectangle.area() / generators.points.size());
+  const double cell_size = std::sqrt(polygon.area() / generators.points.size());
   double largest_coordinate = 0.;
-  for (const Point<2> &corner : {rectangle.lower_left, rectangle.upper_right})
-    for (unsigned int i = 0; i < 2; ++i)
-      largest_coordinate = std::max(largest_coordinate, std::abs(corner[i]));
+  for (unsigned int i = 0; i < polygon.n_sides(); ++i)
+  {
+    extent =
+        std::max(extent, 2. * polygon.vertex(i).distance(polygon.vertex(0)));
+    for (unsigned int d = 0; d < 2; ++d)
+      largest_coordinate =
+          std::max(largest_coordinate, std::abs(polygon.vertex(i)[d]));
+  }
   resolution = std::max(relative_resolution * cell_size,
                         16 * std::numeric_limits<double>::epsilon() *
                             largest_coordinate);
@@ -126,44 +132,28 @@ CellLoops VoronoiBuilder::build()
 {
   check_generators();
   insert_generators();
-  insert_mirror_images();
+  insert_guards();
   make_vertices();
-  merge_close_vertices();
-  return make_loops();
-}
-
-double VoronoiBuilder::side_coordinate(const unsigned int side) const
-{
-  return (side % 2 == 0 ? rectangle.lower_left
-                        : rectangle.upper_right)[side / 2];
-}
-
-double VoronoiBuilder::beyond(const Point<2> &p, const unsigned int side) const
-{
-  const double distance = p[side / 2] - side_coordinate(side);
-  return side % 2 == 0 ? -distance : distance;
+  make_loops();
+  return number_vertices();
 }
 
 void VoronoiBuilder::check_generators() const
 {
   for (unsigned int c = 0; c < generators.points.size(); ++c)
-    for (unsigned int side = 0; side < n_rectangle_sides; ++side)
-      if (!(beyond(generators.points[c], side) < -resolution))
-        throw InputError("The " + generators.describe(c) +
-                         " is not inside the rectangle from " +
-                         text_of_point(rectangle.lower_left) + " to " +
-                         text_of_point(rectangle.upper_right) +
-                         "; remove it or enlarge the rectangle.");
+    if (!polygon.contains(generators.points[c], resolution))
+      throw InputError("The " + generators.describe(c) + " is not inside the " +
+                       polygon.description() + "; remove it or enlarge the " +
+                       polygon.shape() + ".");
 }
 
 void VoronoiBuilder::insert_generators()
 {
   const unsigned int n = generators.points.size();
-  std::vector<std::pair<Kernel::Point_2, Site>> sites(n);
+  std::vector<std::pair<Kernel::Point_2, unsigned int>> sites(n);
   for (unsigned int c = 0; c < n; ++c)
     sites[c] = {
-        Kernel::Point_2(generators.points[c][0], generators.points[c][1]),
-        Site{c, none}};
+        Kernel::Point_2(generators.points[c][0], generators.points[c][1]), c};
   triangulation.insert(sites.begin(), sites.end());
 
   const auto refuse = [this](const unsigned int a, const unsigned int b) {
@@ -173,10 +163,10 @@ void VoronoiBuilder::insert_generators()
   };
   site_of_cell.assign(n, nullptr);
   for (const auto vertex : triangulation.finite_vertex_handles())
-    site_of_cell[vertex->info().cell] = vertex;
+    site_of_cell[vertex->info()] = vertex;
   for (unsigned int c = 0; c < n; ++c)
     if (site_of_cell[c] == nullptr) // it fell onto an earlier point
-      refuse(c, triangulation.nearest_vertex(sites[c].first)->info().cell);
+      refuse(c, triangulation.nearest_vertex(sites[c].first)->info());
   // The nearest neighbour of a point is one of its Delaunay neighbours.
   for (const auto &edge : triangulation.finite_edges())
   {
@@ -184,89 +174,101 @@ void VoronoiBuilder::insert_generators()
     const auto b = edge.first->vertex(Delaunay::ccw(edge.second));
     if (CGAL::squared_distance(a->point(), b->point()) <
         resolution * resolution)
-      refuse(a->info().cell, b->info().cell);
+      refuse(a->info(), b->info());
   }
 }
 
-void VoronoiBuilder::insert_mirror_images()
+/** Make all cells finite, and change none inside the polygon. */
+void VoronoiBuilder::insert_guards()
 {
-  std::vector<SideSet> reaches(generators.points.size());
-  if (triangulation.dimension() < 2) // all points on one line
-    for (SideSet &sides : reaches)
-      sides.set();
-  else
-    for (const auto face : triangulation.all_face_handles())
-    {
-      SideSet sides;
-      if (triangulation.is_infinite(face))
-        sides.set();
-      else
-      {
-        const Point<2> q = circumcentre(face);
-        for (unsigned int side = 0; side < n_rectangle_sides; ++side)
-          sides[side] = !(beyond(q, side) < -resolution);
-      }
-      for (unsigned int v = 0; v < 3; ++v)
-        if (!triangulation.is_infinite(face->vertex(v)))
-          reaches[face->vertex(v)->info().cell] |= sides;
-    }
-
-  std::vector<std::pair<Kernel::Point_2, Site>> images;
-  for (unsigned int c = 0; c < reaches.size(); ++c)
-    for (unsigned int side = 0; side < n_rectangle_sides; ++side)
-      if (reaches[c][side])
-      {
-        Point<2> p = generators.points[c];
-        p[side / 2] = 2. * side_coordinate(side) - p[side / 2];
-        images.push_back({Kernel::Point_2(p[0], p[1]), Site{c, side}});
-      }
-  triangulation.insert(images.begin(), images.end());
+  const unsigned int n_guards = 3;
+  for (unsigned int g = 0; g < n_guards; ++g)
+  {
+    const double angle = 2. * dealii::numbers::PI * g / n_guards;
+    const Point<2> &origin = polygon.vertex(0);
+    triangulation
+        .insert(Kernel::Point_2(
+            origin[0] + guard_distance * extent * std::cos(angle),
+            origin[1] + guard_distance * extent * std::sin(angle)))
+        ->info() = none;
+  }
 }
 
 void VoronoiBuilder::make_vertices()
 {
   for (const auto face : triangulation.finite_face_handles())
   {
-    SideSet sides;
-    bool belongs_to_cell = false;
-    for (unsigned int v = 0; v < 3; ++v)
-    {
-      const Site &site = face->vertex(v)->info();
-      if (site.mirrored_in == none)
-        belongs_to_cell = true;
-      else
-        sides.set(site.mirrored_in);
-    }
-    face->info() = none;
-    if (!belongs_to_cell)
-      continue;
-
-    // A vertex that a cell shares with a mirror image lies on that side:
-    // there the coordinate is known exactly.
-    Point<2> vertex = circumcentre(face);
-    for (unsigned int side = 0; side < n_rectangle_sides; ++side)
-      if (sides[side])
-        vertex[side / 2] = side_coordinate(side);
     face->info() = vertices.size();
-    vertices.push_back(vertex);
-    vertex_sides.push_back(sides);
+    vertices.push_back(circumcentre(face));
+    outside.push_back(!polygon.contains(vertices.back(), 0.));
   }
+  n_sides_at.assign(vertices.size(), 0);
 }
 
-/** The Voronoi vertices around a site, counterclockwise. */
+/** Visit the faces around a site, counterclockwise. */
 template <typename Visitor>
-void for_vertices_around(const Delaunay &triangulation,
-                         const Delaunay::Vertex_handle site,
-                         const Visitor &visit)
+void for_faces_around(const Delaunay &triangulation,
+                      const Delaunay::Vertex_handle site,
+                      const Visitor &visit)
 {
   Delaunay::Face_circulator face = triangulation.incident_faces(site);
   const Delaunay::Face_circulator begin = face;
   do
-    visit(face->info());
+    visit(face);
   while (++face != begin);
 }
 
-void VoronoiBuilder::merge_close_vertices()
+bool VoronoiBuilder::reaches_outside(const Delaunay::Vertex_handle site) const
+{
+  bool reaches = false;
+  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
+    reaches |= outside[face->info()];
+  });
+  return reaches;
+}
+
+std::vector<CellCutter::Corner>
+VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
+{
+  std::vector<CellCutter::Corner> corners;
+  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
+    CellCutter::Corner corner;
+    corner.vertex = face->info();
+    corner.position = vertices[corner.vertex];
+    corner.neighbour =
+        face->vertex(Delaunay::cw(face->index(site)))->info(); // none: a guard
+    corners.push_back(corner);
+  });
+  return corners;
+}
+
+void VoronoiBuilder::make_loops()
+{
+  CellCutter cutter(polygon, generators.points, vertices.size());
+  for (unsigned int c = 0; c < site_of_cell.size(); ++c)
+  {
+    if (reaches_outside(site_of_cell[c]))
+    {
+      std::vector<CellCutter::Corner> corners = corners_of(site_of_cell[c]);
+      cutter.cut(c, corners);
+      for (const CellCutter::Corner &corner : corners)
+        loops.push_back(corner.vertex);
+    }
+    else
+      for_faces_around(
+          triangulation, site_of_cell[c],
+          [&](const Delaunay::Face_handle f) { loops.push_back(f->info()); });
+    first.push_back(loops.size());
+  }
+  for (const CellCutter::Vertex &vertex : cutter.made_vertices())
+  {
+    vertices.push_back(vertex.position);
+    n_sides_at.push_back(vertex.n_sides);
+  }
+}
+
+/** For each vertex the one that stands for all that are the same point. */
+std::vector<unsigned int> VoronoiBuilder::merge_close_vertices() const
 {
   const unsigned int n = vertices.size();
   std::vector<unsigned int> rank(n, 0), parent(n);
@@ -274,54 +276,45 @@ void VoronoiBuilder::merge_close_vertices()
                                                             parent.data());
   for (unsigned int v = 0; v < n; ++v)
     sets.make_set(v);
-
-  for (const auto site : site_of_cell)
+  for (unsigned int c = 0; c + 1 < first.size(); ++c)
   {
-    unsigned int first = none, previous = none;
-    const auto merge = [&](const unsigned int a, const unsigned int b) {
-      if (vertices[a].distance(vertices[b]) <= resolution)
-        sets.union_set(a, b);
-    };
-    for_vertices_around(triangulation, site, [&](const unsigned int v) {
-      if (previous == none)
-        first = v;
-      else
-        merge(previous, v);
-      previous = v;
-    });
-    merge(previous, first);
+    unsigned int previous = loops[first[c + 1] - 1];
+    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
+    {
+      if (vertices[previous].distance(vertices[loops[i]]) <= resolution)
+        sets.union_set(previous, loops[i]);
+      previous = loops[i];
+    }
   }
 
   // Of the vertices in a set, keep the one that lies on most sides.
-  std::vector<unsigned int> kept(n, none);
+  std::vector<unsigned int> kept(n, none), merged_into(n);
   for (unsigned int v = 0; v < n; ++v)
   {
     unsigned int &k = kept[sets.find_set(v)];
-    if (k == none || vertex_sides[v].count() > vertex_sides[k].count())
+    if (k == none || n_sides_at[v] > n_sides_at[k])
       k = v;
   }
-  merged_into.resize(n);
   for (unsigned int v = 0; v < n; ++v)
     merged_into[v] = kept[sets.find_set(v)];
+  return merged_into;
 }
 
-CellLoops VoronoiBuilder::make_loops()
+CellLoops VoronoiBuilder::number_vertices() const
 {
+  const std::vector<unsigned int> merged_into = merge_close_vertices();
   CellLoops cells;
   cells.centres = generators.points;
   std::vector<unsigned int> number(vertices.size(), none);
-  std::vector<unsigned int> loop;
-  for (const auto site : site_of_cell)
+  for (unsigned int c = 0; c + 1 < first.size(); ++c)
   {
-    loop.clear();
-    for_vertices_around(triangulation, site, [&](const unsigned int v) {
-      if (loop.empty() || loop.back() != merged_into[v])
-        loop.push_back(merged_into[v]);
-    });
-    while (loop.size() > 1 && loop.back() == loop.front())
-      loop.pop_back();
-    for (const unsigned int v : loop)
+    unsigned int previous = merged_into[loops[first[c + 1] - 1]];
+    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
     {
+      const unsigned int v = merged_into[loops[i]];
+      if (v == previous)
+        continue;
+      previous = v;
       if (number[v] == none)
       {
         number[v] = cells.vertices.size();
@@ -335,13 +328,14 @@ CellLoops VoronoiBuilder::make_loops()
 }
 } // namespace
 
-double Rectangle::area() const
+CellLoops voronoi_cells(const PointList &generators,
+                        const ConvexPolygon &polygon)
 {
-  return (upper_right[0] - lower_left[0]) * (upper_right[1] - lower_left[1]);
+  return VoronoiBuilder(generators, polygon).build();
 }
 
 CellLoops voronoi_cells(const PointList &generators, const Rectangle &rectangle)
 {
-  return VoronoiBuilder(generators, rectangle).build();
+  return voronoi_cells(generators, ConvexPolygon(rectangle));
 }
 } // namespace Voussoir

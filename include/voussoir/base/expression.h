@@ -36,6 +36,9 @@ public:
    */
   double operator()(const std::vector<double> &values) const;
 
+  /** Whether the formula uses none of the variables. */
+  bool is_constant() const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation;

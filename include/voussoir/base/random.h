@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_random_h
+#define voussoir_base_random_h
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+
+namespace Voussoir
+{
+/**
+ * Random numbers that a seed determines on every machine: Boost's generator and
+ * distribution, unlike the standard library's, are specified to the last bit.
+ */
+class Random
+{
+public:
+  explicit Random(const unsigned int seed) : engine(seed)
+  {
+  }
+
+  /** A number drawn uniformly from [0, 1). */
+  double operator()()
+  {
+    return uniform(engine);
+  }
+
+private:
+  boost::random::mt19937_64 engine;
+  boost::random::uniform_01<double> uniform;
+};
+} // namespace Voussoir
+
+#endif

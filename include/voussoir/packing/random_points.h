@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_random_points_h
+#define voussoir_packing_random_points_h
+
+#include <voussoir/packing/cell_size.h>
+#include <voussoir/packing/convex_polygon.h>
+#include <voussoir/packing/points_file.h>
+
+namespace Voussoir
+{
+/** @p n points drawn uniformly over @p rectangle; a seed gives the same ones.
+ */
+PointList random_points(unsigned int n,
+                        unsigned int seed,
+                        const Rectangle &rectangle = {{0., 0.}, {1., 1.}});
+
+/**
+ * @p n independent points in @p polygon whose density is proportional to
+ * 1/h(x, y)^2, so that their Voronoi cells have sizes in proportion to the
+ * @p size h; a seed gives the same points.
+ *
+ * The polygon is cut into triangles with a bound of the density in each, from
+ * its values at the corners and in the middle. A point is drawn from a triangle
+ * in proportion to area times bound, and kept with the probability density over
+ * bound. Where the density is found to be above the bound, the bound is raised
+ * and all points are drawn again, so that those returned have obeyed the bounds
+ * throughout.
+ *
+ * @throws InputError naming the place if h is not finite and positive, or seems
+ *   to vanish.
+ */
+PointList random_points(unsigned int n,
+                        unsigned int seed,
+                        const ConvexPolygon &polygon,
+                        const CellSize &size);
+} // namespace Voussoir
+
+#endif
