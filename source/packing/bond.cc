@@ -21,8 +21,7 @@ bool is_joint_of_headers(const unsigned int x, const unsigned int length)
 bool is_joint_of_odd_flemish_course(const unsigned int x,
                                     const unsigned int length)
 {
-  // As long as the wall is, its last stretcher begins at a multiple of the
-  // period, like the first.
+  // In such a wall the course below ends with a whole stretcher, as it begins.
   const bool symmetric = length % period == stretcher;
   if (x == header || (symmetric && x == length - header))
     return true;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/bond.h>
 #include <voussoir/packing/wall_openings.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <tuple>
 
@@ -13,12 +11,6 @@ namespace Voussoir
 {
 namespace
 {
-/**
- * How far, relative to the size of the wall, what the user writes may be off a
- * joint and still mean it: ten digits are enough to name one.
- */
-constexpr double relative_resolution = 1e-9;
-
 /** A number with digits enough to be copied into the parameters. */
 std::string text_to_copy(const double x)
 {
@@ -66,74 +58,32 @@ unsigned int find_level(const WallGrid &grid,
                          text_to_copy(grid.bed_joint(above - 1)), " and ",
                          text_to_copy(grid.bed_joint(above)), "."));
 }
+
+WallPart place_opening(WallGrid &grid, const std::array<double, 4> &rectangle)
+{
+  const std::string no_area = "has no area; give \"x0, y0, x1, y1\" with "
+                              "x0 < x1 and y0 < y1.";
+  const double bottom = rectangle[1], top = rectangle[3];
+  const double left = grid.snap(rectangle[0]);
+  const double right = grid.snap(rectangle[2]);
+  if (!(left < right) || !(bottom < top))
+    refuse(rectangle, no_area);
+
+  const double height = grid.bed_joint(grid.n_courses());
+  const bool begins_below = bottom < 0. && !grid.level_at(bottom);
+  const bool ends_above = top > height && !grid.level_at(top);
+  if (left < 0. || right > grid.width() || begins_below || ends_above)
+    refuse(rectangle,
+           text("is not inside the wall, which reaches from (0, 0) to ",
+                text_of_point({grid.width(), height}), "."));
+
+  const unsigned int first = find_level(grid, rectangle, false);
+  const unsigned int end = find_level(grid, rectangle, true);
+  if (first == end)
+    refuse(rectangle, no_area);
+  return {left, right, first, end};
+}
 } // namespace
-
-WallGrid::WallGrid(const double width,
-                   const double height,
-                   const unsigned int n_courses,
-                   const unsigned int n_stretchers)
-    : total_width(width), total_height(height), courses(n_courses),
-      stretchers(n_stretchers)
-{
-}
-
-unsigned int WallGrid::n_courses() const
-{
-  return courses;
-}
-
-unsigned int WallGrid::n_stretchers() const
-{
-  return stretchers;
-}
-
-double WallGrid::width() const
-{
-  return head_joint(quarters_in_stretcher * stretchers);
-}
-
-double WallGrid::bed_joint(const unsigned int level) const
-{
-  return total_height * level / courses;
-}
-
-double WallGrid::head_joint(const unsigned int quarter) const
-{
-  return total_width * quarter / (quarters_in_stretcher * stretchers);
-}
-
-std::optional<unsigned int> WallGrid::level_at(const double y) const
-{
-  const double nearest = std::round(y / total_height * courses);
-  if (!(nearest >= 0. && nearest <= courses))
-    return {};
-  const auto level = static_cast<unsigned int>(nearest);
-  if (std::abs(y - bed_joint(level)) > relative_resolution * total_height)
-    return {};
-  return level;
-}
-
-double WallGrid::snap(const double x)
-{
-  const unsigned int quarters = quarters_in_stretcher * stretchers;
-  const double nearest = std::round(x / total_width * quarters);
-  if (nearest >= 0. && nearest <= quarters)
-  {
-    const double joint = head_joint(static_cast<unsigned int>(nearest));
-    if (std::abs(x - joint) <= resolution())
-      return joint;
-  }
-  for (const double position : other_positions)
-    if (std::abs(x - position) <= resolution())
-      return position;
-  other_positions.push_back(x);
-  return x;
-}
-
-double WallGrid::resolution() const
-{
-  return relative_resolution * total_width;
-}
 
 bool WallPart::overlaps(const WallPart &other) const
 {
@@ -148,20 +98,7 @@ place_openings(WallGrid &grid,
   std::vector<WallPart> openings;
   for (const std::array<double, 4> &rectangle : rectangles)
   {
-    const auto [x0, y0, x1, y1] = rectangle;
-    const double left = grid.snap(x0), right = grid.snap(x1);
-    const double top = grid.bed_joint(grid.n_courses());
-    if (!(left < right) || !(y0 < y1))
-      refuse(rectangle, "has no area; give \"x0, y0, x1, y1\" with x0 < x1 and "
-                        "y0 < y1.");
-    if (left < 0. || right > grid.width() || (y0 < 0. && !grid.level_at(y0)) ||
-        (y1 > top && !grid.level_at(y1)))
-      refuse(rectangle,
-             text("is not inside the wall, which reaches from (0, 0) to ",
-                  text_of_point({grid.width(), top}), "."));
-
-    const WallPart opening = {left, right, find_level(grid, rectangle, false),
-                              find_level(grid, rectangle, true)};
+    const WallPart opening = place_opening(grid, rectangle);
     for (const WallPart &other : openings)
       if (opening.overlaps(other))
         refuse(rectangle, text("overlaps the ", describe(grid, other),

@@ -131,6 +131,7 @@ int main()
 
   refuse("set Openings = 8, 2, 8, 6");
   refuse("set Openings = 8, 6, 12, 2");
+  refuse("set Openings = 8, 2, 12, 2.000000001");
   refuse("set Openings = 18, 2, 22, 6");
   refuse("set Openings = 8, -2, 12, 6");
   refuse("set Openings = 8, 2.5, 12, 6");
