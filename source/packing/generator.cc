@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/packing/generator.h>
+#include <voussoir/packing/polygons.h>
 #include <voussoir/packing/running_bond.h>
 #include <voussoir/packing/voronoi.h>
 
@@ -11,6 +12,7 @@ PackingParameters::PackingParameters()
   // The one place where a generator is registered.
   generators.push_back(std::make_unique<VoronoiGenerator>());
   generators.push_back(std::make_unique<RunningBondGenerator>());
+  generators.push_back(std::make_unique<PolygonGenerator>());
 }
 
 void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
