@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/packing/matching.h>
+#include <voussoir/packing/narrow_gaps.h>
 #include <voussoir/packing/overlap.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -322,6 +323,9 @@ CellLoops match_polygons(const PolygonList &polygons, const double tolerance)
   for (const PolygonList::Polygon &polygon : polygons.polygons)
     cells.lines.push_back(polygon.record);
   cells.notices = polygons.notices;
+  const std::string gaps = describe_narrow_gaps(cells, tolerance);
+  if (!gaps.empty())
+    cells.notices.push_back(gaps);
   return cells;
 }
 } // namespace Voussoir

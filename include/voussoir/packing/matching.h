@@ -17,6 +17,8 @@ namespace Voussoir
  * sides of two cells coincide where they are no further apart than the
  * tolerance; wider gaps stay open. A side shorter than the tolerance vanishes.
  *
+ * If gaps remain that are narrow, a notice says so; see describe_narrow_gaps().
+ *
  * The distances are those of the polygons as given, found with an R-tree.
  *
  * @param polygons as check_and_orient() leaves them.
