@@ -5,6 +5,7 @@
 #include <voussoir/packing/generator.h>
 #include <voussoir/packing/honeycomb.h>
 #include <voussoir/packing/perturbed_grid.h>
+#include <voussoir/packing/polygons.h>
 #include <voussoir/packing/voronoi.h>
 #include <voussoir/packing/wall.h>
 
@@ -18,6 +19,7 @@ PackingParameters::PackingParameters()
   generators.push_back(std::make_unique<ArchGenerator>());
   generators.push_back(std::make_unique<HoneycombGenerator>());
   generators.push_back(std::make_unique<PerturbedGridGenerator>());
+  generators.push_back(std::make_unique<PolygonGenerator>());
 }
 
 void PackingParameters::add_parameters(dealii::ParameterHandler &prm)

@@ -82,6 +82,11 @@ int main()
   run_with("subsection Packing\n subsection Voronoi\n  set Points = file\n"
            "  set Points file = points.txt\n end\nend\n");
 
+  // Polygons
+  std::ofstream("bow_tie.wkt") << "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))\n";
+  run_with("subsection Packing\n set Generator = polygons\n"
+           " subsection polygons\n  set File = bow_tie.wkt\n end\nend\n");
+
   // Geometry, loads, and the rest
   run_with("subsection Packing\n set Generator = wall\n"
            " subsection wall\n  set Width = 0\n end\nend\n");

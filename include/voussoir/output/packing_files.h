@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_packing_files_h
+#define voussoir_output_packing_files_h
+
+#include <voussoir/packing/packing.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace Voussoir
+{
+/**
+ * The files from which the generator "polygons" makes the same packing again:
+ * the same cells, interfaces and boundary edges in the same order, with the
+ * same coordinates to the last bit (17 digits).
+ */
+
+/**
+ * One POLYGON a line, as read_wkt_file() reads it, with the name that
+ * @p group_of gives the cell behind a semicolon, unless it is empty.
+ */
+void write_packing_wkt(
+    std::ostream &out,
+    const Packing &packing,
+    const std::function<std::string(unsigned int)> &group_of = {});
+
+/** The cells as faces of an OFF file, without their groups; z is zero. */
+void write_packing_off(std::ostream &out, const Packing &packing);
+
+/** The centre "x y" of one cell a line, as read_points_file() reads it. */
+void write_centres(std::ostream &out, const Packing &packing);
+} // namespace Voussoir
+
+#endif

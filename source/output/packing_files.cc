@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/packing_files.h>
+
+#include <algorithm>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+void use_all_digits(std::ostream &out)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+}
+
+/** A point that can be ordered. */
+std::pair<double, double> key(const dealii::Point<2> &p)
+{
+  return {p[0], p[1]};
+}
+} // namespace
+
+void write_packing_wkt(std::ostream &out,
+                       const Packing &packing,
+                       const std::function<std::string(unsigned int)> &group_of)
+{
+  use_all_digits(out);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    out << "POLYGON (";
+    for (unsigned int i = 0; i <= packing.n_sides(c); ++i)
+      out << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
+          << packing.vertex(c, i)[1];
+    out << "))";
+    const std::string group = group_of ? group_of(c) : "";
+    out << (group.empty() ? "" : ";") << group << '\n';
+  }
+}
+
+void write_packing_off(std::ostream &out, const Packing &packing)
+{
+  std::vector<std::pair<double, double>> vertices;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      vertices.push_back(key(packing.vertex(c, i)));
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+
+  use_all_digits(out);
+  out << "OFF\n" << vertices.size() << ' ' << packing.n_cells() << " 0\n";
+  for (const auto &[x, y] : vertices)
+    out << x << ' ' << y << " 0\n";
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    out << packing.n_sides(c);
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      out << ' '
+          << std::lower_bound(vertices.begin(), vertices.end(),
+                              key(packing.vertex(c, i))) -
+                 vertices.begin();
+    out << '\n';
+  }
+}
+
+void write_centres(std::ostream &out, const Packing &packing)
+{
+  use_all_digits(out);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    out << packing.centre(c)[0] << ' ' << packing.centre(c)[1] << '\n';
+}
+} // namespace Voussoir

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_tests_polygons_h
+#define voussoir_tests_polygons_h
+
+#include <voussoir/packing/polygons.h>
+
+#include <fstream>
+
+// What the tests of files of polygons share.
+
+/** Write @p content to the file @p name. */
+inline void write_file(const std::string &name, const std::string &content)
+{
+  std::ofstream(name, std::ios::binary) << content;
+}
+
+/** The cells of a file; further parameters as pairs of name and value. */
+inline Voussoir::CellLoops imported_cells(
+    const std::string &file,
+    const std::vector<std::pair<std::string, std::string>> &parameters = {})
+{
+  Voussoir::PolygonGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("File", file);
+  for (const auto &[name, value] : parameters)
+    prm.set(name, value);
+  return generator.generate("");
+}
+
+/** The number of cells, interfaces and boundary edges that are expected. */
+struct Counts
+{
+  unsigned int n_cells;
+  unsigned int n_interfaces;
+  unsigned int n_boundary_edges;
+};
+
+inline bool has_counts(const Voussoir::Packing &packing, const Counts &counts)
+{
+  return packing.n_cells() == counts.n_cells &&
+         packing.interfaces().size() == counts.n_interfaces &&
+         packing.boundary_edges().size() == counts.n_boundary_edges;
+}
+
+#endif
