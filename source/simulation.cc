@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
+#include <voussoir/output/packing_files.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/output/vtu.h>
@@ -100,6 +102,16 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
                     "0: the closing summary alone; 1: also the stages; 2: also "
                     "the iterations of the solver.",
                     Integer(0, 2));
+  add_choice<PackingFile>(
+      prm, "Packing", packing_file,
+      {{PackingFile::none, "none", "nothing."},
+       {PackingFile::wkt, "WKT",
+        "packing.wkt, one POLYGON a line with the name of its group."},
+       {PackingFile::off, "OFF", "packing.off, without names."}},
+      "What to write for another program, or to be edited and read again by "
+      "the "
+      "generator 'polygons': the cells, and with them their centres in "
+      "packing_centres.txt.");
   prm.leave_subsection();
 }
 
@@ -259,6 +271,16 @@ void Simulation::publish(ResultDirectory &files,
                          const Found &found,
                          const dealii::ParameterHandler &prm) const
 {
+  const Packing &cells = found.scene.packing;
+  if (packing_file == PackingFile::wkt)
+    files.write("packing.wkt",
+                [&](std::ostream &out) { write_packing_wkt(out, cells); });
+  if (packing_file == PackingFile::off)
+    files.write("packing.off",
+                [&](std::ostream &out) { write_packing_off(out, cells); });
+  if (packing_file != PackingFile::none)
+    files.write("packing_centres.txt",
+                [&](std::ostream &out) { write_centres(out, cells); });
   files.write("parameters.prm", [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);

@@ -11,13 +11,12 @@ interfaces. If the load was not carried, FIELD is displacement_x or
 displacement_y, of the blocks of mechanism.vtu, which are shown where the
 mechanism has moved them.
 """
-import math
 import sys
 
 from paraview.simple import (
     CleantoGrid, ColorBy, CreateView, ExtractSurface, FeatureEdges,
-    GetColorTransferFunction, GetScalarBar, Outline, Render, SaveScreenshot,
-    Show, XMLUnstructuredGridReader)
+    GetColorTransferFunction, GetScalarBar, Render, SaveScreenshot, Show,
+    XMLUnstructuredGridReader)
 
 directory, field, picture = sys.argv[1:4]
 
@@ -36,7 +35,6 @@ collapse = array == "displacement"
 blocks = read("mechanism.vtu" if collapse else "stress.vtu")
 
 view = CreateView("RenderView")
-view.ViewSize = [800, 800]
 view.Background = [1, 1, 1]
 view.UseColorPaletteForBackground = 0
 view.OrientationAxesVisibility = 0
@@ -68,14 +66,13 @@ bar.Orientation = "Horizontal"
 bar.WindowLocation = "Lower Center"
 bar.ScalarBarLength = 0.5
 
-if collapse:
-    # Blocks that move together have merged: lines are where they part, by more
-    # than the rounding of single precision.
-    merged = CleantoGrid(Input=blocks, Tolerance=1e-5)
-    outlines = [FeatureEdges(Input=ExtractSurface(Input=merged),
-                             FeatureEdges=0, NonManifoldEdges=0)]
-else:
-    outlines = [read("interfaces.vtu"), Outline(Input=blocks)]
+# Sides of blocks that meet merge, up to the rounding of single precision: lines
+# are where the packing ends, and where blocks of a mechanism part.
+merged = CleantoGrid(Input=blocks, Tolerance=1e-5)
+outlines = [FeatureEdges(Input=ExtractSurface(Input=merged),
+                         FeatureEdges=0, NonManifoldEdges=0)]
+if not collapse:
+    outlines.append(read("interfaces.vtu"))
 for source in outlines:
     lines = Show(source, view)
     lines.ColorArrayName = [None, ""]
@@ -83,14 +80,19 @@ for source in outlines:
     lines.Ambient, lines.Diffuse = 1.0, 0.0
     lines.LineWidth = 1.5
 
+# As large as the longer side allows, with room for the bar of colours below.
+longest, margin, room = 860, 60, 120
 bounds = blocks.GetDataInformation().GetBounds()
-size = math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2])
+width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
+pixel = max(width, height) / longest
+view.ViewSize = [max(500, round(width / pixel) + margin),
+                 round(height / pixel) + margin + room]
+Render(view)  # the first time places the camera by itself
 centre = [(bounds[0] + bounds[1]) / 2,
-          (bounds[2] + bounds[3]) / 2 - 0.09 * (bounds[3] - bounds[2])]
+          (bounds[2] + bounds[3]) / 2 - room / 2 * pixel]
 view.CameraParallelProjection = 1
 view.CameraFocalPoint = [*centre, 0]
-view.CameraPosition = [*centre, 10 * size]
-view.CameraParallelScale = 0.62 * max(bounds[3] - bounds[2],
-                                      bounds[1] - bounds[0])
+view.CameraPosition = [*centre, 10 * (width + height)]
+view.CameraParallelScale = view.ViewSize[1] / 2 * pixel
 Render(view)
 SaveScreenshot(picture, view)

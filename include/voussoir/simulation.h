@@ -42,6 +42,14 @@ public:
            const std::filesystem::path &directory);
 
 private:
+  /** In which form the packing is written, too. */
+  enum class PackingFile
+  {
+    none,
+    wkt,
+    off
+  };
+
   Scene make_scene(const std::filesystem::path &directory) const;
   /** Check, complete and write what was found. */
   void finish(Results results, const dealii::ParameterHandler &prm);
@@ -59,6 +67,7 @@ private:
   std::string title;
   std::string output_directory = "output";
   unsigned int verbosity = 1;
+  PackingFile packing_file = PackingFile::none;
   PackingParameters packing;
   SupportParameters supports;
   LoadParameters loads;

@@ -22,9 +22,7 @@ std::pair<double, double> key(const dealii::Point<2> &p)
 }
 } // namespace
 
-void write_packing_wkt(std::ostream &out,
-                       const Packing &packing,
-                       const std::function<std::string(unsigned int)> &group_of)
+void write_packing_wkt(std::ostream &out, const Packing &packing)
 {
   use_all_digits(out);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -33,9 +31,7 @@ void write_packing_wkt(std::ostream &out,
     for (unsigned int i = 0; i <= packing.n_sides(c); ++i)
       out << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
           << packing.vertex(c, i)[1];
-    out << "))";
-    const std::string group = group_of ? group_of(c) : "";
-    out << (group.empty() ? "" : ";") << group << '\n';
+    out << "));" << packing.group_name(c) << '\n';
   }
 }
 

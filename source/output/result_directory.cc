@@ -20,7 +20,8 @@ namespace
 const std::vector<std::string> all_result_files = {
     "interfaces.csv",       "cells.csv",      "interfaces.vtu",
     "stress.vtu",           "mechanism.csv",  "mechanism.vtu",
-    "mechanism_joints.csv", "parameters.prm", "summary.json"};
+    "mechanism_joints.csv", "packing.wkt",    "packing.off",
+    "packing_centres.txt",  "parameters.prm", "summary.json"};
 } // namespace
 
 ResultDirectory::ResultDirectory(fs::path directory_in)

@@ -321,7 +321,8 @@ CellLoops match_polygons(const PolygonList &polygons, const double tolerance)
   name_groups(polygons, cells);
   cells.file = polygons.file.string();
   for (const PolygonList::Polygon &polygon : polygons.polygons)
-    cells.lines.push_back(polygon.record);
+    cells.records.push_back(polygon.record);
+  cells.record_name = polygons.record_name;
   cells.notices = polygons.notices;
   const std::string gaps = describe_narrow_gaps(cells, tolerance);
   if (!gaps.empty())

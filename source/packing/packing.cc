@@ -381,8 +381,9 @@ std::string Packing::describe(const unsigned int cell) const
   if (cell == ground())
     return "the ground";
   std::string name = text("cell ", cell);
-  if (!mesh.lines.empty())
-    name += text(" (line ", mesh.lines[cell], " of '", mesh.file, "')");
+  if (!mesh.records.empty())
+    name += text(" (", mesh.record_name, " ", mesh.records[cell], " of '",
+                 mesh.file, "')");
   return name;
 }
 

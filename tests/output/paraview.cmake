@@ -28,9 +28,17 @@ execute_process(
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "voussoir ended with status ${status}")
 endif()
+# Supports and groups.
+execute_process(
+  COMMAND ${VOUSSOIR} ${SOURCE_DIR}/prm/arch.prm
+    --set "Output directory=paraview_arch"
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "voussoir ended with status ${status}")
+endif()
 execute_process(
   COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/read_with_paraview.py
-    paraview paraview_collapse paraview_uniform
+    paraview paraview_collapse paraview_uniform paraview_arch
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the files are not as they should be")

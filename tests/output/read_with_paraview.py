@@ -8,7 +8,7 @@ import sys
 
 from paraview.simple import XMLUnstructuredGridReader
 
-directory, collapse, uniform = sys.argv[1:]
+directory, collapse, uniform, arch = sys.argv[1:]
 
 
 def read(name, directory=directory):
@@ -53,8 +53,8 @@ expect_range(interfaces, "utilisation", 0, 0, 0.1)
 stress = read("stress.vtu")
 expect("fields of stress.vtu", components(stress),
        {"stress": 9, "principal_stress_1": 1, "principal_stress_2": 1,
-        "von_mises": 1, "skew": 1, "div": 3, "cell": 1, "displacement": 3,
-        "reconstructed": 1})
+        "von_mises": 1, "skew": 1, "div": 3, "cell": 1, "group": 1,
+        "displacement": 3, "reconstructed": 1})
 # A side of the wall for each side of a cell: two per interface and one each
 # for the boundary edges, 6 + 7 below and above and 12 on either side.
 expect("sub-cells", stress.GetDataInformation().GetNumberOfCells(),
@@ -87,3 +87,10 @@ for component, value in {0: -1, 1: 0.3, 3: 0.3, 4: -2, 2: 0, 8: 0}.items():
 expect_range(stress, "principal_stress_1", 0, -1.5 + 0.34 ** 0.5,
              -1.5 + 0.34 ** 0.5)
 print("ParaView reads the files")
+
+# The arch: its supports are lines to the cell -1, its keystone the second group.
+interfaces = read("interfaces.vtu", arch)
+expect_range(interfaces, "cell_plus", 0, -1, 20)
+expect("lines of the arch",
+       interfaces.GetDataInformation().GetNumberOfCells(), 22)
+expect_range(read("stress.vtu", arch), "group", 0, 0, 1)

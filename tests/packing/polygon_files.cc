@@ -48,7 +48,7 @@ void check_ogr(const std::string &what,
 {
   const CellLoops cells = imported_cells(file);
   check(what, is_pair_of_squares(cells, true) &&
-                  cells.lines == std::vector<unsigned int>({1, 2}) &&
+                  cells.records == std::vector<unsigned int>({1, 2}) &&
                   cells.notices.size() == n_notices);
 }
 
@@ -173,7 +173,7 @@ void test_wkt()
   const CellLoops cells = imported_cells("squares.wkt");
   check("the line of each cell",
         cells.file == "squares.wkt" &&
-            cells.lines == std::vector<unsigned int>({2, 3, 3}));
+            cells.records == std::vector<unsigned int>({2, 3, 3}));
   check("cells without a name beside others are called block",
         cells.group_names == std::vector<std::string>({"left side", "block"}) &&
             cells.group == std::vector<unsigned int>({0, 1, 1}));
@@ -191,7 +191,7 @@ void test_off()
       "0 1 0 # corner\r\n1 1 0\r\n2 1 0\r\n4 0 1 4 3 255 0 0\r\n"
       "4 1 4 5 2 0 255 0",
       false, "squares.off");
-  check("the line of each face", imported_cells("squares.off").lines ==
+  check("the line of each face", imported_cells("squares.off").records ==
                                      std::vector<unsigned int>({11, 12}));
 }
 

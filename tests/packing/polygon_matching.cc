@@ -273,8 +273,17 @@ void test_round_trip(const std::string &what,
   {
     const CellLoops cells =
         imported_cells(file, {{"Centres file", "trip.txt"}});
+    const Packing again(cells);
     check(what + " through " + file,
-          cells.notices.empty() && same(packing, Packing(cells)));
+          cells.notices.empty() && same(packing, again));
+    if (packing.n_cells() > 1000)
+      continue;
+    const auto S = tensor(-1.3, 0.1, 0.1, -0.7);
+    Solver solver(least_energy);
+    check_error(what + " through " + file + ": change of the forces",
+                distance(solver.forces(scene_under_stress(packing, 0.3, S)),
+                         solver.forces(scene_under_stress(again, 0.3, S))),
+                0.);
   }
 
   const PolygonList polygons = read_polygons("trip.wkt");
@@ -287,20 +296,36 @@ void test_round_trip(const std::string &what,
 
 void test_groups()
 {
+  Packing packing = wall(2, 2);
+  packing.set_group(0, "base");
+  for (const unsigned int c : {2, 3, 4})
+    packing.set_group(c, "top stone");
   std::ofstream out("trip.wkt");
-  write_packing_wkt(out, wall(2, 2), [](const unsigned int cell) {
-    return cell == 0 ? "base" : cell == 1 ? "" : "top stone";
-  });
+  write_packing_wkt(out, packing);
   out.close();
   const CellLoops cells = imported_cells("trip.wkt");
   check("the names of groups through WKT",
         cells.group_names ==
-                std::vector<std::string>({"base", "block", "top stone"}) &&
+                std::vector<std::string>({"base", "brick", "top stone"}) &&
             cells.group == std::vector<unsigned int>({0, 1, 2, 2, 2}));
+}
+
+/** A cell that is not convex is taken if its centre sees all of it. */
+void test_star_shapes()
+{
+  write_file("star.wkt", "POLYGON((0 0,4 0,4 2,2 1.5,0 2,0 0))\n"
+                         "POLYGON((0 2,2 1.5,4 2,4 4,0 4,0 2))\n");
+  const Packing packing(imported_cells("star.wkt"));
+  check("a dented cell that its centre sees whole",
+        packing.not_convex() == std::vector<unsigned int>({0}) &&
+            packing.interfaces().size() == 2);
+  write_file("hook.wkt", "POLYGON((0 0,4 0,4 4,3 4,3 1,0 1,0 0))\n");
+  show_refusal([] { Packing hook(imported_cells("hook.wkt")); });
 }
 
 int main()
 {
+  test_star_shapes();
   test_contacts();
   test_notice_of_gaps();
   test_small_sides();

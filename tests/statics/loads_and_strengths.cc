@@ -96,7 +96,7 @@ int main()
   assign_groups(courses_on_ground, "odd: floor(4*y) == 1; top: y > 0.75");
   const auto by_pair =
       strengths(courses_on_ground, "7",
-                "block, ground: 2; odd,block : 3 + x; top, top: 0.5");
+                "brick, ground: 2; odd,brick : 3 + x; top, top: 0.5");
   right = true;
   for (unsigned int e = 0; e < by_pair.size(); ++e)
   {
@@ -165,10 +165,10 @@ int main()
   show_refusal([&] { loads_on(bricks, "set Body force = 0; 1/(x-x)"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = lintel: 0, 1"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = cell 9: 0, 1"); });
-  show_refusal([&] { loads_on(bricks, "set Cell forces = block: 1"); });
-  show_refusal([&] { loads_on(bricks, "set Cell forces = block"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = brick: 1"); });
+  show_refusal([&] { loads_on(bricks, "set Cell forces = brick"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = ground: 0, 1"); });
-  show_refusal([&] { strengths(bricks, "1", "block: 2"); });
-  show_refusal([&] { strengths(bricks, "1", "block, stone: 2"); });
-  show_refusal([&] { strengths(bricks, "1", "block, block: -2"); });
+  show_refusal([&] { strengths(bricks, "1", "brick: 2"); });
+  show_refusal([&] { strengths(bricks, "1", "brick, stone: 2"); });
+  show_refusal([&] { strengths(bricks, "1", "brick, brick: -2"); });
 }

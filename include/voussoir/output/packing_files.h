@@ -4,9 +4,7 @@
 
 #include <voussoir/packing/packing.h>
 
-#include <functional>
 #include <iosfwd>
-#include <string>
 
 namespace Voussoir
 {
@@ -17,13 +15,10 @@ namespace Voussoir
  */
 
 /**
- * One POLYGON a line, as read_wkt_file() reads it, with the name that
- * @p group_of gives the cell behind a semicolon, unless it is empty.
+ * One POLYGON a line, as read_wkt_file() reads it, with the name of the cell's
+ * group behind a semicolon.
  */
-void write_packing_wkt(
-    std::ostream &out,
-    const Packing &packing,
-    const std::function<std::string(unsigned int)> &group_of = {});
+void write_packing_wkt(std::ostream &out, const Packing &packing);
 
 /** The cells as faces of an OFF file, without their groups; z is zero. */
 void write_packing_off(std::ostream &out, const Packing &packing);

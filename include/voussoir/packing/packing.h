@@ -41,9 +41,13 @@ struct CellLoops
    */
   double tolerance = 0.;
 
-  /** Where the cells were read: the file and the line of each; or empty. */
+  /**
+   * Where the cells were read: the file, what its records are called, and the
+   * number of the record of each cell. Empty if the cells were not read.
+   */
   std::string file;
-  std::vector<unsigned int> lines;
+  std::string record_name = "line";
+  std::vector<unsigned int> records;
 
   /** What the user ought to know of how the input was understood. */
   std::vector<std::string> notices;
@@ -160,7 +164,7 @@ public:
   const std::vector<unsigned int> &not_convex() const;
   /** What the user ought to know of how the input was understood. */
   const std::vector<std::string> &notices() const;
-  /** "cell 3", with the line of its file if it was read; "the ground". */
+  /** "cell 3", with its line or feature if it was read; "the ground". */
   std::string describe(unsigned int cell) const;
 
 private:
