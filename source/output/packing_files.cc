@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <ostream>
+#include <string>
 #include <utility>
 
 namespace Voussoir
@@ -31,7 +32,12 @@ void write_packing_wkt(std::ostream &out, const Packing &packing)
     for (unsigned int i = 0; i <= packing.n_sides(c); ++i)
       out << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
           << packing.vertex(c, i)[1];
-    out << "));" << packing.group_name(c) << '\n';
+    // What separates names in such a file cannot be a part of one.
+    std::string group = packing.group_name(c);
+    for (char &letter : group)
+      if (letter == ';' || letter == ',' || letter == '\t')
+        letter = ' ';
+    out << "));" << group << '\n';
   }
 }
 

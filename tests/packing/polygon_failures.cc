@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Every kind of broken geometry is refused with the cell, the line, the place
-// and what to do.
+// Every kind of broken geometry ends the program with status 2, and the cell,
+// the line, the place and what to do; nothing is written.
+
+#include <voussoir/command_line.h>
 
 #include "polygons.h"
 #include "tests.h"
@@ -16,11 +18,25 @@ void refuse(const std::string &kind,
             const std::string &tolerance = "0",
             const std::string &file = "broken.wkt")
 {
-  std::cout << "[" << kind << "]\n";
   write_file(file, content);
-  show_refusal([&] {
-    Packing packing(imported_cells(file, {{"Matching tolerance", tolerance}}));
-  });
+  write_file("broken.prm", "set Output directory = results\n"
+                           "subsection Packing\n"
+                           "  set Generator = polygons\n"
+                           "  subsection polygons\n"
+                           "    set File = " +
+                               file +
+                               "\n"
+                               "    set Matching tolerance = " +
+                               tolerance +
+                               "\n"
+                               "  end\n"
+                               "end\n");
+  std::ostringstream out, error;
+  const int status = run_command_line({"broken.prm"}, out, error);
+  std::cout << "[" << kind << "] status " << status << '\n'
+            << error.str() << out.str();
+  if (std::filesystem::exists("results"))
+    std::cout << "FAILED: something was written" << std::endl;
 }
 
 /** A whole square in line 1, and in line 2 what is broken. */
