@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/newton.h>
@@ -218,22 +217,13 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
   return solution;
 }
 
-std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
-                                       Terminal &terminal)
+std::optional<Mechanism>
+find_collapse_by_barrier(const DiscreteProblem &problem, Terminal &terminal)
 {
-  if (problem.opening().empty())
-    return {};
   const BarrierJoint law(problem, BarrierWeights::equal);
   JointSystem system(problem, LinearSolver::automatic);
-  try
-  {
-    return minimise_barrier(problem, law, system, SolverControls().tolerance,
-                            n_max_newton_iterations, terminal)
-        .mechanism;
-  }
-  catch (const SolverError &)
-  {
-    return {}; // whoever asked goes on without a proof
-  }
+  return minimise_barrier(problem, law, system, SolverControls().tolerance,
+                          n_max_newton_iterations, terminal)
+      .mechanism;
 }
 } // namespace Voussoir

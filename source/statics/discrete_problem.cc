@@ -3,6 +3,7 @@
 #include <voussoir/statics/opening.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Voussoir
@@ -64,18 +65,24 @@ void DiscreteProblem::choose_scales(const Scene &scene)
  */
 void DiscreteProblem::balance_loads()
 {
-  std::vector<Tensor<1, 2>> sum(n_bodies());
+  // With many cells the sum of doubles would be off by more than a solver's
+  // tolerance.
+  using Sum = std::array<long double, 2>;
+  const bool has_ground = n_bodies() > n_cells();
+  std::vector<Sum> sum(n_bodies(), Sum{{0., 0.}});
   std::vector<unsigned int> size(n_bodies(), 0);
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
-    sum[group[b]] += load[b];
+    for (unsigned int i = 0; i < 2; ++i)
+      sum[group[b]][i] += load[b][i];
     ++size[group[b]];
   }
   for (unsigned int b = 0; b < n_bodies(); ++b)
-    if (n_bodies() == n_cells() || group[b] != group.back())
-      load[b] -= sum[group[b]] / size[group[b]];
-  if (n_bodies() > n_cells())
-    load.back() = -sum[group.back()];
+    for (unsigned int i = 0; i < 2; ++i)
+      if (!has_ground || group[b] != group.back())
+        load[b][i] -= sum[group[b]][i] / size[group[b]];
+      else if (b == n_cells())
+        load[b][i] = -sum[group[b]][i];
 }
 
 void DiscreteProblem::remove_translations(std::vector<double> &u) const

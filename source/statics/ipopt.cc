@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/find_collapse.h>
 
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>

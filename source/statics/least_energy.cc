@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
-#include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/find_collapse.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/newton.h>
 
@@ -95,6 +95,31 @@ private:
   unsigned int n_inner = 0, n_outer = 0;
   double previous_imbalance = std::numeric_limits<double>::infinity();
 };
+
+Solution minimise_elastic(const DiscreteProblem &problem,
+                          const LinearSolver linear_solver,
+                          const SolverControls &controls,
+                          const double displacement_unit,
+                          Terminal &terminal)
+{
+  const ElasticJoint law(problem);
+  JointSystem system(problem, linear_solver);
+  Newton newton(problem, law, system,
+                std::vector<double>(problem.n_dofs(), 0.));
+  ProximalSteps proximal(newton);
+  const auto advance = [&]() {
+    std::optional<Mechanism> mechanism;
+    if (newton.n_iterations() == n_before_doubt && !problem.opening().empty())
+      mechanism = find_collapse(problem, terminal);
+    if (!mechanism)
+      proximal.advance();
+    return mechanism;
+  };
+  return minimise(problem, newton,
+                  {controls.tolerance, std::numeric_limits<double>::infinity(),
+                   controls.n_max_iterations},
+                  advance, displacement_unit, terminal);
+}
 } // namespace
 
 ElasticJoint::ElasticJoint(const DiscreteProblem &problem) : problem(problem)
@@ -158,24 +183,16 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                              const SolverControls &controls,
                              Terminal &terminal) const
 {
-  const ElasticJoint law(problem);
-  JointSystem system(problem, linear_solver);
-  Newton newton(problem, law, system,
-                std::vector<double>(problem.n_dofs(), 0.));
-  ProximalSteps proximal(newton);
-  const auto advance = [&]() {
-    std::optional<Mechanism> mechanism;
-    if (newton.n_iterations() == n_before_doubt)
-      mechanism = find_collapse(problem, terminal);
-    if (!mechanism)
-      proximal.advance();
-    return mechanism;
-  };
-  return minimise(problem, newton,
-                  {controls.tolerance, std::numeric_limits<double>::infinity(),
-                   controls.n_max_iterations},
-                  advance,
-                  problem.stress_scale() * problem.length_scale() / modulus,
-                  terminal);
+  return minimise_elastic(
+      problem, linear_solver, controls,
+      problem.stress_scale() * problem.length_scale() / modulus, terminal);
+}
+
+std::optional<Mechanism>
+find_collapse_by_springs(const DiscreteProblem &problem, Terminal &terminal)
+{
+  return minimise_elastic(problem, LinearSolver::automatic, SolverControls(),
+                          0., terminal)
+      .mechanism;
 }
 } // namespace Voussoir

@@ -2,6 +2,8 @@
 #include <voussoir/packing/straight_runs.h>
 #include <voussoir/statics/reactions.h>
 
+#include <cmath>
+
 namespace Voussoir
 {
 using dealii::Tensor;
@@ -32,17 +34,27 @@ std::vector<Reaction> reactions(const Scene &scene,
 GroundBalance balance_on_ground(const Scene &scene,
                                 const std::vector<Reaction> &reactions)
 {
-  GroundBalance balance = {{}, {}, 0.};
-  double size = 0.;
+  // Sums of many numbers of one sign, to be compared to rounding.
+  long double load[2] = {0., 0.}, reaction[2] = {0., 0.}, size = 0.;
   for (const Tensor<1, 2> &F : scene.load)
   {
-    balance.load += F;
+    for (unsigned int i = 0; i < 2; ++i)
+      load[i] += F[i];
     size += F.norm();
   }
-  for (const Reaction &reaction : reactions)
-    balance.reaction += reaction.force;
+  for (const Reaction &support : reactions)
+    for (unsigned int i = 0; i < 2; ++i)
+      reaction[i] += support.force[i];
+
+  GroundBalance balance = {{}, {}, 0.};
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    balance.load[i] = load[i];
+    balance.reaction[i] = reaction[i];
+  }
   if (size > 0.)
-    balance.imbalance = (balance.load + balance.reaction).norm() / size;
+    balance.imbalance =
+        std::hypot(load[0] + reaction[0], load[1] + reaction[1]) / size;
   return balance;
 }
 } // namespace Voussoir

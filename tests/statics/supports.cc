@@ -156,6 +156,26 @@ int main()
         show_refusal([&] { Solver(way).solve(problem); });
   }
 
+  // So does a wall between two others; its courses cannot rise one by one.
+  for (const double strength : {0., 0.3, 0.49, 0.51})
+  {
+    const Scene clamped =
+        under_weight(wall(20, 10), strength, 1., "abs(nx) > 0.5");
+    const DiscreteProblem problem(clamped);
+    for (const Way &way : {least_energy, compliant})
+    {
+      const Solution solution = Solver(way).solve(problem);
+      if (strength > 0.5)
+        check_certificate("clamped wall, " + way.name, clamped,
+                          dimensional_forces(problem, solution));
+      else
+        check("clamped wall, " + way.name + ": falls by a mechanism",
+              solution.mechanism &&
+                  certify_mechanism(clamped, solution.mechanism->displacement)
+                          .work_over_dissipation > 1.);
+    }
+  }
+
   // Supports that face each other may leave an interior all the same: the
   // wedges of a flat arch can rise.
   const Scene arch = under_weight(flat_arch(7, 0.2), 1.2, 1., "abs(nx) > 0.99");

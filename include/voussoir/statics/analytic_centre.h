@@ -41,13 +41,13 @@ private:
 };
 
 /**
- * Look for a proof that the load is not carried. The iterates of the barrier
- * problem close no joint and need no correction to be mechanisms; where there
- * is one they meet it within some 25 iterations, close to the limit and far
- * beyond, and where there is none they converge.
+ * Look for a proof that the load on a packing with an opening is not carried.
+ * The iterates of the barrier problem close no joint and need no correction to
+ * be mechanisms; where there is one they meet it within some 25 iterations,
+ * close to the limit and far beyond, and where there is none they converge.
  */
-std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
-                                       Terminal &terminal);
+std::optional<Mechanism>
+find_collapse_by_barrier(const DiscreteProblem &problem, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

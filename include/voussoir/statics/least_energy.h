@@ -6,6 +6,8 @@
 #include <voussoir/statics/joint_law.h>
 #include <voussoir/statics/joint_system.h>
 
+#include <optional>
+
 namespace Voussoir
 {
 /**
@@ -56,6 +58,14 @@ private:
   double modulus = 1.;
   LinearSolver linear_solver = LinearSolver::automatic;
 };
+
+/**
+ * Look for a proof that the load is not carried, in the displacements of the
+ * elastic joints, which grow along a mechanism if there is one. Slower than
+ * find_collapse_by_barrier(), but it needs no opening.
+ */
+std::optional<Mechanism>
+find_collapse_by_springs(const DiscreteProblem &problem, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_find_collapse_h
+#define voussoir_statics_find_collapse_h
+
+#include <voussoir/base/terminal.h>
+#include <voussoir/statics/mechanism.h>
+
+#include <optional>
+
+namespace Voussoir
+{
+/**
+ * Look for a proof that the load is not carried, for a solver that has taken
+ * many iterations without an answer: by the barrier problem, or if no motion
+ * opens all joints by elastic ones.
+ */
+std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+                                       Terminal &terminal);
+} // namespace Voussoir
+
+#endif
