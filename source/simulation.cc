@@ -46,9 +46,9 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
   if (packing.not_convex().empty())
     return {};
   const unsigned int c = packing.not_convex().front();
-  return {text(packing.not_convex().size(),
-               " cells are not convex, the first is ", packing.describe(c),
-               " at ", text_of_point(packing.centre(c)),
+  return {text("Not convex: ", counted(packing.not_convex().size(), "cell"),
+               ", the first of which is ", packing.describe(c), " at ",
+               text_of_point(packing.centre(c)),
                ". Each can be seen whole from its centre, so the forces on its "
                "sides are those of the model; whether it would interlock with "
                "its neighbours is not looked at.")};
@@ -109,8 +109,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
         "packing.wkt, one POLYGON a line with the name of its group."},
        {PackingFile::off, "OFF", "packing.off, without names."}},
       "What to write for another program, or to be edited and read again by "
-      "the "
-      "generator 'polygons': the cells, and with them their centres in "
+      "the generator 'polygons': the cells, and with them their centres in "
       "packing_centres.txt.");
   prm.leave_subsection();
 }
@@ -119,16 +118,18 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                      const std::filesystem::path &directory)
 {
   terminal.set_verbosity(verbosity);
-  ResultDirectory check_early(output_directory);
+  const ResultDirectory check_early(output_directory);
+  for (const std::filesystem::path &file : packing.input_files(directory))
+    check_early.spare(file);
 
   timer.enter_subsection("packing");
   const Scene scene = make_scene(directory);
-  terminal.stage("Packing",
-                 text(scene.packing.n_cells(), " cells, ",
-                      scene.packing.interfaces().size(), " interfaces, ",
-                      scene.packing.n_supports(), " of them supports, ",
-                      scene.packing.boundary_edges().size(),
-                      " boundary edges"));
+  terminal.stage(
+      "Packing",
+      text(counted(scene.packing.n_cells(), "cell"), ", ",
+           counted(scene.packing.interfaces().size(), "interface"), ", ",
+           scene.packing.n_supports(), " of them supports, ",
+           counted(scene.packing.boundary_edges().size(), "boundary edge")));
   for (const std::string &warning : cells_not_convex(scene.packing))
     terminal.warning(warning);
   timer.leave_subsection();
@@ -257,8 +258,9 @@ void Simulation::check_certificate(const Results &results) const
         certificate.equilibrium_residual, " and a violation of ",
         certificate.admissibility_violation,
         " of the largest load on a cell. The load may be close to what the "
-        "packing can carry; try a larger 'Solver/Maximum iterations', or a "
-        "slightly smaller load."));
+        "packing can carry, or beyond without a proof: try 'Formulation = "
+        "least energy', a larger 'Solver/Maximum iterations', or a smaller "
+        "load."));
   if (results.outcome != "converged" && results.outcome != nothing_to_balance)
     terminal.warning(text(
         "the solver ", results.outcome,

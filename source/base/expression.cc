@@ -88,9 +88,15 @@ double Expression::operator()(const std::vector<double> &values) const
 Condition::Condition(const std::string &formula,
                      const std::vector<std::string> &variables,
                      const std::string &parameter)
-    : expression(formula, variables, parameter), formula(formula),
-      parameter(parameter)
+    : expression(formula, variables, parameter), n_variables(variables.size()),
+      formula(formula), parameter(parameter)
 {
+}
+
+bool Condition::is_never() const
+{
+  return expression.is_constant() &&
+         expression(std::vector<double>(n_variables, 0.)) == 0.;
 }
 
 bool Condition::operator()(const std::vector<double> &values) const

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include <limits>
 #include <ostream>
-#include <string>
 
 namespace Voussoir
 {
@@ -25,18 +22,6 @@ int number_of_plus(const Packing &packing, const Packing::Interface &interface)
   return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
 }
 
-/** A name as a field: in quotes where it has to be (RFC 4180). */
-std::string quoted(const std::string &name)
-{
-  if (name.find_first_of(",\"\n\r") == std::string::npos)
-    return name;
-  return '"' + boost::replace_all_copy(name, "\"", "\"\"") + '"';
-}
-
-void use_all_digits(std::ostream &out)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-}
 } // namespace
 
 void write_interfaces_csv(std::ostream &out, const Results &results)
@@ -73,7 +58,7 @@ void write_cells_csv(std::ostream &out, const Results &results)
               packing.area(c), results.scene.load[c][0],
               results.scene.load[c][1], results.displacement[c][0],
               results.displacement[c][1], results.torques[c], s[0][0], s[0][1],
-              s[1][0], s[1][1], quoted(packing.group_name(c)));
+              s[1][0], s[1][1], packing.group_name(c));
     out << '\n';
   }
 }
@@ -81,14 +66,15 @@ void write_cells_csv(std::ostream &out, const Results &results)
 void write_mechanism_csv(std::ostream &out, const Collapse &collapse)
 {
   use_all_digits(out);
-  out << "id,x,y,load_x,load_y,ux,uy\n";
+  out << "id,x,y,load_x,load_y,ux,uy,group\n";
   const Scene &scene = collapse.scene;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
   {
     const dealii::Point<2> &x = scene.packing.centre(c);
     const dealii::Tensor<1, 2> &F = scene.load[c];
     const dealii::Tensor<1, 2> &u = collapse.displacement[c];
-    write_row(out, c, x[0], x[1], F[0], F[1], u[0], u[1]);
+    write_row(out, c, x[0], x[1], F[0], F[1], u[0], u[1],
+              scene.packing.group_name(c));
     out << '\n';
   }
 }

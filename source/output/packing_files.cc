@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
 #include <voussoir/output/packing_files.h>
 
 #include <algorithm>
-#include <limits>
 #include <ostream>
-#include <string>
 #include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-void use_all_digits(std::ostream &out)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
-}
-
 /** A point that can be ordered. */
 std::pair<double, double> key(const dealii::Point<2> &p)
 {
@@ -32,12 +26,7 @@ void write_packing_wkt(std::ostream &out, const Packing &packing)
     for (unsigned int i = 0; i <= packing.n_sides(c); ++i)
       out << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
           << packing.vertex(c, i)[1];
-    // What separates names in such a file cannot be a part of one.
-    std::string group = packing.group_name(c);
-    for (char &letter : group)
-      if (letter == ';' || letter == ',' || letter == '\t')
-        letter = ' ';
-    out << "));" << group << '\n';
+    out << "));" << packing.group_name(c) << '\n';
   }
 }
 

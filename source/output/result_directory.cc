@@ -16,12 +16,13 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Every file that any run may write. */
+/** Every file that any run may write: its results, and the packing. */
 const std::vector<std::string> all_result_files = {
     "interfaces.csv",       "cells.csv",      "interfaces.vtu",
     "stress.vtu",           "mechanism.csv",  "mechanism.vtu",
-    "mechanism_joints.csv", "packing.wkt",    "packing.off",
-    "packing_centres.txt",  "parameters.prm", "summary.json"};
+    "mechanism_joints.csv", "parameters.prm", "summary.json"};
+const std::vector<std::string> all_packing_files = {
+    "packing.wkt", "packing.off", "packing_centres.txt"};
 } // namespace
 
 ResultDirectory::ResultDirectory(fs::path directory_in)
@@ -36,6 +37,17 @@ ResultDirectory::ResultDirectory(fs::path directory_in)
     refuse("'" + existing.string() + "' is not a directory");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(std::strerror(errno));
+}
+
+void ResultDirectory::spare(const fs::path &input) const
+{
+  std::error_code ignored;
+  for (const auto *names : {&all_result_files, &all_packing_files})
+    for (const std::string &name : *names)
+      if (fs::equivalent(input, directory / name, ignored))
+        throw InputError("The results may overwrite '" + input.string() +
+                         "', which the packing is made from; copy it to "
+                         "another place, or change 'Output directory'.");
 }
 
 ResultDirectory::~ResultDirectory()

@@ -148,9 +148,10 @@ void show_summary(Terminal &terminal, const Results &results)
   {
     const GroundBalance balance =
         balance_on_ground(results.scene, results.reactions);
-    terminal.summary("Reaction",
-                     text("(", balance.reaction[0], ", ", balance.reaction[1],
-                          ") on ", results.reactions.size(), " supports"));
+    terminal.summary(
+        "Reaction",
+        text("(", balance.reaction[0], ", ", balance.reaction[1], ") on ",
+             counted(results.reactions.size(), "straight support")));
   }
   terminal.summary("Friction",
                    text("largest utilisation ", certificate.max_utilisation));

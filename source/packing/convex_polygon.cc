@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/convex_polygon.h>
+#include <voussoir/packing/geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,25 +23,14 @@ namespace
  */
 constexpr double flattest_corner = 1e-9;
 
+/** The size of a domain with whose squares and cubes one can compute. */
+constexpr double smallest_extent = 1e-70, largest_extent = 1e70;
+
 /**
  * The part of the distance to the nearest side within which a point is inside
  * without a look at the sides: one, less a rest far above rounding.
  */
 constexpr double safe_part = 0.999;
-
-double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-double signed_area(const std::vector<Point<2>> &vertices)
-{
-  double area = 0.;
-  for (unsigned int i = 1; i + 1 < vertices.size(); ++i)
-    area +=
-        0.5 * cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
-  return area;
-}
 
 /** The longer side of the smallest axis-parallel rectangle around @p points. */
 double extent(const std::vector<Point<2>> &points)
@@ -133,6 +123,14 @@ ConvexPolygon::ConvexPolygon(const Rectangle &rectangle)
 
 void ConvexPolygon::measure()
 {
+  double largest = extent(vertices);
+  const bool too_small = largest < smallest_extent;
+  for (const Point<2> &v : vertices)
+    largest = std::max({largest, std::abs(v[0]), std::abs(v[1])});
+  if (too_small || largest > largest_extent)
+    throw InputError("The " + description() +
+                     " is too large or too small to compute with; choose a "
+                     "unit of length in which it is between 1e-70 and 1e70.");
   normals.resize(n_sides());
   for (unsigned int i = 0; i < n_sides(); ++i)
   {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
 #include <voussoir/packing/arch.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/generator.h>
@@ -11,6 +13,20 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** With which a packing needs some 100 GB. */
+constexpr double largest_number_of_cells = 1e8;
+} // namespace
+
+void check_number_of_cells(const double n_cells, const std::string &entries)
+{
+  if (n_cells > largest_number_of_cells)
+    throw InputError(text(entries, " make some ", n_cells,
+                          " cells; there may be ", largest_number_of_cells,
+                          " at most."));
+}
+
 PackingParameters::PackingParameters()
 {
   // The one place where a generator is registered.
@@ -46,6 +62,12 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
       "none keeps the name that the generator gave it.",
       dealii::Patterns::Anything());
   prm.leave_subsection();
+}
+
+std::vector<std::filesystem::path>
+PackingParameters::input_files(const std::filesystem::path &directory) const
+{
+  return generators[chosen]->input_files(directory);
 }
 
 Packing

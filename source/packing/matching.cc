@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/matching.h>
 #include <voussoir/packing/narrow_gaps.h>
 #include <voussoir/packing/overlap.h>
@@ -308,7 +309,14 @@ void name_groups(const PolygonList &polygons, CellLoops &cells)
     const std::string &name = unnamed(polygon) ? "block" : polygon.group;
     const auto entry = numbers.emplace(name, cells.group_names.size());
     if (entry.second)
+    {
+      const std::string fault = fault_of_group_name(name);
+      if (!fault.empty())
+        polygons.refuse(cells.group.size(),
+                        "belongs to the group " + quoted_group_name(name) +
+                            ", whose name " + fault + "; rename it.");
       cells.group_names.push_back(name);
+    }
     cells.group.push_back(entry.first->second);
   }
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/connected_groups.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/packing/packing.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace Voussoir
@@ -24,12 +26,8 @@ namespace
  */
 constexpr double convexity_tolerance = 1e-12;
 
-const std::string ground_name = "ground";
-
-double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
+/** The area of a cell with whose powers one can compute. */
+constexpr double smallest_area = 1e-140, largest_area = 1e140;
 
 /** One side of a cell, keyed by its two vertex numbers in ascending order. */
 struct Halfedge
@@ -83,10 +81,8 @@ void Packing::name_groups()
   auto &names = mesh.group_names;
   if (names.empty())
     names = {"block"};
-  if (std::find(names.begin(), names.end(), ground_name) != names.end())
-    throw InputError("A group of cells is called '" + ground_name +
-                     "', which is the name of what supports the packing; "
-                     "choose another.");
+  for (const std::string &name : names)
+    check_group_name(name);
   names.push_back(ground_name);
 }
 
@@ -114,6 +110,11 @@ void Packing::measure(const unsigned int c, const bool take_centroid)
            text("has the area ", text_of_number(area),
                 "; its vertices must be finite and run counterclockwise "
                 "around a positive area."));
+  if (!(area > smallest_area) || !(area < largest_area))
+    refuse(c, origin,
+           text("has the area ", area,
+                ", too large or too small to compute with; choose a unit of "
+                "length in which it is between 1e-140 and 1e140."));
   areas[c] = area;
   if (take_centroid)
     mesh.centres[c] = origin + moment / area;
@@ -319,6 +320,7 @@ const std::string &Packing::group_name(const unsigned int cell) const
 
 void Packing::set_group(const unsigned int cell, const std::string &name)
 {
+  check_group_name(name);
   auto &names = mesh.group_names;
   mesh.group.resize(n_cells(), 0);
   auto found = std::find(names.begin(), names.end() - 1, name);
@@ -385,26 +387,5 @@ std::string Packing::describe(const unsigned int cell) const
     name += text(" (", mesh.record_name, " ", mesh.records[cell], " of '",
                  mesh.file, "')");
   return name;
-}
-
-std::vector<unsigned int> connected_groups(const Packing &packing)
-{
-  const unsigned int n = packing.n_cells() + 1;
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int c = 0; c < n; ++c)
-    sets.make_set(c);
-  for (const Packing::Interface &interface : packing.interfaces())
-    sets.union_set(interface.cell_minus, interface.cell_plus);
-
-  std::vector<unsigned int> lowest(n, n), group(n);
-  for (unsigned int c = 0; c < n; ++c)
-  {
-    unsigned int &first = lowest[sets.find_set(c)];
-    first = std::min(first, c);
-    group[c] = first;
-  }
-  return group;
 }
 } // namespace Voussoir

@@ -93,7 +93,10 @@ std::vector<Point<2>> PerturbedGridGenerator::make_vertices() const
 
 CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &) const
 {
-  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width * height))
+  check_number_of_cells(double(n_columns) * n_rows,
+                        "'Packing/perturbed grid/Columns' and 'Rows'");
+  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width) ||
+      !std::isfinite(height))
     throw InputError(text("The grid 'Packing/perturbed grid' has the width ",
                           width, " and the height ", height,
                           "; both must be positive and finite."));

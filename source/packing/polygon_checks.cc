@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/packing/polygon_checks.h>
 
 #include <deal.II/base/tensor.h>
@@ -41,20 +42,6 @@ constexpr double sliver_ratio = 1e-6;
  * its opposite sides for one another: each may move by the tolerance.
  */
 constexpr double least_thickness = 4.;
-
-double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-/** The area, negative for a clockwise ring. */
-double signed_area(const Ring &ring)
-{
-  double area = 0.;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    area += 0.5 * cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return area;
-}
 
 /** The diagonal of the box around a ring. */
 double length_of(const Ring &ring)
@@ -233,7 +220,12 @@ void check_tolerance(const PolygonList &polygons, const double tolerance)
                              text(" has the mean thickness ", thickness,
                                   ", which is less than ", least_thickness,
                                   " times the matching tolerance ", tolerance,
-                                  "; lower the tolerance or delete the cell."));
+                                  tolerance > rounding
+                                      ? "; lower the tolerance or delete the "
+                                        "cell."
+                                      : ", which is the rounding of the "
+                                        "coordinates; choose an origin closer "
+                                        "to the cells."));
   }
 }
 } // namespace Voussoir

@@ -66,6 +66,16 @@ PolygonGenerator::generate(const std::filesystem::path &directory) const
   return cells;
 }
 
+std::vector<std::filesystem::path>
+PolygonGenerator::input_files(const std::filesystem::path &directory) const
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::string &name : {file, centres_file})
+    if (!name.empty())
+      files.push_back(directory / name);
+  return files;
+}
+
 std::vector<dealii::Point<2>>
 PolygonGenerator::read_centres(const std::filesystem::path &directory,
                                const PolygonList &polygons) const

@@ -58,8 +58,7 @@ std::string VoronoiGenerator::name() const
 std::string VoronoiGenerator::meaning() const
 {
   return "the Voronoi cells of points in a rectangle or a convex polygon, of "
-         "equal "
-         "or of graded size.";
+         "equal or of graded size.";
 }
 
 void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
@@ -113,6 +112,7 @@ VoronoiGenerator::generate(const std::filesystem::path &directory) const
 {
   const ConvexPolygon polygon = make_domain();
   const CellSize size(cell_size, "Packing/Voronoi/Cell size");
+  size(polygon.vertex(0)); // a constant is not evaluated elsewhere
   PointList generators = make_points(polygon, size, directory);
   CellLoops cells = voronoi_cells(generators, polygon);
   for (unsigned int step = 0; step < n_lloyd_steps; ++step)
@@ -121,6 +121,14 @@ VoronoiGenerator::generate(const std::filesystem::path &directory) const
     cells = voronoi_cells(generators, polygon);
   }
   return cells;
+}
+
+std::vector<std::filesystem::path>
+VoronoiGenerator::input_files(const std::filesystem::path &directory) const
+{
+  if (source == Source::random || points_file.empty())
+    return {};
+  return {directory / points_file};
 }
 
 ConvexPolygon VoronoiGenerator::make_domain() const

@@ -126,10 +126,14 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
 
 CellLoops WallGenerator::generate(const std::filesystem::path &) const
 {
-  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width * height))
+  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width) ||
+      !std::isfinite(height))
     throw InputError(text("The wall 'Packing/wall' has the width ", width,
                           " and the height ", height,
                           "; both must be positive and finite."));
+
+  check_number_of_cells(double(n_courses) * n_bricks,
+                        "'Packing/wall/Courses' and 'Bricks per course'");
 
   WallGrid grid(width, height, n_courses, n_bricks);
   const std::vector<WallPart> gaps = place_openings(grid, openings);

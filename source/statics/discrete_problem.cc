@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
 #include <voussoir/statics/discrete_problem.h>
 #include <voussoir/statics/opening.h>
 

@@ -17,9 +17,9 @@ namespace Voussoir
 {
 namespace
 {
-/** Exact for strengths that vary along a joint as polynomials up to degree 5.
- */
+/** Exact for strengths that vary along it as polynomials of degree 5. */
 constexpr unsigned int n_quadrature_points = 3;
+
 /** s_T as an expression, from one of the parameters. */
 class StrengthFormula
 {
@@ -55,6 +55,15 @@ public:
 private:
   Expression s_T;
   std::string formula, parameter;
+};
+
+/** What a user says of a pair of groups. */
+struct PairStrength
+{
+  std::string names;
+  StrengthFormula formula;
+  /** Whether there is an interface between the two. */
+  bool is_met;
 };
 
 /** Two groups of cells, the lower number first. */
@@ -99,11 +108,18 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
 {
   const StrengthFormula everywhere(strength, "Friction/Strength");
   const std::string parameter = "Friction/Pair strengths";
-  std::map<GroupPair, StrengthFormula> of_pair;
+  std::map<GroupPair, PairStrength> of_pair;
   for (const auto &[names, formula] :
        split_named_list(pair_strengths, parameter))
-    of_pair.insert_or_assign(pair_of_names(packing, names, parameter),
-                             StrengthFormula(formula, parameter));
+  {
+    const GroupPair pair = pair_of_names(packing, names, parameter);
+    PairStrength pair_strength = {names, StrengthFormula(formula, parameter),
+                                  false};
+    const bool is_new = of_pair.emplace(pair, std::move(pair_strength)).second;
+    if (!is_new)
+      throw InputError("The parameter '" + parameter + "' has the pair '" +
+                       names + "' twice; give it once.");
+  }
 
   std::vector<double> strengths;
   strengths.reserve(packing.interfaces().size());
@@ -114,9 +130,20 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
             ? of_pair.end()
             : of_pair.find(std::minmax(
                   {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
-    strengths.push_back(
-        (found == of_pair.end() ? everywhere : found->second).mean(packing, i));
+    if (found == of_pair.end())
+      strengths.push_back(everywhere.mean(packing, i));
+    else
+    {
+      strengths.push_back(found->second.formula.mean(packing, i));
+      found->second.is_met = true;
+    }
   }
+  for (const auto &[pair, strength] : of_pair)
+    if (!strength.is_met)
+      throw InputError("The parameter '" + parameter +
+                       "' gives a strength to the pair '" + strength.names +
+                       "', but no cell of one of these groups touches one of "
+                       "the other; correct the names or leave it out.");
   return strengths;
 }
 } // namespace Voussoir

@@ -13,6 +13,7 @@
 
 #include <boost/lexical_cast.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -31,10 +32,19 @@ public:
                    const std::vector<std::string> &variables,
                    const std::string &parameter)
       : components(dealii::Utilities::split_string_list(formulas, ';')),
-        parameter(parameter)
+        parameter(parameter), n_variables(variables.size())
   {
     for (const std::string &component : components)
       f.emplace_back(component, variables, parameter);
+  }
+
+  /** Whether both are zero everywhere by their form. */
+  bool is_zero() const
+  {
+    return std::all_of(f.begin(), f.end(), [&](const Expression &component) {
+      return component.is_constant() &&
+             component(std::vector<double>(n_variables, 0.)) == 0.;
+    });
   }
 
   /** @throws InputError that ends with @p where if a value is not finite. */
@@ -58,6 +68,7 @@ public:
 private:
   std::vector<std::string> components;
   std::string parameter;
+  std::size_t n_variables;
   std::vector<Expression> f;
 };
 
@@ -137,29 +148,27 @@ Loads LoadParameters::loads(const Packing &packing) const
 std::vector<Tensor<1, 2>>
 LoadParameters::tractions(const Packing &packing) const
 {
-  std::vector<Tensor<1, 2>> g = kind == Kind::traction
-                                    ? tractions_of_expression(packing)
-                                    : tractions_of_uniform_stress(packing);
-  if (loaded_where != "1")
-  {
-    const std::vector<bool> chosen =
-        boundary_edges_where(packing, loaded_where, "Loads/Where");
-    for (unsigned int b = 0; b < g.size(); ++b)
-      if (!chosen[b])
-        g[b] = Tensor<1, 2>();
-  }
-  return g;
+  const unsigned int n_edges = packing.boundary_edges().size();
+  const std::vector<bool> chosen =
+      loaded_where == "1"
+          ? std::vector<bool>(n_edges, true)
+          : boundary_edges_where(packing, loaded_where, "Loads/Where");
+  return kind == Kind::traction ? tractions_of_expression(packing, chosen)
+                                : tractions_of_uniform_stress(packing, chosen);
 }
 
 std::vector<Tensor<1, 2>>
-LoadParameters::tractions_of_expression(const Packing &packing) const
+LoadParameters::tractions_of_expression(const Packing &packing,
+                                        const std::vector<bool> &chosen) const
 {
   const VectorExpression g(traction, {"x", "y", "nx", "ny"}, "Loads/Traction");
   const dealii::QGauss<1> quadrature(n_quadrature_points);
-  std::vector<Tensor<1, 2>> tractions;
-  tractions.reserve(packing.boundary_edges().size());
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  std::vector<Tensor<1, 2>> tractions(chosen.size());
+  for (unsigned int b = 0; b < chosen.size(); ++b)
   {
+    if (!chosen[b])
+      continue;
+    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     Tensor<1, 2> mean;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
@@ -171,13 +180,13 @@ LoadParameters::tractions_of_expression(const Packing &packing) const
                             "; a traction must be finite.");
               });
     }
-    tractions.push_back(mean);
+    tractions[b] = mean;
   }
   return tractions;
 }
 
-std::vector<Tensor<1, 2>>
-LoadParameters::tractions_of_uniform_stress(const Packing &packing) const
+std::vector<Tensor<1, 2>> LoadParameters::tractions_of_uniform_stress(
+    const Packing &packing, const std::vector<bool> &chosen) const
 {
   Tensor<2, 2> S;
   dealii::Patterns::Tools::to_value(stress, S);
@@ -185,17 +194,17 @@ LoadParameters::tractions_of_uniform_stress(const Packing &packing) const
     throw InputError("'Loads/Stress' = '" + stress +
                      "' must be finite and symmetric: S_xy = S_yx.");
 
-  std::vector<Tensor<1, 2>> tractions;
-  tractions.reserve(packing.boundary_edges().size());
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
-    tractions.push_back(S * edge.normal);
+  std::vector<Tensor<1, 2>> tractions(chosen.size());
+  for (unsigned int b = 0; b < chosen.size(); ++b)
+    if (chosen[b])
+      tractions[b] = S * packing.boundary_edges()[b].normal;
   return tractions;
 }
 
 BodyForce LoadParameters::body_force(const Packing &packing) const
 {
   const VectorExpression b(body, {"x", "y"}, "Loads/Body force");
-  if (std::regex_match(body, std::regex(" *0 *; *0 *")))
+  if (b.is_zero())
     return {};
   return {packing, [&](const Point<2> &p, const unsigned int cell) {
             return b({p[0], p[1]}, [&] {
@@ -225,7 +234,8 @@ LoadParameters::forces_on_cells(const Packing &packing) const
     if (f.cells.empty())
       throw InputError("The parameter '" + parameter + "' gives a force to '" +
                        name +
-                       "', which takes none; name a group that has cells.");
+                       "', which has no cells to take it; name another group, "
+                       "or a cell by its number.");
     forces.push_back(std::move(f));
   }
   return forces;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/connected_groups.h>
 #include <voussoir/statics/scene.h>
 
 #include <cmath>
@@ -78,7 +79,7 @@ std::vector<double> Scene::add_up_loads()
   if (!body.empty())
     for (unsigned int c = 0; c < packing.n_cells(); ++c)
       add(c, body.force(packing, c), [&] {
-        return text("The body force on ", packing.describe(c), " at ",
+        return text("The force inside ", packing.describe(c), " at ",
                     text_of_point(packing.centre(c)));
       });
 

@@ -33,10 +33,12 @@ constexpr double central_path_parameter = 1e-8;
 constexpr double ipopt_over_own_tolerance = 1e-3;
 
 /**
- * How many iterations without a better balance of forces end the search: at the
- * very limit of the load the displacements grow until rounding takes over.
+ * How many iterations without a better balance of forces end the search, once
+ * it is good enough for rounding to be the reason: at the very limit of the
+ * load the displacements grow until rounding takes over.
  */
 constexpr unsigned int n_stalled_iterations = 20;
+constexpr double imbalance_near_rounding = 1e-7;
 
 /** The energy of SmoothedJoint; the unknowns are the displacements alone. */
 class Program : public ConvexProgram
@@ -151,7 +153,8 @@ public:
     imbalance_before = least_imbalance;
     if (least_imbalance <= tolerance)
       return "converged";
-    if (iteration > most_balanced_iteration + n_stalled_iterations)
+    if (least_imbalance <= imbalance_near_rounding &&
+        iteration > most_balanced_iteration + n_stalled_iterations)
       return "stopped at the limit of rounding";
     return {};
   }

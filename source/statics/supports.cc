@@ -9,6 +9,11 @@
 
 namespace Voussoir
 {
+namespace
+{
+const std::vector<std::string> boundary_variables = {"x", "y", "nx", "ny"};
+} // namespace
+
 void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Supports");
@@ -24,15 +29,16 @@ void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
 
 void SupportParameters::support(Packing &packing) const
 {
-  if (where != "0")
-    packing.support(boundary_edges_where(packing, where, "Supports/Where"));
+  const std::string parameter = "Supports/Where";
+  if (!Condition(where, boundary_variables, parameter).is_never())
+    packing.support(boundary_edges_where(packing, where, parameter));
 }
 
 std::vector<bool> boundary_edges_where(const Packing &packing,
                                        const std::string &condition,
                                        const std::string &parameter)
 {
-  const Condition holds(condition, {"x", "y", "nx", "ny"}, parameter);
+  const Condition holds(condition, boundary_variables, parameter);
   std::vector<bool> chosen;
   chosen.reserve(packing.boundary_edges().size());
   for (const Packing::BoundaryEdge &edge : packing.boundary_edges())

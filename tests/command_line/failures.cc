@@ -65,6 +65,16 @@ int main()
   run_with("subsection Packing\n subsection Voronoi\n"
            "  set Number of points = 0\n end\nend\n");
 
+  // What the results would overwrite
+  run_with("set Output directory = .\nsubsection Output\n"
+           " set Packing = WKT\nend\n");
+  for (const char *file : {"./packing.wkt", "packing_centres.txt"})
+    run_with(std::string("set Output directory = .\nsubsection Packing\n"
+                         " set Generator = polygons\n subsection polygons\n"
+                         "  set File = packing.wkt\n  set Centres file = ") +
+             file + "\n end\nend\n");
+  std::cout << "packing.wkt is kept: " << fs::exists("packing.wkt") << '\n';
+
   // Expressions
   run_with("subsection Friction\n set Strength = 1 +\nend\n");
   run_with("subsection Friction\n set Strength = -2\nend\n");

@@ -3,6 +3,8 @@
 // A packing of three cells with a T-junction, by hand: two unit squares side by
 // side, and a 2 x 1 brick on top. Orientation, numbering, adjacency.
 
+#include <voussoir/packing/connected_groups.h>
+
 #include "tests.h"
 
 using namespace Voussoir;

@@ -93,6 +93,12 @@ void test_wkt()
   refuse_second("a word", "POLYGON ((2 0, 3 zero, 3 1, 2 0))");
   refuse_second("beyond all numbers", "POLYGON ((2 0, 1e999 0, 3 1, 2 0))");
   refuse_second("two names", "POLYGON ((2 0, 3 0, 3 1, 2 0));a;b");
+  refuse_second("the name of the ground",
+                "POLYGON ((2 0, 3 0, 3 1, 2 0));ground");
+  refuse_second("a name that is no text",
+                "POLYGON ((2 0, 3 0, 3 1, 2 0));b\xe9ton");
+  refuse_second("too small", "POLYGON ((2e-90 0, 3e-90 0, 3e-90 1e-90, "
+                             "2e-90 0))");
   refuse_second("only a reference system", "SRID=4326");
   refuse_second("bytes", std::string("\0\1\2", 3));
   refuse("empty file", "");

@@ -257,6 +257,8 @@ int main()
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse({{0, 0}, {1, 0}});
+  refuse({{0, 0}, {1e-80, 0}, {0, 1e-80}});
+  refuse({{1e80, 0}, {1e80 + 1e70, 0}, {1e80, 1e70}});
   refuse({{0, 0}, {1, 0}, {nan, 1}});
   refuse({{0, 0}, {1, 0}, {2, 0}});
   refuse({{0, 0}, {1, 0}, {1, 0}, {0, 1}});

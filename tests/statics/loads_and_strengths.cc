@@ -150,6 +150,16 @@ int main()
   }
   check("a traction on a part of the boundary", right);
 
+  // Where a traction is not asked for it need not be a number.
+  check("a traction that is no number where it does not act",
+        std::isfinite(loads_on(packing, "set Traction = 0; 1/x\n"
+                                        "set Where = nx > 0.5")
+                          .traction[0]
+                          .norm()));
+  // By its form there is no body force, and nothing to integrate.
+  check("a body force of zero is none",
+        loads_on(packing, "set Body force = 0.0; 0 * 2").body.empty());
+
   const Packing bricks = wall(2, 1);
   show_refusal([&] { strengths(bricks, "-1"); });
   show_refusal([&] { strengths(bricks, "sqrt(0.25 - x)"); });
@@ -169,6 +179,9 @@ int main()
   show_refusal([&] { loads_on(bricks, "set Cell forces = brick"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = ground: 0, 1"); });
   show_refusal([&] { strengths(bricks, "1", "brick: 2"); });
+  show_refusal(
+      [&] { strengths(bricks, "1", "brick, brick: 2; brick,brick: 3"); });
+  show_refusal([&] { strengths(bricks, "1", "brick, ground: 2"); });
   show_refusal([&] { strengths(bricks, "1", "brick, stone: 2"); });
   show_refusal([&] { strengths(bricks, "1", "brick, brick: -2"); });
 }

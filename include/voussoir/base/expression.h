@@ -56,8 +56,12 @@ public:
   /** @throws InputError naming the place if the value is not a number. */
   bool operator()(const std::vector<double> &values) const;
 
+  /** Whether it holds nowhere by its form, as 0 does. */
+  bool is_never() const;
+
 private:
   Expression expression;
+  std::size_t n_variables;
   std::string formula, parameter;
 };
 } // namespace Voussoir

@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -26,12 +27,26 @@ inline std::string text_of_number(const double x)
   return std::isnan(x) ? "not a number" : text(x);
 }
 
+/** Write all numbers so that they are read again to the last bit. */
+inline void use_all_digits(std::ostream &out)
+{
+  out.precision(std::numeric_limits<double>::max_digits10);
+}
+
+/** "1 support", "2 supports" */
+inline std::string counted(const std::size_t n, const std::string &things)
+{
+  return text(n, ' ', things, n == 1 ? "" : "s");
+}
+
 /** A point as "(x, y)", with digits enough to find it in a drawing. */
 inline std::string text_of_point(const dealii::Point<2> &p)
 {
   std::ostringstream out;
   out.precision(9);
-  out << '(' << p[0] << ", " << p[1] << ')';
+  // abs: a NaN may have a sign, which says nothing.
+  out << '(' << (std::isnan(p[0]) ? std::abs(p[0]) : p[0]) << ", "
+      << (std::isnan(p[1]) ? std::abs(p[1]) : p[1]) << ')';
   return out.str();
 }
 } // namespace Voussoir

@@ -26,8 +26,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results);
 
 void write_cells_csv(std::ostream &out, const Results &results);
 /**
- * One line per cell: its number, centre, load F_c and displacement along the
- * mechanism.
+ * One line per cell: its number, centre, load F_c, displacement along the
+ * mechanism, and the name of its group.
  */
 void write_mechanism_csv(std::ostream &out, const Collapse &collapse);
 

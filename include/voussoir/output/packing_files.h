@@ -16,7 +16,7 @@ namespace Voussoir
 
 /**
  * One POLYGON a line, as read_wkt_file() reads it, with the name of the cell's
- * group behind a semicolon; a semicolon, comma or tab in it becomes a space.
+ * group behind a semicolon.
  */
 void write_packing_wkt(std::ostream &out, const Packing &packing);
 

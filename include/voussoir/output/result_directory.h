@@ -24,6 +24,12 @@ public:
    *   find that out at its end. Nothing is created yet.
    */
   explicit ResultDirectory(std::filesystem::path directory);
+  /**
+   * @throws InputError if @p input is one of the files that a run may write
+   * here: it would be lost.
+   */
+  void spare(const std::filesystem::path &input) const;
+
   /** Remove what was written and not published. */
   ~ResultDirectory();
   ResultDirectory(const ResultDirectory &) = delete;
@@ -40,7 +46,8 @@ public:
 
   /**
    * Put all written files in place, in the order in which they were written,
-   * and remove those files of an earlier run that this run did not write.
+   * and remove those files of an earlier run that this run did not write, but
+   * for packings, which are there to be edited.
    */
   void publish();
 

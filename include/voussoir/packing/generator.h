@@ -35,7 +35,21 @@ public:
    * @throws InputError if the parameters describe no packing.
    */
   virtual CellLoops generate(const std::filesystem::path &directory) const = 0;
+
+  /** The files that generate() reads. */
+  virtual std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path & /*directory*/) const
+  {
+    return {};
+  }
 };
+
+/**
+ * @throws InputError if a packing has more cells than numbers of 32 bits can
+ *   count the sides of.
+ * @param entries the names of the parameters that it follows from.
+ */
+void check_number_of_cells(double n_cells, const std::string &entries);
 
 /** The section `Packing`: which generator makes the packing, and from what. */
 class PackingParameters
@@ -44,6 +58,10 @@ public:
   PackingParameters();
 
   void add_parameters(dealii::ParameterHandler &prm);
+
+  /** The files that make_packing() reads. */
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const;
 
   /** The packing that the parameters describe; see PackingGenerator. */
   Packing make_packing(const std::filesystem::path &directory) const;

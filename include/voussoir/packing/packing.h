@@ -139,7 +139,11 @@ public:
   /** The group of a cell, as its number among group_names(). */
   unsigned int group(unsigned int cell) const;
   const std::string &group_name(unsigned int cell) const;
-  /** Let @p cell belong to the group @p name. */
+  /**
+   * Let @p cell belong to the group @p name.
+   *
+   * @throws InputError if that cannot be a name; see check_group_name().
+   */
   void set_group(unsigned int cell, const std::string &name);
 
   /** d_e = (x_{c+} - x_{c-}) . n_e; to a support the distance from x_c. */
@@ -189,13 +193,6 @@ private:
   std::vector<unsigned int> star_shaped;
   unsigned int support_count = 0;
 };
-
-/**
- * The connected groups of cells and the ground: for each cell, and at last for
- * the ground, the lowest number in its group. Groups touch each other nowhere,
- * so a group without the ground must be balanced by itself.
- */
-std::vector<unsigned int> connected_groups(const Packing &packing);
 } // namespace Voussoir
 
 #endif

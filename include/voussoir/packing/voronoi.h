@@ -24,6 +24,8 @@ public:
   std::string meaning() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory) const override;
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const override;
 
 private:
   enum class Source

@@ -56,9 +56,11 @@ private:
 
   std::vector<dealii::Tensor<1, 2>> tractions(const Packing &packing) const;
   std::vector<dealii::Tensor<1, 2>>
-  tractions_of_expression(const Packing &packing) const;
+  tractions_of_expression(const Packing &packing,
+                          const std::vector<bool> &chosen) const;
   std::vector<dealii::Tensor<1, 2>>
-  tractions_of_uniform_stress(const Packing &packing) const;
+  tractions_of_uniform_stress(const Packing &packing,
+                              const std::vector<bool> &chosen) const;
   BodyForce body_force(const Packing &packing) const;
   std::vector<CellForce> forces_on_cells(const Packing &packing) const;
 

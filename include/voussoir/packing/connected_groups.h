@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_connected_groups_h
+#define voussoir_packing_connected_groups_h
+
+#include <voussoir/packing/packing.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The connected groups of cells and the ground: for each cell, and at last for
+ * the ground, the lowest number in its group. Groups touch each other nowhere,
+ * so a group without the ground must be balanced by itself.
+ */
+std::vector<unsigned int> connected_groups(const Packing &packing);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+std::vector<unsigned int> connected_groups(const Packing &packing)
+{
+  const unsigned int n = packing.n_cells() + 1;
+  std::vector<unsigned int> rank(n, 0), parent(n);
+  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
+                                                            parent.data());
+  for (unsigned int c = 0; c < n; ++c)
+    sets.make_set(c);
+  for (const Packing::Interface &interface : packing.interfaces())
+    sets.union_set(interface.cell_minus, interface.cell_plus);
+
+  std::vector<unsigned int> lowest(n, n), group(n);
+  for (unsigned int c = 0; c < n; ++c)
+  {
+    unsigned int &first = lowest[sets.find_set(c)];
+    first = std::min(first, c);
+    group[c] = first;
+  }
+  return group;
+}
+} // namespace Voussoir
