@@ -37,6 +37,9 @@ constexpr double tolerance_allowance = 10.;
 /** A ratio of work to dissipation above which the dissipation is rounding. */
 constexpr double frictionless_ratio = 1e9;
 
+/** How many supports are named on the terminal. */
+constexpr unsigned int n_shown_supports = 4;
+
 /** The largest relative closing of a joint in a mechanism, for rounding. */
 constexpr double largest_closing = 1e-12;
 
@@ -66,12 +69,18 @@ std::string message_of(const Collapse &collapse)
   else
     message << "work that friction does not resist";
   message << ", so that no forces within the strengths of the interfaces "
-             "balance it.";
+             "balance it";
+  if (std::isfinite(collapse.proof.work_over_dissipation))
+    message
+        << "; these would have to be at least that many times as large, and "
+           "perhaps more";
+  message << '.';
   if (!collapse.parts.empty())
     message << " Most is done by " << collapse.parts.front().name << ", "
             << std::lround(100. * share_of_first(collapse.parts))
-            << "% of the work that is put in. See mechanism.vtu; change "
-               "'Loads' or raise 'Friction/Strength'.";
+            << "% of the work that is put in. See mechanism.vtu and "
+               "mechanism_joints.csv; change 'Loads' or raise "
+               "'Friction/Strength'.";
   return message.str();
 }
 } // namespace
@@ -132,6 +141,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
            counted(scene.packing.boundary_edges().size(), "boundary edge")));
   for (const std::string &warning : cells_not_convex(scene.packing))
     terminal.warning(warning);
+  show_supports(scene);
   timer.leave_subsection();
 
   timer.enter_subsection("statics");
@@ -175,6 +185,17 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
   std::vector<double> strengths = friction.strengths(blocks);
   Loads on_blocks = loads.loads(blocks);
   return {std::move(blocks), std::move(strengths), std::move(on_blocks)};
+}
+
+void Simulation::show_supports(const Scene &scene) const
+{
+  const std::vector<StraightRun> supports = straight_supports(scene.packing);
+  for (unsigned int k = 0; k < supports.size() && k < n_shown_supports; ++k)
+    terminal.stage("Support", "from " + text_of_point(supports[k].start) +
+                                  " to " + text_of_point(supports[k].end));
+  if (supports.size() > n_shown_supports)
+    terminal.stage("Support",
+                   text("and ", supports.size() - n_shown_supports, " more"));
 }
 
 void Simulation::finish(Results results, const dealii::ParameterHandler &prm)

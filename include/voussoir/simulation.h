@@ -51,6 +51,7 @@ private:
   };
 
   Scene make_scene(const std::filesystem::path &directory) const;
+  void show_supports(const Scene &scene) const;
   /** Check, complete and write what was found. */
   void finish(Results results, const dealii::ParameterHandler &prm);
   [[noreturn]] void finish(Collapse collapse,

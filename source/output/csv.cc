@@ -2,6 +2,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
 
+#include <cmath>
 #include <ostream>
 
 namespace Voussoir
@@ -82,7 +83,8 @@ void write_mechanism_csv(std::ostream &out, const Collapse &collapse)
 void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
 {
   use_all_digits(out);
-  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding\n";
+  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
+         "dissipation\n";
   const Scene &scene = collapse.scene;
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
@@ -92,7 +94,8 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
       jump += collapse.displacement[i.cell_plus];
     write_row(out, i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
               i.normal[1], i.length, scene.strength[e], jump * i.normal,
-              jump * i.tangent());
+              jump * i.tangent(),
+              scene.strength[e] * i.length * std::abs(jump * i.tangent()));
     out << '\n';
   }
 }

@@ -155,11 +155,12 @@ void show_summary(Terminal &terminal, const Results &results)
   }
   terminal.summary("Friction",
                    text("largest utilisation ", certificate.max_utilisation));
-  terminal.summary(
-      "Contact",
-      text("largest compressive stress on an interface ", -most_compressed));
-  terminal.summary(
-      "Torque", text("largest residual ", certificate.max_torque,
-                     " of load times cell size; rotations are not balanced"));
+  terminal.summary("Contact",
+                   text("largest compressive stress on an interface ",
+                        std::abs(most_compressed)));
+  terminal.summary("Torque",
+                   text("largest residual ", certificate.max_torque,
+                        " of load times cell size; blocks do not rotate, so "
+                        "overturning is not excluded"));
 }
 } // namespace Voussoir

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/edge_mean.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/expression.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/friction.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -17,9 +17,6 @@ namespace Voussoir
 {
 namespace
 {
-/** Exact for strengths that vary along it as polynomials of degree 5. */
-constexpr unsigned int n_quadrature_points = 3;
-
 /** s_T as an expression, from one of the parameters. */
 class StrengthFormula
 {
@@ -33,12 +30,7 @@ public:
   /** The mean of s_T over the interface @p i. */
   double mean(const Packing &packing, const Packing::Interface &i) const
   {
-    static const dealii::QGauss<1> quadrature(n_quadrature_points);
-    double mean = 0.;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-    {
-      const dealii::Point<2> p =
-          i.start + quadrature.point(q)[0] * (i.end - i.start);
+    const auto value_at = [&](const dealii::Point<2> &p) {
       const double value = s_T({p[0], p[1], i.normal[0], i.normal[1]});
       if (!std::isfinite(value) || value < 0.)
         throw InputError(text("'", parameter, "' = '", formula, "' is ",
@@ -47,9 +39,11 @@ public:
                               packing.describe(i.cell_minus), " and ",
                               packing.describe(i.cell_plus),
                               "; a strength must be finite and not negative."));
-      mean += quadrature.weight(q) * value;
-    }
-    return mean;
+      return value;
+    };
+    if (s_T.is_constant())
+      return value_at(i.midpoint());
+    return edge_mean(i.start, i.end, value_at, parameter);
   }
 
 private:
@@ -142,8 +136,9 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
     if (!strength.is_met)
       throw InputError("The parameter '" + parameter +
                        "' gives a strength to the pair '" + strength.names +
-                       "', but no cell of one of these groups touches one of "
-                       "the other; correct the names or leave it out.");
+                       "', but there is no cell of one of these groups that "
+                       "touches one of the other; correct the names or leave "
+                       "it out.");
   return strengths;
 }
 } // namespace Voussoir

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/edge_mean.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/expression.h>
 #include <voussoir/base/parameters.h>
@@ -8,7 +9,6 @@
 #include <voussoir/statics/supports.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/lexical_cast.hpp>
@@ -47,22 +47,19 @@ public:
     });
   }
 
-  /** @throws InputError that ends with @p where if a value is not finite. */
+  /** @throws InputError that ends with @p where if the value is not finite. */
   template <typename Where>
-  Tensor<1, 2> operator()(const std::vector<double> &values,
-                          const Where &where) const
+  double component(const unsigned int i,
+                   const std::vector<double> &values,
+                   const Where &where) const
   {
-    Tensor<1, 2> result;
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      result[i] = f[i](values);
-      if (!std::isfinite(result[i]))
-        throw InputError(text("'", parameter, "' has the component '",
-                              components[i], "', which is ",
-                              text_of_number(result[i]), " at ",
-                              text_of_point({values[0], values[1]}), where()));
-    }
-    return result;
+    const double value = f[i](values);
+    if (!std::isfinite(value))
+      throw InputError(text("'", parameter, "' has the component '",
+                            components[i], "', which is ",
+                            text_of_number(value), " at ",
+                            text_of_point({values[0], values[1]}), where()));
+    return value;
   }
 
 private:
@@ -116,11 +113,6 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "The symmetric tensor \"S_xx, S_xy; S_yx, S_yy\" of the "
                     "uniform stress; stresses, tension positive.",
                     List(List(Double(), 2, 2, ","), 2, 2, ";"));
-  prm.add_parameter("Quadrature points", n_quadrature_points,
-                    "Gauss points per boundary edge for the mean of "
-                    "'Traction'; raise it for loads that vary within an edge "
-                    "more than a polynomial of a few degrees.",
-                    Integer(1, 100));
   prm.add_parameter("Where", loaded_where,
                     "The boundary edges that the load acts on: those at whose "
                     "midpoint x, y, with the outward unit normal nx, ny, this "
@@ -132,7 +124,8 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "in x and y.",
                     List(Anything(), 2, 2, ";"));
   prm.add_parameter("Cell forces", cell_forces,
-                    "Forces on cells by name, \"name: F_x, F_y; name: F_x, "
+                    "Point loads: the resultants of forces on cells by name, "
+                    "\"name: F_x, F_y; name: F_x, "
                     "F_y\": on each cell of the group of that name, or on the "
                     "cell with a number, as in cell 12: 0, -5. Per unit "
                     "thickness; spread evenly over the cell.",
@@ -162,25 +155,24 @@ LoadParameters::tractions_of_expression(const Packing &packing,
                                         const std::vector<bool> &chosen) const
 {
   const VectorExpression g(traction, {"x", "y", "nx", "ny"}, "Loads/Traction");
-  const dealii::QGauss<1> quadrature(n_quadrature_points);
   std::vector<Tensor<1, 2>> tractions(chosen.size());
   for (unsigned int b = 0; b < chosen.size(); ++b)
   {
     if (!chosen[b])
       continue;
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
-    Tensor<1, 2> mean;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-    {
-      const Point<2> p =
-          edge.start + quadrature.point(q)[0] * (edge.end - edge.start);
-      mean += quadrature.weight(q) *
-              g({p[0], p[1], edge.normal[0], edge.normal[1]}, [&] {
-                return text(", on the boundary of cell ", edge.cell,
-                            "; a traction must be finite.");
-              });
-    }
-    tractions[b] = mean;
+    const auto where = [&] {
+      return text(", on the boundary of cell ", edge.cell,
+                  "; a traction must be finite.");
+    };
+    for (unsigned int i = 0; i < 2; ++i)
+      tractions[b][i] = edge_mean(
+          edge.start, edge.end,
+          [&](const Point<2> &p) {
+            return g.component(i, {p[0], p[1], edge.normal[0], edge.normal[1]},
+                               where);
+          },
+          "Loads/Traction");
   }
   return tractions;
 }
@@ -207,9 +199,11 @@ BodyForce LoadParameters::body_force(const Packing &packing) const
   if (b.is_zero())
     return {};
   return {packing, [&](const Point<2> &p, const unsigned int cell) {
-            return b({p[0], p[1]}, [&] {
+            const auto where = [&] {
               return text(", in cell ", cell, "; a force must be finite.");
-            });
+            };
+            return Tensor<1, 2>({b.component(0, {p[0], p[1]}, where),
+                                 b.component(1, {p[0], p[1]}, where)});
           }};
 }
 
@@ -230,7 +224,8 @@ LoadParameters::forces_on_cells(const Packing &packing) const
     if (!valid)
       throw InputError("The parameter '" + parameter + "' gives '" + name +
                        "' the force '" + value +
-                       "'; two finite numbers \"F_x, F_y\" are expected.");
+                       "'; two finite numbers \"F_x, F_y\" are expected, "
+                       "with a comma between.");
     if (f.cells.empty())
       throw InputError("The parameter '" + parameter + "' gives a force to '" +
                        name +

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/statics/joint_system.h>
 #include <voussoir/statics/mechanism.h>
 
 #include <algorithm>
@@ -19,6 +20,12 @@ constexpr double rounding_margin = 1e-12;
  */
 constexpr double rounding_of_closing = 1e-13;
 
+/** The same that is worth correcting where the supports clamp the packing. */
+constexpr double closing_to_correct = 0.1;
+/** What holds the cells in that correction, relative to stiffnesses of one. */
+constexpr double holding_shift = 1e-8;
+constexpr unsigned int n_rounds = 10;
+
 double largest_component(const std::vector<double> &v)
 {
   double largest = 0.;
@@ -37,6 +44,62 @@ bool divide(std::vector<double> &v, const double divisor)
   return true;
 }
 
+/** The closing of a joint in @p v that closes most; not negative. */
+double largest_closing(const DiscreteProblem &problem,
+                       const std::vector<double> &v)
+{
+  double closing = 0.;
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    closing = std::max(closing, -problem.jump(joint, v.data()).normal);
+  return closing;
+}
+
+/** Work of the load less dissipation of friction. */
+double gain(const DiscreteProblem &problem, const std::vector<double> &v)
+{
+  double sum = problem.work(v.data());
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    sum -= joint.strength * std::abs(problem.jump(joint, v.data()).tangential);
+  return sum;
+}
+
+/**
+ * Move @p v, in a packing that has no opening, to the nearest displacement in
+ * which the joints that close neither close nor open: between supports that
+ * clamp the packing they can do nothing else in a mechanism.
+ *
+ * @return whether no joint closes then.
+ */
+bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
+{
+  if (largest_closing(problem, v) > closing_to_correct ||
+      !(gain(problem, v) > 0.))
+    return false;
+  std::vector<DiscreteProblem::Jump> springs(problem.joints().size(), {0., 0.});
+  JointSystem system(problem, LinearSolver::automatic);
+  for (unsigned int round = 0; round < n_rounds; ++round)
+  {
+    std::vector<double> right(problem.n_dofs(), 0.);
+    for (unsigned int e = 0; e < springs.size(); ++e)
+    {
+      const DiscreteProblem::Joint &joint = problem.joints()[e];
+      const double closing = -problem.jump(joint, v.data()).normal;
+      if (closing > rounding_of_closing)
+        springs[e].normal = joint.stiffness();
+      problem.add_jump_gradient(joint, {springs[e].normal * closing, 0.},
+                                right.data());
+    }
+    if (!system.prepare(springs, holding_shift))
+      return false;
+    const std::vector<double> correction = system.solve(right);
+    for (unsigned int k = 0; k < v.size(); ++k)
+      v[k] += correction[k];
+    if (largest_closing(problem, v) <= rounding_of_closing)
+      return true;
+  }
+  return false;
+}
+
 /**
  * Add to @p v as much of an opening as its closing joints need.
  *
@@ -44,14 +107,13 @@ bool divide(std::vector<double> &v, const double divisor)
  */
 double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 {
-  double closing = 0.;
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    closing = std::max(closing, -problem.jump(joint, v.data()).normal);
-  if (closing <= rounding_of_closing)
+  if (largest_closing(problem, v) <= rounding_of_closing)
     return 0.;
   const std::vector<double> &opening = problem.opening();
   if (opening.empty())
-    return std::numeric_limits<double>::infinity();
+    return keep_joints_closed(problem, v)
+               ? 0.
+               : std::numeric_limits<double>::infinity();
 
   double share = 0.;
   for (const DiscreteProblem::Joint &joint : problem.joints())

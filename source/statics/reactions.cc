@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/straight_runs.h>
 #include <voussoir/statics/reactions.h>
 
 #include <cmath>
@@ -8,20 +7,23 @@ namespace Voussoir
 {
 using dealii::Tensor;
 
+std::vector<StraightRun> straight_supports(const Packing &packing)
+{
+  std::vector<Packing::BoundaryEdge> supports;
+  const auto &interfaces = packing.interfaces();
+  for (auto i = interfaces.end() - packing.n_supports(); i != interfaces.end();
+       ++i)
+    supports.push_back({i->cell_minus, i->start, i->end, i->normal, i->length});
+  return straight_runs(supports);
+}
+
 std::vector<Reaction> reactions(const Scene &scene,
                                 const InterfaceForces &forces)
 {
   const auto &interfaces = scene.packing.interfaces();
   const unsigned int first = interfaces.size() - scene.packing.n_supports();
-  std::vector<Packing::BoundaryEdge> supports;
-  for (unsigned int e = first; e < interfaces.size(); ++e)
-  {
-    const Packing::Interface &i = interfaces[e];
-    supports.push_back({i.cell_minus, i.start, i.end, i.normal, i.length});
-  }
-
   std::vector<Reaction> reactions;
-  for (const StraightRun &run : straight_runs(supports))
+  for (const StraightRun &run : straight_supports(scene.packing))
   {
     Reaction reaction = {run.start, run.end, {}};
     for (const unsigned int k : run.edges)

@@ -136,8 +136,7 @@ void Scene::check_balance(const std::vector<double> &size) const
       message +
       (packing.n_supports() == 0
            ? " Nothing supports the packing, so the total force must be zero; "
-             "change the loads, choose 'Supports/Where', or raise "
-             "'Loads/Quadrature points' if they vary within an edge."
+             "change the loads, or choose 'Supports/Where'."
            : " What floats touches neither the ground nor what rests on it: "
              "close the gaps, for example by a larger matching tolerance, or "
              "change 'Supports/Where'."));

@@ -150,6 +150,26 @@ int main()
   }
   check("a traction on a part of the boundary", right);
 
+  // A load on a part of an edge, and a strength that jumps within an interface.
+  const Packing slab = wall(2, 1, 3., 2.);
+  const auto partial =
+      loads_on(slab, "set Traction = 0; x < 0.7 ? -20/0.7 : 0\n"
+                     "set Where = ny > 0.5");
+  double total = 0.;
+  for (unsigned int b = 0; b < partial.traction.size(); ++b)
+    total += slab.boundary_edges()[b].length * partial.traction[b][1];
+  check_error("a load on a part of an edge", std::abs(total + 20.), 1e-11);
+  const auto jump = strengths(slab, "x < 0.4 ? 5 : 1");
+  for (unsigned int e = 0; e < jump.size(); ++e)
+  {
+    const auto &i = slab.interfaces()[e];
+    if (std::min(i.start[0], i.end[0]) == 0.)
+      check_error("a strength that jumps",
+                  std::abs(jump[e] - (5. * 0.4 + i.length - 0.4) / i.length),
+                  1e-12);
+  }
+  show_refusal([&] { strengths(slab, "1 + sin(1e7 * x)"); });
+
   // Where a traction is not asked for it need not be a number.
   check("a traction that is no number where it does not act",
         std::isfinite(loads_on(packing, "set Traction = 0; 1/x\n"

@@ -4,6 +4,7 @@
 // the reaction is the weight, clamped blocks hang by friction, and what has no
 // interior of the contact constraints is named.
 
+#include <voussoir/packing/arch.h>
 #include <voussoir/statics/reactions.h>
 #include <voussoir/statics/supports.h>
 
@@ -174,6 +175,33 @@ int main()
                   certify_mechanism(clamped, solution.mechanism->displacement)
                           .work_over_dissipation > 1.);
     }
+  }
+
+  // And an arch on piers that are held at their sides, too.
+  ArchGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("Mean radius", 3.);
+  prm.set("Embrace", 100.);
+  prm.set("Thickness", 0.4);
+  prm.set("Voussoirs", 17L);
+  prm.set("Abutments", 5L);
+  prm.set("Abutment height", 2.);
+  for (const double strength : {16., 20., 21.4, 21.5})
+  {
+    const Scene piers = under_weight(Packing(generator.generate("")), strength,
+                                     22., "y < 0.001");
+    const DiscreteProblem problem(piers);
+    check("arch on held piers: clamped", problem.opening().empty());
+    const Solution solution = Solver(least_energy).solve(problem);
+    if (strength > 21.48)
+      check_certificate("arch on held piers", piers,
+                        dimensional_forces(problem, solution));
+    else
+      check("arch on held piers: falls",
+            solution.mechanism &&
+                certify_mechanism(piers, solution.mechanism->displacement)
+                        .work_over_dissipation > 1.);
   }
 
   // Supports that face each other may leave an interior all the same: the

@@ -40,7 +40,7 @@ public:
 
   /**
    * The loads on @p packing, whose supports must have been chosen. The traction
-   * g_e is the mean of g over an edge, by Gauss quadrature.
+   * g_e is the mean of g over an edge.
    *
    * @throws InputError naming the place if a value is not a finite number, the
    *   uniform stress is not symmetric, or nothing has a name or place given.
@@ -68,7 +68,6 @@ private:
   std::string traction = "0; 0";
   std::string stress = "0, 0; 0, 0";
   std::string loaded_where = "1";
-  unsigned int n_quadrature_points = 5;
   std::string body = "0; 0";
   std::string cell_forces;
 };

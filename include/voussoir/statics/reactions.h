@@ -2,12 +2,16 @@
 #ifndef voussoir_statics_reactions_h
 #define voussoir_statics_reactions_h
 
+#include <voussoir/packing/straight_runs.h>
 #include <voussoir/statics/scene.h>
 
 #include <vector>
 
 namespace Voussoir
 {
+/** The supports along straight lines; the numbers are among the supports. */
+std::vector<StraightRun> straight_supports(const Packing &packing);
+
 /** The force of the ground on the packing along one straight support. */
 struct Reaction
 {
