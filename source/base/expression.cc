@@ -15,6 +15,7 @@ struct Expression::Implementation
 {
   mu::Parser parser;
   std::vector<double> values;
+  bool is_constant = false;
 };
 
 namespace
@@ -68,6 +69,9 @@ Expression::Expression(const std::string &formula,
     if (n_results != 1)
       refuse(formula, parameter, variables,
              "one expression was expected, not several.");
+    // Asked once, and of a valid formula: muParser parses anew for it, and is
+    // content with names it does not know.
+    implementation->is_constant = parser.GetUsedVar().empty();
   }
   catch (const mu::ParserError &error)
   {
@@ -112,6 +116,6 @@ bool Condition::operator()(const std::vector<double> &values) const
 
 bool Expression::is_constant() const
 {
-  return implementation->parser.GetUsedVar().empty();
+  return implementation->is_constant;
 }
 } // namespace Voussoir
