@@ -22,7 +22,6 @@ int number_of_plus(const Packing &packing, const Packing::Interface &interface)
 {
   return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
 }
-
 } // namespace
 
 void write_interfaces_csv(std::ostream &out, const Results &results)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/packing/narrow_gaps.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -88,7 +89,7 @@ double mean_size(const CellLoops &cells)
     {
       const Tensor<1, 2> a = cells.vertices[cells.loops[i]] - origin;
       const Tensor<1, 2> b = cells.vertices[cells.loops[i + 1]] - origin;
-      twice_area += a[0] * b[1] - a[1] * b[0];
+      twice_area += cross(a, b);
     }
   }
   return std::sqrt(0.5 * twice_area / (cells.first.size() - 1));

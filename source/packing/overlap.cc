@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/packing/overlap.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -20,7 +21,6 @@ namespace Voussoir
 namespace
 {
 using dealii::Point;
-using dealii::Tensor;
 using Ring = std::vector<Point<2>>;
 using Box = dealii::BoundingBox<2>;
 
@@ -33,8 +33,7 @@ constexpr double convexity_tolerance = 1e-12;
 /** Negative to the right of the line from @p a to @p b; length times length. */
 double left_of(const Point<2> &a, const Point<2> &b, const Point<2> &p)
 {
-  const Tensor<1, 2> side = b - a, to_p = p - a;
-  return side[0] * to_p[1] - side[1] * to_p[0];
+  return cross(b - a, p - a);
 }
 
 bool is_convex(const Ring &ring)

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/packing/voronoi.h>
 
 #include <deal.II/base/tensor.h>
@@ -35,7 +36,7 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
     for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
     {
       const Tensor<1, 2> b = cells.vertices[cells.loops[i]] - centre;
-      const double area = 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      const double area = 0.5 * cross(a, b);
       for (const Tensor<1, 2> &x : {0.5 * a, 0.5 * (a + b), 0.5 * b})
       {
         const double weight = std::pow(reference / size(centre + x), 4);

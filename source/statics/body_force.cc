@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/geometry.h>
 #include <voussoir/statics/body_force.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -18,8 +19,7 @@ struct Triangle
 {
   Triangle(const Packing &packing, const unsigned int c, const unsigned int i)
       : a(packing.vertex(c, i) - packing.centre(c)),
-        b(packing.vertex(c, i + 1) - packing.centre(c)),
-        area(0.5 * (a[0] * b[1] - a[1] * b[0]))
+        b(packing.vertex(c, i + 1) - packing.centre(c)), area(0.5 * cross(a, b))
   {
   }
 
