@@ -210,7 +210,8 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   results.mean_stresses = cell_mean_stresses(scene, results.forces);
   if (stress.reconstruct())
   {
-    results.stress = reconstruct_stress(scene, results.forces, terminal);
+    results.stress = reconstruct_stress(scene, results.forces,
+                                        stress.reconstruction(), terminal);
     terminal.stage("Stress",
                    text(results.stress.sub_cells.size(), " sub-cells"));
     for (const std::string &warning : undetermined_cells(scene, results.stress))

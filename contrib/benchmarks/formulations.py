@@ -18,6 +18,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 SCENE = """
 set Output directory = {directory}
 set Formulation = {formulation}
+set Accuracy = draft
 subsection Packing
   set Generator = Voronoi
   subsection Voronoi
@@ -35,9 +36,6 @@ subsection Solver
   subsection {formulation}
     {setting}
   end
-end
-subsection Stress
-  set Reconstruct = false
 end
 """
 REFERENCE = ("smoothed friction", "set Contact = hard")

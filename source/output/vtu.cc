@@ -96,6 +96,7 @@ private:
 void write_stress_vtu(std::ostream &out, const Results &results)
 {
   const Packing &packing = results.scene.packing;
+  const SubTriangulation &cut = results.stress.cut;
   ConstantPatches<2> grid(results.stress.sub_cells.size());
   grid.add_tensor("stress");
   grid.add_scalar("principal_stress_1");
@@ -115,24 +116,25 @@ void write_stress_vtu(std::ostream &out, const Results &results)
         !std::binary_search(results.stress.undetermined.begin(),
                             results.stress.undetermined.end(), c);
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-    {
-      const unsigned int k = packing.first_side(c) + i;
-      const Fan::SubCell &sub_cell = results.stress.sub_cells[k];
-      const Tensor<2, 2> &s = sub_cell.stress;
+      for (unsigned int k = 0; k < cut.of_triangle().size(); ++k)
+      {
+        const unsigned int number = results.stress.first(packing, c, i) + k;
+        const SubCellStress &sub_cell = results.stress.sub_cells[number];
+        const Tensor<2, 2> &s = sub_cell.stress;
 
-      // Principal stresses of the symmetric part, by Mohr's circle.
-      const double mean = 0.5 * (s[0][0] + s[1][1]);
-      const double radius =
-          std::hypot(0.5 * (s[0][0] - s[1][1]), 0.5 * (s[0][1] + s[1][0]));
-      grid.set(k,
-               fan_sub_cell(packing.centre(c), packing.vertex(c, i),
-                            packing.vertex(c, i + 1)),
-               {s[0][0], s[0][1], s[1][0], s[1][1], mean + radius,
-                mean - radius, std::sqrt(mean * mean + 3. * radius * radius),
-                0.5 * (s[0][1] - s[1][0]), sub_cell.divergence[0],
-                sub_cell.divergence[1], double(c), double(packing.group(c)),
-                u[0], u[1], double(reconstructed)});
-    }
+        // Principal stresses of the symmetric part, by Mohr's circle.
+        const double mean = 0.5 * (s[0][0] + s[1][1]);
+        const double radius =
+            std::hypot(0.5 * (s[0][0] - s[1][1]), 0.5 * (s[0][1] + s[1][0]));
+        grid.set(number,
+                 cut.corners(k, packing.centre(c), packing.vertex(c, i),
+                             packing.vertex(c, i + 1)),
+                 {s[0][0], s[0][1], s[1][0], s[1][1], mean + radius,
+                  mean - radius, std::sqrt(mean * mean + 3. * radius * radius),
+                  sub_cell.skew, sub_cell.divergence[0], sub_cell.divergence[1],
+                  double(c), double(packing.group(c)), u[0], u[1],
+                  double(reconstructed)});
+      }
   }
   grid.write(out);
 }
@@ -180,14 +182,15 @@ void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
   grid.add_vector("displacement");
   grid.add_scalar("cell");
 
+  const SubTriangulation fan = SubTriangulation::fan();
   const double largest = std::sqrt(packing.area() / packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const Tensor<1, 2> u = largest * collapse.displacement[c];
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
       grid.set(packing.first_side(c) + i,
-               fan_sub_cell(packing.centre(c) + u, packing.vertex(c, i) + u,
-                            packing.vertex(c, i + 1) + u),
+               fan.corners(0, packing.centre(c) + u, packing.vertex(c, i) + u,
+                           packing.vertex(c, i + 1) + u),
                {u[0], u[1], double(c)});
   }
   grid.write(out);

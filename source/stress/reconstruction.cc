@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/stress/cell_means.h>
+#include <voussoir/stress/fan.h>
+#include <voussoir/stress/least_norm.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <deal.II/base/work_stream.h>
@@ -8,7 +11,7 @@
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <map>
 
 namespace Voussoir
@@ -18,25 +21,27 @@ using dealii::Tensor;
 
 namespace
 {
-/** What one thread keeps from cell to cell: a fan for each number of sides. */
+/** What one thread keeps from cell to cell: one object a number of sides. */
 struct Scratch
 {
-  Scratch() = default;
-  // WorkStream copies a sample for each thread; a fan cannot be copied, and
-  // each thread makes its own.
-  Scratch(const Scratch &) : Scratch()
+  explicit Scratch(const Reconstruction &how) : how(how)
+  {
+  }
+  // WorkStream copies a sample for each thread, and each makes its own.
+  Scratch(const Scratch &other) : Scratch(other.how)
   {
   }
 
-  Fan &fan(const unsigned int n_sides)
+  CellStress &cell_stress(const unsigned int n_sides)
   {
-    std::unique_ptr<Fan> &fan = fans[n_sides];
-    if (!fan)
-      fan = std::make_unique<Fan>(n_sides);
-    return *fan;
+    std::unique_ptr<CellStress> &with_n_sides = by_sides[n_sides];
+    if (!with_n_sides)
+      with_n_sides = how.cell_stress(n_sides);
+    return *with_n_sides;
   }
 
-  std::map<unsigned int, std::unique_ptr<Fan>> fans;
+  const Reconstruction &how;
+  std::map<unsigned int, std::unique_ptr<CellStress>> by_sides;
   std::vector<Point<2>> vertices;
   std::vector<Tensor<1, 2>> forces, body_forces;
 };
@@ -45,6 +50,11 @@ struct Scratch
 struct NoCopyData
 {
 };
+
+double skew_part(const Tensor<2, 2> &stress)
+{
+  return 0.5 * std::abs(stress[0][1] - stress[1][0]);
+}
 
 /** Cells per task: a few milliseconds of work. */
 constexpr unsigned int chunk_size = 64;
@@ -65,27 +75,62 @@ std::vector<std::string> undetermined_cells(const Scene &scene,
 
 void StressParameters::add_parameters(dealii::ParameterHandler &prm)
 {
+  using namespace dealii::Patterns;
+  add_choice<Accuracy>(
+      prm, "Accuracy", accuracy,
+      {{Accuracy::draft, "draft",
+        "the forces and the mean stress of each cell; no stress.vtu."},
+       {Accuracy::standard, "standard",
+        "the stress inside each cell as in the paper, on one quadrilateral a "
+        "side."},
+       {Accuracy::fine, "fine",
+        "the same on three quadrilaterals a side or more; see 'Stress'."}},
+      "What is computed beyond the forces.");
   prm.enter_subsection("Stress");
-  prm.add_parameter("Reconstruct", asked_for,
-                    "Whether to reconstruct the stress inside the cells and "
-                    "write stress.vtu. The mean stress of each cell is "
-                    "written to cells.csv in any case.");
+  prm.add_parameter("Refinements", n_refinements,
+                    "With 'Accuracy = fine': how many times each of the three "
+                    "quadrilaterals a side is cut in four.",
+                    Integer(0, 4));
+  prm.add_parameter("Raviart-Thomas degree", degree,
+                    "With 'Accuracy = fine': the degree of the elements.",
+                    Integer(0, 1));
   prm.leave_subsection();
 }
 
 bool StressParameters::reconstruct() const
 {
-  return asked_for;
+  return accuracy != Accuracy::draft;
+}
+
+Reconstruction StressParameters::reconstruction() const
+{
+  return {accuracy == Accuracy::fine, n_refinements, degree};
+}
+
+SubTriangulation Reconstruction::cut() const
+{
+  return is_refined ? SubTriangulation::thirds(n_refinements)
+                    : SubTriangulation::fan();
+}
+
+std::unique_ptr<CellStress>
+Reconstruction::cell_stress(const unsigned int n_sides) const
+{
+  if (is_refined)
+    return std::make_unique<LeastNorm>(n_sides, n_refinements, degree);
+  return std::make_unique<Fan>(n_sides);
 }
 
 StressField reconstruct_stress(const Scene &scene,
                                const InterfaceForces &forces,
+                               const Reconstruction &how,
                                Terminal &terminal)
 {
   const Packing &packing = scene.packing;
   const unsigned int n_cells = packing.n_cells();
   StressField field;
-  field.sub_cells.resize(packing.first_side(n_cells));
+  field.cut = how.cut();
+  field.sub_cells.resize(field.first(packing, n_cells, 0));
   std::vector<char> determined(n_cells, true);
 
   const auto reconstruct_cell = [&](const unsigned int c, Scratch &scratch) {
@@ -108,11 +153,12 @@ StressField reconstruct_stress(const Scene &scene,
         scratch.forces.push_back(interface.cell_minus == c ? f : -f);
       }
     }
-    const dealii::ArrayView<Fan::SubCell> sub_cells(
-        field.sub_cells.data() + packing.first_side(c), sides.size());
-    determined[c] = scratch.fan(sides.size())
-                        .solve(packing.centre(c), scratch.vertices,
-                               scratch.forces, scratch.body_forces, sub_cells);
+    CellStress &cell_stress = scratch.cell_stress(sides.size());
+    determined[c] =
+        cell_stress.solve(packing.centre(c), scratch.vertices, scratch.forces,
+                          scratch.body_forces,
+                          {field.sub_cells.data() + field.first(packing, c, 0),
+                           cell_stress.n_sub_cells()});
   };
 
   // In blocks, for a progress line between them.
@@ -126,7 +172,7 @@ StressField reconstruct_stress(const Scene &scene,
         [&](const Iterator &c, Scratch &scratch, NoCopyData &) {
           reconstruct_cell(*c, scratch);
         },
-        std::function<void(const NoCopyData &)>(), Scratch(), NoCopyData(),
+        std::function<void(const NoCopyData &)>(), Scratch(how), NoCopyData(),
         2 * dealii::MultithreadInfo::n_threads(), chunk_size);
   }
 
@@ -137,8 +183,9 @@ StressField reconstruct_stress(const Scene &scene,
   {
     const auto means = cell_mean_stresses(scene, forces);
     for (const unsigned int c : field.undetermined)
-      for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-        field.sub_cells[packing.first_side(c) + i] = {means[c], {}};
+      for (unsigned int k = field.first(packing, c, 0);
+           k < field.first(packing, c + 1, 0); ++k)
+        field.sub_cells[k] = {means[c], {}, skew_part(means[c])};
   }
   return field;
 }

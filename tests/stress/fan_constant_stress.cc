@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A cell under the tractions of a constant stress S has that stress in every
-// sub-cell: regular polygons, parallelograms and affine hexagons, bricks with
-// hanging nodes, long bricks, and the cells of a random packing.
+// sub-cell, in the paper's reconstruction and in the refined ones: regular
+// polygons, parallelograms and affine hexagons, bricks with hanging nodes, long
+// bricks, and the cells of a random packing.
 
 #include <voussoir/stress/fan.h>
+#include <voussoir/stress/least_norm.h>
 
 #include "tests.h"
 
@@ -13,7 +15,8 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** The largest error of stress and scaled divergence over the norm of S. */
-double error_of(const std::vector<Point<2>> &vertices,
+double error_of(CellStress &cell_stress,
+                const std::vector<Point<2>> &vertices,
                 const Point<2> &centre,
                 const Tensor<2, 2> &S)
 {
@@ -26,16 +29,34 @@ double error_of(const std::vector<Point<2>> &vertices,
     forces.push_back(S * Tensor<1, 2>({edge[1], -edge[0]}));
     diameter = std::max(diameter, vertices[i].distance(vertices[0]));
   }
-  std::vector<Fan::SubCell> sub_cells(n);
-  Fan fan(n);
-  if (!fan.solve(centre, vertices, forces, std::vector<dealii::Tensor<1, 2>>(n),
-                 dealii::ArrayView<Fan::SubCell>(sub_cells.data(), n)))
+  std::vector<SubCellStress> sub_cells(cell_stress.n_sub_cells());
+  if (!cell_stress.solve(centre, vertices, forces, std::vector<Tensor<1, 2>>(n),
+                         {sub_cells.data(), sub_cells.size()}))
     return std::numeric_limits<double>::infinity();
   double error = 0.;
   for (const auto &sub_cell : sub_cells)
     error = std::max({error, (sub_cell.stress - S).norm() / S.norm(),
                       diameter * sub_cell.divergence.norm() / S.norm()});
   return error;
+}
+
+double error_of(const std::vector<Point<2>> &vertices,
+                const Point<2> &centre,
+                const Tensor<2, 2> &S)
+{
+  Fan fan(vertices.size());
+  return error_of(fan, vertices, centre, S);
+}
+
+/** The same of the refined reconstruction. */
+double error_of_refined(const std::vector<Point<2>> &vertices,
+                        const Point<2> &centre,
+                        const Tensor<2, 2> &S,
+                        const unsigned int n_refinements,
+                        const unsigned int degree)
+{
+  LeastNorm least_norm(vertices.size(), n_refinements, degree);
+  return error_of(least_norm, vertices, centre, S);
 }
 
 int main()
@@ -80,10 +101,36 @@ int main()
         return error_of(small, {1e-9, 0.5e-9}, S);
       }(),
       1e-12);
-  check_error("brick of aspect 100",
-              error_of({{0, 0}, {50, 0}, {100, 0}, {100, 1}, {50, 1}, {0, 1}},
-                       {50, 0.5}, S),
-              1e-9);
+  // The rounding of the forces on the long sides has a lever of the aspect, and
+  // so the error grows with its square.
+  for (const double aspect : {1e2, 1e4, 1e6})
+  {
+    std::ostringstream name;
+    name << "brick of aspect " << aspect << ", error over the aspect's square";
+    const std::vector<Point<2>> long_brick = {{0, 0},          {aspect / 2, 0},
+                                              {aspect, 0},     {aspect, 1},
+                                              {aspect / 2, 1}, {0, 1}};
+    check_error(name.str(),
+                error_of(long_brick, {aspect / 2, 0.5}, S) / (aspect * aspect),
+                1e-15);
+    check_error(name.str() + ", refined",
+                error_of_refined(long_brick, {aspect / 2, 0.5}, S, 0, 0) /
+                    (aspect * aspect),
+                1e-15);
+  }
+  for (const unsigned int degree : {0, 1})
+    for (const unsigned int n_refinements : {0, 1, 2})
+    {
+      std::ostringstream name;
+      name << "refined " << n_refinements << " times, degree " << degree;
+      check_error(name.str() + ", triangle",
+                  error_of_refined({{0, 0}, {1, 0.2}, {0.3, 1}}, {0.4, 0.4}, S,
+                                   n_refinements, degree),
+                  1e-12);
+      check_error(name.str() + ", brick with two hanging nodes",
+                  error_of_refined(brick, {1, 0.5}, S, n_refinements, degree),
+                  1e-12);
+    }
 
   // A corner cut off: the error grows as the rounding of the vertices over the
   // short side, and the cell stays determined.

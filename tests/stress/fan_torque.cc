@@ -24,10 +24,10 @@ int main()
   forces[2][0] = 1.;
 
   Fan fan(4);
-  std::vector<Fan::SubCell> sub_cells(4);
+  std::vector<SubCellStress> sub_cells(4);
   const bool unique =
       fan.solve(centre, square, forces, no_body_force,
-                dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
+                dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   check("a unique answer", unique);
 
   Tensor<1, 2> resultant;
@@ -37,7 +37,8 @@ int main()
     // Each triangle has the area 1/4; x is the centroid of the sub-cell, and
     // div sigma varies as 1/det J, which weighs the reference square evenly.
     const double area = 0.25;
-    const auto corners = fan_sub_cell(centre, square[i], square[(i + 1) % 4]);
+    const auto corners = SubTriangulation::fan().corners(0, centre, square[i],
+                                                         square[(i + 1) % 4]);
     Tensor<1, 2> arm;
     for (const auto &corner : corners)
       arm += 0.25 * (corner - centre);
@@ -55,7 +56,7 @@ int main()
   forces[1][1] = 1.;
   forces[3][1] = -1.;
   fan.solve(centre, square, forces, no_body_force,
-            dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
+            dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   double divergence = 0.;
   for (const auto &sub_cell : sub_cells)
     divergence = std::max(divergence, sub_cell.divergence.norm());
@@ -66,7 +67,7 @@ int main()
   const auto before = sub_cells;
   const bool degenerate =
       fan.solve(edge, square, forces, no_body_force,
-                dealii::ArrayView<Fan::SubCell>(sub_cells.data(), 4));
+                dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   double change = 0.;
   for (unsigned int i = 0; i < 4; ++i)
     change += (sub_cells[i].stress - before[i].stress).norm();

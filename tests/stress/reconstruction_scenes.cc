@@ -21,7 +21,7 @@ error_of_uniform(const Scene &scene, const Tensor<2, 2> &S, const Way &way)
   const InterfaceForces forces = solver.forces(scene);
   double error = 0.;
   for (const auto &sub_cell :
-       reconstruct_stress(scene, forces, solver.quiet).sub_cells)
+       reconstruct_stress(scene, forces, {}, solver.quiet).sub_cells)
     error = std::max(error, (sub_cell.stress - S).norm());
   for (const auto &mean : cell_mean_stresses(scene, forces))
     error = std::max(error, (mean - S).norm());
@@ -60,7 +60,7 @@ int main()
       scene_under_stress(random_packing(2000, 2), 0.2, tensor(-1.2, 0, 0, -1));
   Solver solver(compliant);
   const InterfaceForces forces = solver.forces(scene);
-  const auto field = reconstruct_stress(scene, forces, solver.quiet);
+  const auto field = reconstruct_stress(scene, forces, {}, solver.quiet);
   const auto means = cell_mean_stresses(scene, forces);
   const auto torques = residual_torques(scene, forces);
   check("all cells determined", field.undetermined.empty());
@@ -72,7 +72,7 @@ int main()
   check_error("skew part of the means against the torques", skew, 1e-9);
 
   dealii::MultithreadInfo::set_thread_limit(1);
-  const auto single = reconstruct_stress(scene, forces, solver.quiet);
+  const auto single = reconstruct_stress(scene, forces, {}, solver.quiet);
   double difference = 0.;
   for (unsigned int k = 0; k < field.sub_cells.size(); ++k)
     difference = std::max(

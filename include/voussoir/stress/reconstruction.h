@@ -4,29 +4,54 @@
 
 #include <voussoir/base/terminal.h>
 #include <voussoir/statics/scene.h>
-#include <voussoir/stress/fan.h>
+#include <voussoir/stress/cell_stress.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace Voussoir
 {
+/** How the stress inside the cells is reconstructed. */
+struct Reconstruction
+{
+  /** Whether as in LeastNorm, rather than as in Fan. */
+  bool is_refined = false;
+  /** Of LeastNorm: how often its quadrilaterals are cut in four. */
+  unsigned int n_refinements = 0;
+  /** Of LeastNorm: the degree k of FE_RaviartThomas. */
+  unsigned int degree = 0;
+
+  SubTriangulation cut() const;
+  /** For cells with @p n_sides sides. */
+  std::unique_ptr<CellStress> cell_stress(unsigned int n_sides) const;
+};
+
 /** The stress inside the cells. */
 struct StressField
 {
+  /** How each triangle of a cell's centre and one side is cut. */
+  SubTriangulation cut = SubTriangulation::fan();
   /**
-   * The stress of each sub-cell. Sub-cell i of cell c, which lies along side i
-   * of the cell, has the number packing.first_side(c) + i. Empty if no
-   * reconstruction was asked for.
+   * The stress of each sub-cell, cell by cell and in these triangle by
+   * triangle; see first(). Empty if no reconstruction was asked for.
    */
-  std::vector<Fan::SubCell> sub_cells;
+  std::vector<SubCellStress> sub_cells;
   /**
-   * The cells for which the mixed problem has no unique answer; their
-   * sub-cells all have the mean stress of the cell. Ascending.
+   * The cells for which the stress is not determined, or lost to rounding;
+   * their sub-cells all have the mean stress of the cell. Ascending.
    */
   std::vector<unsigned int> undetermined;
+
+  /** The first sub-cell in the triangle of side @p i of @p cell. */
+  unsigned int first(const Packing &packing,
+                     const unsigned int cell,
+                     const unsigned int i) const
+  {
+    return (packing.first_side(cell) + i) * cut.of_triangle().size();
+  }
 };
 
 /**
@@ -36,24 +61,36 @@ struct StressField
 std::vector<std::string> undetermined_cells(const Scene &scene,
                                             const StressField &field);
 
-/** The section `Stress`. */
+/** The entry `Accuracy` and the section `Stress`. */
 class StressParameters
 {
 public:
   void add_parameters(dealii::ParameterHandler &prm);
 
+  /** Whether the stress inside the cells is to be reconstructed at all. */
   bool reconstruct() const;
+  Reconstruction reconstruction() const;
 
 private:
-  bool asked_for = true;
+  enum class Accuracy
+  {
+    draft,
+    standard,
+    fine
+  };
+
+  Accuracy accuracy = Accuracy::standard;
+  unsigned int n_refinements = 0;
+  unsigned int degree = 0;
 };
 
 /**
- * Solve the mixed problem of Fan in every cell, on all threads. The result does
- * not depend on their number.
+ * Find the stress in every cell, on all threads. The result does not depend on
+ * their number.
  */
 StressField reconstruct_stress(const Scene &scene,
                                const InterfaceForces &forces,
+                               const Reconstruction &how,
                                Terminal &terminal);
 } // namespace Voussoir
 

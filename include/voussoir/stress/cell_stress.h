@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_cell_stress_h
+#define voussoir_stress_cell_stress_h
+
+#include <voussoir/stress/cell_spaces.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Voussoir
+{
+/** What is known of the stress in one sub-cell. */
+struct SubCellStress
+{
+  /** sigma at the image of the reference square's centre; a stress. */
+  dealii::Tensor<2, 2> stress;
+  /** Mean of div sigma; a stress over a length. */
+  dealii::Tensor<1, 2> divergence;
+  /** Root of the mean square of (sigma_xy - sigma_yx) / 2; a stress. */
+  double skew = 0.;
+};
+
+/**
+ * The stress of one cell with n sides from the forces on its sides: the rows of
+ * sigma in FE_RaviartThomas, with the flux of row r through a side component r
+ * of the force on it, spread evenly, and symmetric in the weak sense,
+ *
+ *   (sigma, j(q)) = 0 for all q in FE_DGQ,  j(q) = [[0, q], [-q, 0]].
+ *
+ * Which of these fields is meant, a derived class says. One object serves all
+ * cells with n sides, one after the other.
+ *
+ * The symmetric part of the mean stress is taken out first; it solves the
+ * problem of its own tractions, and what remains is found with the precision of
+ * the remainder. So a uniform stress comes back to rounding, whatever the shape
+ * of the cell.
+ */
+class CellStress
+{
+public:
+  virtual ~CellStress() = default;
+
+  /**
+   * Find the stress in one cell.
+   *
+   * @param centre of the cell.
+   * @param vertices of the cell, counterclockwise; n points.
+   * @param forces the force on each side, from vertex i to i+1.
+   * @param body_forces the integral of the body force over the triangle of the
+   *   centre and each side.
+   * @param sub_cells takes the result, triangle by triangle.
+   * @return false if the solution would be arbitrary, or has lost its digits:
+   *   if its mean is not that which the forces demand. sub_cells are then left
+   *   alone.
+   */
+  bool solve(const dealii::Point<2> &centre,
+             const std::vector<dealii::Point<2>> &vertices,
+             const std::vector<dealii::Tensor<1, 2>> &forces,
+             const std::vector<dealii::Tensor<1, 2>> &body_forces,
+             const dealii::ArrayView<SubCellStress> &sub_cells);
+
+  unsigned int n_sub_cells() const
+  {
+    return spaces.n_sub_cells();
+  }
+
+protected:
+  /** See CellSpaces; @p with_flux_mass says whether fill() needs it. */
+  CellStress(const SubTriangulation &cut,
+             unsigned int n_sides,
+             unsigned int degree,
+             bool with_flux_mass);
+
+  /**
+   * Find the unknown fluxes in the cell that spaces has the shape of, under
+   * forces() and sources(): row r of sigma has coefficient(r, ...).
+   *
+   * @return false if there is no unique answer.
+   */
+  virtual bool find_fluxes() = 0;
+
+  /** The coefficient of basis function @p k of a sub-cell in row @p row. */
+  double coefficient(const unsigned int row,
+                     const unsigned int sub_cell,
+                     const unsigned int k) const
+  {
+    const CellSpaces::Flux &flux = spaces.flux(sub_cell, k);
+    return flux.unknown == dealii::numbers::invalid_unsigned_int
+               ? flux.per_force * forces[flux.side][row]
+               : unknowns[row * spaces.n_unknown_fluxes() + flux.unknown];
+  }
+
+  /** The body force in a sub-cell, in the mean over its triangle. */
+  const dealii::Tensor<1, 2> &body_force(const unsigned int sub_cell) const
+  {
+    return sources[sub_cell / n_per_side];
+  }
+
+  CellSpaces spaces;
+  /** Of row 0, then of row 1, and what else a derived class solves for. */
+  dealii::Vector<double> unknowns;
+  /** What remains of the force on each side. */
+  std::vector<dealii::Tensor<1, 2>> forces;
+
+private:
+  bool take_out_mean(const dealii::Point<2> &centre,
+                     const std::vector<dealii::Point<2>> &vertices,
+                     const std::vector<dealii::Tensor<1, 2>> &all_forces,
+                     const std::vector<dealii::Tensor<1, 2>> &body_forces);
+  bool mean_is_right() const;
+
+  const bool with_flux_mass;
+  const unsigned int n_per_side;
+  /** In a cell of unit area. */
+  std::vector<dealii::Point<2>> corners;
+  std::vector<dealii::Tensor<1, 2>> sources;
+  dealii::Tensor<2, 2> mean;
+  double size = 0.;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_least_norm_h
+#define voussoir_stress_least_norm_h
+
+#include <voussoir/stress/cell_stress.h>
+#include <voussoir/stress/local_system.h>
+
+namespace Voussoir
+{
+/**
+ * The refined reconstruction: on SubTriangulation::thirds(), with
+ * FE_RaviartThomas(k) and FE_DGQ(k), of all weakly symmetric sigma with the
+ * given tractions those for which div sigma = -b holds best, in the sense of
+ * least squares of the moments with FE_DGQ(k), and of these the one of least
+ * L2 norm.
+ *
+ * Here the fluxes can meet all moments of div sigma that are compatible with
+ * the resultant and the torque of the forces on the cell. So the divergence is
+ * known beforehand,
+ *
+ *   div sigma = -b + a + omega R(pi/2) (x - x_c),
+ *
+ * the rigid acceleration that the unbalanced force and torque would give a
+ * block of unit density: a = 0 where the forces balance, omega = 0 where their
+ * torque does. The least norm is then the mixed form of an elastic block of
+ * unit compliance with weak symmetry (Arnold, Falk and Winther, Mathematics of
+ * Computation 76 (2007), 1699): for all tau with zero normal trace, w and q
+ *
+ *   (sigma, tau) + (v, div tau) + (tau, j(p)) = 0,
+ *   (div sigma, w) = (-b + a + omega R(pi/2) (x - x_c), w),
+ *   (sigma, j(q))  = 0.
+ */
+class LeastNorm : public CellStress
+{
+public:
+  LeastNorm(unsigned int n_sides, unsigned int n_refinements, unsigned degree);
+
+private:
+  bool find_fluxes() override;
+  void set_known();
+  void add_rigid_acceleration();
+  void assemble();
+
+  /** The unknown of component @p row of v, and of p: w_j in a sub-cell. */
+  unsigned int velocity(unsigned int row, unsigned int s, unsigned int j) const;
+  unsigned int rotation(unsigned int s, unsigned int j) const;
+
+  const unsigned int n_fluxes, n_multipliers;
+  LocalSystem system;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_local_system_h
+#define voussoir_stress_local_system_h
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace Voussoir
+{
+/**
+ * The linear system of one cell, symmetric and indefinite: by LAPACK's LU
+ * factorisation where it is small, by UMFPACK's where it is not.
+ */
+class LocalSystem
+{
+public:
+  /** For matrices with entries in @p pattern. */
+  explicit LocalSystem(const dealii::DynamicSparsityPattern &pattern);
+
+  /** Set all entries of the matrix to zero. */
+  void clear();
+
+  void add(const unsigned int i, const unsigned int j, const double value)
+  {
+    if (is_small)
+      dense(i, j) += value;
+    else
+      sparse.add(i, j, value);
+  }
+
+  /**
+   * Replace the right-hand side @p x by the solution.
+   *
+   * @return false if the matrix is singular, or the solution not finite.
+   */
+  bool solve(dealii::Vector<double> &x);
+
+private:
+  const bool is_small;
+  dealii::LAPACKFullMatrix<double> dense;
+  dealii::SparsityPattern pattern;
+  dealii::SparseMatrix<double> sparse;
+};
+} // namespace Voussoir
+
+#endif

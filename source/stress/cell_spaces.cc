@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/stress/cell_spaces.h>
+
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+/** The Gauss points, and last the middle, of weight zero. */
+dealii::Quadrature<2> with_middle(const dealii::Quadrature<2> &gauss)
+{
+  std::vector<Point<2>> points = gauss.get_points();
+  std::vector<double> weights = gauss.get_weights();
+  points.emplace_back(0.5, 0.5);
+  weights.push_back(0.);
+  return {points, weights};
+}
+
+/** A regular polygon around the origin. */
+std::vector<Point<2>> regular_polygon(const unsigned int n_sides)
+{
+  std::vector<Point<2>> vertices;
+  for (unsigned int i = 0; i < n_sides; ++i)
+  {
+    const double angle = 2. * dealii::numbers::PI * i / n_sides;
+    vertices.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  return vertices;
+}
+} // namespace
+
+CellSpaces::CellSpaces(const SubTriangulation &cut,
+                       const unsigned int n_sides,
+                       const unsigned int degree)
+    : cut(cut), element(degree), multiplier(degree), gauss(degree + 2),
+      fe_values(element,
+                with_middle(gauss),
+                dealii::update_values | dealii::update_JxW_values)
+{
+  multipliers.reinit(multiplier.dofs_per_cell, gauss.size());
+  for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      multipliers(j, q) = multiplier.shape_value(j, gauss.point(q));
+  make_triangulation(n_sides);
+  dof_handler.reinit(triangulation);
+  dof_handler.distribute_dofs(element);
+  number_fluxes(n_sides);
+
+  Integrals sample;
+  sample.mean.resize(multiplier.dofs_per_cell);
+  sample.mass.reinit(multiplier.dofs_per_cell, multiplier.dofs_per_cell);
+  sample.moment.reinit(multiplier.dofs_per_cell, element.dofs_per_cell);
+  sample.flux_mass.reinit(element.dofs_per_cell, element.dofs_per_cell);
+  sample.nodes.resize(multiplier.dofs_per_cell);
+  sample.in_the_middle.resize(element.dofs_per_cell);
+  sample.at_points.reinit(gauss.size(), element.dofs_per_cell);
+  sample.weights.resize(gauss.size());
+  all_integrals.assign(n_sub_cells(), sample);
+}
+
+unsigned int CellSpaces::n_sub_cells() const
+{
+  return triangulation.n_active_cells();
+}
+
+unsigned int CellSpaces::n_fluxes_per_sub_cell() const
+{
+  return element.dofs_per_cell;
+}
+
+unsigned int CellSpaces::n_multipliers_per_sub_cell() const
+{
+  return multiplier.dofs_per_cell;
+}
+
+unsigned int CellSpaces::n_unknown_fluxes() const
+{
+  return unknown_fluxes;
+}
+
+/**
+ * Vertices on a spoke belong to the triangles on both of its sides, and the
+ * centre to all.
+ */
+void CellSpaces::make_triangulation(const unsigned int n_sides)
+{
+  using Key = std::pair<unsigned int, std::pair<double, double>>;
+  std::map<Key, unsigned int> numbers;
+  std::vector<Point<2>> vertices;
+  std::vector<dealii::CellData<2>> cells;
+  const std::vector<Point<2>> polygon = regular_polygon(n_sides);
+  for (unsigned int i = 0; i < n_sides; ++i)
+  {
+    const unsigned int next = (i + 1) % n_sides;
+    for (unsigned int k = 0; k < cut.of_triangle().size(); ++k)
+    {
+      const auto corners = cut.corners(k, {}, polygon[i], polygon[next]);
+      dealii::CellData<2> cell;
+      for (unsigned int v = 0; v < corners.size(); ++v)
+      {
+        const auto [a, b] = cut.of_triangle()[k][v];
+        const Key key = a == 0. && b == 0. ? Key(0, {0., 0.})
+                        : a == 0.          ? Key(next, {b, 0.})
+                                           : Key(i, {a, b});
+        const auto [entry, is_new] = numbers.emplace(key, vertices.size());
+        if (is_new)
+          vertices.push_back(corners[v]);
+        cell.vertices[v] = entry->second;
+      }
+      cells.push_back(cell);
+    }
+  }
+  triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+}
+
+void CellSpaces::number_fluxes(const unsigned int n_sides)
+{
+  const unsigned int degree = multiplier.degree;
+  dealii::FEValues<2> inside(
+      element, gauss, dealii::update_gradients | dealii::update_JxW_values);
+  const dealii::QGauss<1> on_line(degree + 1);
+  dealii::FEFaceValues<2> on_face(element, on_line,
+                                  dealii::update_values |
+                                      dealii::update_normal_vectors |
+                                      dealii::update_JxW_values);
+  const dealii::FEValuesExtractors::Vector row(0);
+  std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
+  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
+  fluxes.assign(n_sub_cells() * element.dofs_per_cell, {none, none, 0.});
+  divergences.reinit(n_sub_cells() * multiplier.dofs_per_cell,
+                     element.dofs_per_cell);
+
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    const unsigned int sub_cell = cell->active_cell_index();
+    inside.reinit(cell);
+    cell->get_dof_indices(indices);
+    for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
+      for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          divergences(sub_cell * multiplier.dofs_per_cell + j, k) +=
+              multipliers(j, q) * inside[row].divergence(k, q) * inside.JxW(q);
+
+    std::vector<bool> prescribed(element.dofs_per_cell, false);
+    for (const unsigned int face : cell->face_indices())
+    {
+      if (!cell->face(face)->at_boundary())
+        continue;
+      // The coefficients for which the normal trace is one over the length of
+      // the face; in the reference square they are the same for every shape.
+      on_face.reinit(cell, face);
+      const unsigned int n = element.dofs_per_face;
+      dealii::FullMatrix<double> trace(n, n);
+      dealii::Vector<double> coefficients(n), even(n);
+      double length = 0.;
+      for (unsigned int q = 0; q < n; ++q)
+        length += on_face.JxW(q);
+      for (unsigned int q = 0; q < n; ++q)
+      {
+        even[q] = 1. / length;
+        for (unsigned int f = 0; f < n; ++f)
+          trace(q, f) =
+              on_face[row].value(element.face_to_cell_index(f, face), q) *
+              on_face.normal_vector(q);
+      }
+      trace.gauss_jordan();
+      trace.vmult(coefficients, even);
+      const unsigned int side = sub_cell / cut.of_triangle().size();
+      const double share =
+          cell->face(face)->measure() /
+          (2. * std::sin(dealii::numbers::PI / n_sides)); // of the side
+      for (unsigned int f = 0; f < n; ++f)
+      {
+        const unsigned int k = element.face_to_cell_index(f, face);
+        fluxes[sub_cell * element.dofs_per_cell + k] = {
+            none, side, share * coefficients[f]};
+        prescribed[k] = true;
+      }
+    }
+    for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
+      if (!prescribed[k])
+      {
+        if (unknown[indices[k]] == none)
+          unknown[indices[k]] = unknown_fluxes++;
+        fluxes[sub_cell * element.dofs_per_cell + k].unknown =
+            unknown[indices[k]];
+      }
+  }
+}
+
+void CellSpaces::move(const std::vector<Point<2>> &vertices)
+{
+  unsigned int sub_cell = 0;
+  const unsigned int per_side = cut.of_triangle().size();
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    const unsigned int i = sub_cell / per_side;
+    const auto corners = cut.corners(sub_cell % per_side, {}, vertices[i],
+                                     vertices[(i + 1) % vertices.size()]);
+    for (unsigned int v = 0; v < corners.size(); ++v)
+      cell->vertex(v) = corners[v];
+    ++sub_cell;
+  }
+  // FEValues must not take the moved cells for those it has seen.
+  triangulation.signals.mesh_movement();
+}
+
+void CellSpaces::place(const std::vector<Point<2>> &vertices,
+                       const bool with_flux_mass)
+{
+  move(vertices);
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    fe_values.reinit(cell);
+    Integrals &result = all_integrals[cell->active_cell_index()];
+    integrate(result, with_flux_mass);
+    for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
+    {
+      const Point<2> &node = multiplier.get_unit_support_points()[j];
+      result.nodes[j] = Point<2>();
+      for (unsigned int v = 0; v < 4; ++v)
+        result.nodes[j] +=
+            dealii::GeometryInfo<2>::d_linear_shape_function(node, v) *
+            cell->vertex(v);
+    }
+  }
+}
+
+void CellSpaces::integrate(Integrals &result, const bool with_flux_mass) const
+{
+  const dealii::FEValuesExtractors::Vector row(0);
+  const unsigned int n_fluxes = element.dofs_per_cell;
+  const unsigned int n_multipliers = multiplier.dofs_per_cell;
+  result.area = 0.;
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+  {
+    result.weights[q] = fe_values.JxW(q);
+    result.area += fe_values.JxW(q);
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+      result.at_points(q, k) = fe_values[row].value(k, q);
+  }
+  for (unsigned int k = 0; k < n_fluxes; ++k)
+    result.in_the_middle[k] = fe_values[row].value(k, gauss.size());
+
+  for (unsigned int j = 0; j < n_multipliers; ++j)
+  {
+    result.mean[j] = 0.;
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      result.mean[j] += multipliers(j, q) * result.weights[q];
+    for (unsigned int l = 0; l < n_multipliers; ++l)
+    {
+      result.mass(j, l) = 0.;
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        result.mass(j, l) +=
+            multipliers(j, q) * multipliers(l, q) * result.weights[q];
+    }
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+    {
+      result.moment(j, k) = Tensor<1, 2>();
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        result.moment(j, k) +=
+            multipliers(j, q) * result.weights[q] * result.at_points(q, k);
+    }
+  }
+  if (with_flux_mass)
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+      for (unsigned int l = 0; l <= k; ++l)
+      {
+        double sum = 0.;
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          sum += result.weights[q] *
+                 (result.at_points(q, k) * result.at_points(q, l));
+        result.flux_mass(k, l) = result.flux_mass(l, k) = sum;
+      }
+}
+} // namespace Voussoir

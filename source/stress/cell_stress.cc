@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/geometry.h>
+#include <voussoir/stress/cell_stress.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/**
+ * The area of a triangle over the square of its longest side below which the
+ * rounding of the coordinates begins to decide its shape.
+ */
+constexpr double least_slenderness = 1e-11;
+
+/**
+ * By how much the mean of the stress may miss what the forces demand, relative
+ * to the largest traction.
+ */
+constexpr double largest_error_of_mean = 1e-6;
+} // namespace
+
+CellStress::CellStress(const SubTriangulation &cut,
+                       const unsigned int n_sides,
+                       const unsigned int degree,
+                       const bool with_flux_mass)
+    : spaces(cut, n_sides, degree), with_flux_mass(with_flux_mass),
+      n_per_side(cut.of_triangle().size())
+{
+}
+
+bool CellStress::solve(const Point<2> &centre,
+                       const std::vector<Point<2>> &vertices,
+                       const std::vector<Tensor<1, 2>> &all_forces,
+                       const std::vector<Tensor<1, 2>> &body_forces,
+                       const dealii::ArrayView<SubCellStress> &sub_cells)
+{
+  AssertDimension(vertices.size() * n_per_side, n_sub_cells());
+  AssertDimension(all_forces.size(), vertices.size());
+  AssertDimension(body_forces.size(), vertices.size());
+  AssertDimension(sub_cells.size(), n_sub_cells());
+
+  if (!take_out_mean(centre, vertices, all_forces, body_forces))
+    return false;
+  spaces.place(corners, with_flux_mass);
+  if (!find_fluxes() || !mean_is_right())
+    return false;
+
+  const unsigned int n_fluxes = spaces.n_fluxes_per_sub_cell();
+  for (unsigned int s = 0; s < n_sub_cells(); ++s)
+  {
+    const CellSpaces::Integrals &integrals = spaces.integrals(s);
+    SubCellStress result;
+    for (unsigned int row = 0; row < 2; ++row)
+    {
+      for (unsigned int k = 0; k < n_fluxes; ++k)
+      {
+        const double c = coefficient(row, s, k);
+        result.stress[row] += c * integrals.in_the_middle[k];
+        for (unsigned int j = 0; j < integrals.mean.size(); ++j)
+          result.divergence[row] += c * spaces.divergence(s, j, k);
+      }
+      result.divergence[row] /= integrals.area * size;
+    }
+    double skew_square = 0.;
+    for (unsigned int q = 0; q < integrals.weights.size(); ++q)
+    {
+      double skew = 0.;
+      for (unsigned int k = 0; k < n_fluxes; ++k)
+        skew += 0.5 * (coefficient(0, s, k) * integrals.at_points(q, k)[1] -
+                       coefficient(1, s, k) * integrals.at_points(q, k)[0]);
+      skew_square += integrals.weights[q] * skew * skew;
+    }
+    result.skew = std::sqrt(skew_square / integrals.area);
+    result.stress += mean;
+    sub_cells[s] = result;
+  }
+  return true;
+}
+
+/**
+ * Scale the cell to unit area, so that all coefficients are of order one, and
+ * leave in forces what the symmetric mean stress does not account for.
+ */
+bool CellStress::take_out_mean(const Point<2> &centre,
+                               const std::vector<Point<2>> &vertices,
+                               const std::vector<Tensor<1, 2>> &all_forces,
+                               const std::vector<Tensor<1, 2>> &body_forces)
+{
+  const unsigned int n_sides = vertices.size();
+  double area = 0.;
+  for (unsigned int i = 0; i < n_sides; ++i)
+  {
+    const Tensor<1, 2> a = vertices[i] - centre;
+    const Tensor<1, 2> b = vertices[(i + 1) % n_sides] - centre;
+    const double triangle = 0.5 * cross(a, b);
+    if (!(triangle >
+          least_slenderness * std::max({a.norm_square(), b.norm_square(),
+                                        (b - a).norm_square()})))
+      return false;
+    area += triangle;
+  }
+  size = std::sqrt(area);
+  corners.clear();
+  for (const Point<2> &vertex : vertices)
+    corners.emplace_back((vertex - centre) / size);
+
+  mean = Tensor<2, 2>();
+  forces.clear();
+  sources.clear();
+  for (unsigned int i = 0; i < n_sides; ++i)
+  {
+    const Point<2> &a = corners[i];
+    const Point<2> &b = corners[(i + 1) % n_sides];
+    const Tensor<1, 2> source = body_forces[i] / size;
+    forces.push_back(all_forces[i] / size);
+    sources.push_back(source / (0.5 * cross(a, b)));
+    mean += outer_product(forces[i], 0.5 * (a + b)) +
+            outer_product(source, (a + b) / 3.);
+  }
+  mean = symmetrize(mean);
+  for (unsigned int i = 0; i < n_sides; ++i)
+  {
+    const Tensor<1, 2> side = corners[(i + 1) % n_sides] - corners[i];
+    forces[i] -= mean * Tensor<1, 2>({side[1], -side[0]});
+  }
+  return true;
+}
+
+/**
+ * The integral of sigma_ri over the cell is that of sigma n x_i over its sides
+ * less that of div sigma x_i: a check on what rounding has left of the fluxes,
+ * computed from other integrals than these were found with.
+ */
+bool CellStress::mean_is_right() const
+{
+  Tensor<2, 2> error;
+  double scale = mean.norm();
+  for (unsigned int i = 0; i < corners.size(); ++i)
+  {
+    const Point<2> &a = corners[i];
+    const Point<2> &b = corners[(i + 1) % corners.size()];
+    error -= outer_product(forces[i], 0.5 * (a + b));
+    scale = std::max(scale, forces[i].norm() / a.distance(b));
+  }
+  for (unsigned int s = 0; s < n_sub_cells(); ++s)
+  {
+    const CellSpaces::Integrals &integrals = spaces.integrals(s);
+    for (unsigned int row = 0; row < 2; ++row)
+      for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
+      {
+        const double c = coefficient(row, s, k);
+        for (unsigned int j = 0; j < integrals.mean.size(); ++j)
+          error[row] += c * (integrals.moment(j, k) +
+                             spaces.divergence(s, j, k) * integrals.nodes[j]);
+      }
+  }
+  return error.norm() <= largest_error_of_mean * scale;
+}
+} // namespace Voussoir
