@@ -40,11 +40,12 @@ install_packages() {
 }
 
 # Build a target in build/debug or build/release, with options NAME=VALUE for
-# CMake, which runs only if an option or the list of files has changed.
+# CMake, which runs only if an option or the list of files has changed. The type
+# Debug:NAME is Debug in build/NAME.
 build() {
-  local type=$1 target=$2 option stale=no
+  local type=${1%:*} name=${1#*:} target=$2 option stale=no
   shift 2
-  directory="$top/build/${type,,}"
+  directory="$top/build/${name,,}"
   for option in "$@"; do
     grep -qs "^${option%%=*}:[A-Z]*=${option#*=}$" "$directory/CMakeCache.txt" ||
       stale=yes

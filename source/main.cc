@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/floating_point.h>
 #include <voussoir/command_line.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,6 +9,7 @@
 int main(int argc, char **argv)
 {
   using namespace dealii;
+  Voussoir::trap_invalid_operations();
   // Trilinos needs MPI even on one process. All the work is the root's.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   int status = 0;

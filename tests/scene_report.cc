@@ -4,6 +4,7 @@
 // reader can check by hand: counts, ranges of stresses, and the equilibrium of
 // every cell recomputed from the .csv files alone.
 
+#include <voussoir/base/floating_point.h>
 #include <voussoir/command_line.h>
 
 #include <nlohmann/json.hpp>
@@ -68,6 +69,7 @@ double largest_imbalance(const Table &cells, const Table &interfaces)
 
 int main(int, char **argv)
 {
+  Voussoir::trap_invalid_operations();
   std::ostringstream out, error;
   const int status = Voussoir::run_command_line(
       {argv[1], "--set", "Output directory=results"}, out, error);

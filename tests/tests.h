@@ -3,6 +3,7 @@
 #define voussoir_tests_tests_h
 
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/terminal.h>
 #include <voussoir/packing/voronoi.h>
 #include <voussoir/packing/wall.h>
@@ -19,6 +20,10 @@
 // What the tests share. A test computes a closed form or a property and says
 // "OK"; small residuals are judged here, since numdiff takes whatever is below
 // 1e-6 for zero.
+
+/** As the program, so do the tests trap invalid operations in Debug. */
+inline const bool invalid_operations_are_trapped =
+    Voussoir::trap_invalid_operations();
 
 /** One property: print OK, or FAILED. */
 inline void check(const std::string &what, const bool holds)

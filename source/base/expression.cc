@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/expression.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 
 #include <muParser.h>
@@ -63,7 +64,9 @@ Expression::Expression(const std::string &formula,
           return condition != 0. ? a : b;
         });
     parser.SetExpr(formula);
-    // Parsing is lazy: evaluate once, to meet the errors here.
+    // Parsing is lazy: evaluate once, to meet the errors here. What is not a
+    // number may be one where the formula will be asked for.
+    const InvalidOperationsAllowed allowed;
     int n_results = 0;
     parser.Eval(n_results);
     if (n_results != 1)
@@ -86,6 +89,7 @@ Expression &Expression::operator=(Expression &&) noexcept = default;
 double Expression::operator()(const std::vector<double> &values) const
 {
   std::copy(values.begin(), values.end(), implementation->values.begin());
+  const InvalidOperationsAllowed allowed;
   return implementation->parser.Eval();
 }
 

@@ -242,7 +242,7 @@ void ArchGenerator::check_measures() const
   if (n_abutment_courses > 0)
     measures.emplace_back("Abutment height", abutment_height);
   for (const auto &[entry, value] : measures)
-    if (!(value > 0.) || !std::isfinite(value))
+    if (!std::isfinite(value) || value <= 0.)
       throw InputError(text("'Packing/arch/", entry, "' is ", value,
                             "; it must be positive and finite."));
 }

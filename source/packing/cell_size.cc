@@ -16,7 +16,7 @@ CellSize::CellSize(const std::string &formula, const std::string &parameter)
 double CellSize::operator()(const dealii::Point<2> &p) const
 {
   const double size = expression({p[0], p[1]});
-  if (!(size > 0.) || !std::isfinite(size))
+  if (!std::isfinite(size) || size <= 0.)
     throw InputError("The parameter '" + parameter + "', '" + formula +
                      "', is " + text_of_number(size) + " at " +
                      text_of_point(p) +

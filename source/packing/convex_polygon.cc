@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/convex_polygon.h>
 #include <voussoir/packing/geometry.h>
@@ -101,7 +102,11 @@ ConvexPolygon::ConvexPolygon(std::vector<Point<2>> given)
   for (unsigned int i = 0; i < vertices.size(); ++i)
     if (!std::isfinite(vertices[i][0]) || !std::isfinite(vertices[i][1]))
       refuse(vertices, i, "is not finite; give two numbers \"x, y\".");
-  const double area = signed_area(vertices);
+  const double area = [&] {
+    // Vertices too large to compute with give NaN, which is refused below.
+    const InvalidOperationsAllowed allowed;
+    return signed_area(vertices);
+  }();
   if (!std::isfinite(area) || area == 0.)
     throw InputError("The polygon has the area " + text_of_number(area) +
                      "; give its vertices in order around a positive area.");

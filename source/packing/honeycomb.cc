@@ -43,7 +43,7 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &) const
 {
   check_number_of_cells(double(n_columns) * n_rows,
                         "'Packing/honeycomb/Columns' and 'Rows'");
-  if (!(cell_size > 0.) || !std::isfinite(cell_size * n_columns * n_rows))
+  if (!std::isfinite(cell_size * n_columns * n_rows) || cell_size <= 0.)
     throw InputError(text("'Packing/honeycomb/Cell size' is ", cell_size,
                           "; it must be positive and finite."));
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/off_file.h>
 
@@ -42,6 +43,9 @@ OffReader::OffReader(const std::filesystem::path &file)
 
 PolygonList OffReader::read()
 {
+  // CGAL reads numbers such as counts as double, and converts what no integer
+  // holds; and a vertex may be 0/0. Both are refused by what is read.
+  const InvalidOperationsAllowed allowed;
   CGAL::File_scanner_OFF scanner(in);
   check_header(scanner);
   read_vertices(scanner);

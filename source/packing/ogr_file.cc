@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/ogr_file.h>
 
@@ -92,6 +93,8 @@ PolygonList OgrReader::read()
   if (!std::filesystem::exists(list.file))
     refuse_file("does not exist. Paths in a .prm file start at the directory "
                 "of that file.");
+  // libxml2, which GDAL starts, computes 0/0 for its own NaN.
+  const InvalidOperationsAllowed allowed;
   GDALAllRegister();
   const GDALDatasetUniquePtr dataset(
       GDALDataset::Open(list.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |

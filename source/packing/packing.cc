@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/connected_groups.h>
@@ -95,7 +96,9 @@ void Packing::measure(const unsigned int c, const bool take_centroid)
   const Point<2> &origin = vertex(c, 0);
 
   // Area and first moments by triangles from the first vertex, in coordinates
-  // relative to it, so that a distant origin cancels nothing.
+  // relative to it, so that a distant origin cancels nothing. If they are too
+  // large to compute with, the area is not a number, which is refused below.
+  const InvalidOperationsAllowed allowed;
   double area = 0.;
   Tensor<1, 2> moment;
   for (unsigned int i = 1; i + 1 < n; ++i)
@@ -105,7 +108,7 @@ void Packing::measure(const unsigned int c, const bool take_centroid)
     area += 0.5 * cross(a, b);
     moment += cross(a, b) / 6. * (a + b);
   }
-  if (!(area > 0.) || !std::isfinite(area))
+  if (!std::isfinite(area) || area <= 0.)
     refuse(c, origin,
            text("has the area ", text_of_number(area),
                 "; its vertices must be finite and run counterclockwise "

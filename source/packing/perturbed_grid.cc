@@ -95,8 +95,8 @@ CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &) const
 {
   check_number_of_cells(double(n_columns) * n_rows,
                         "'Packing/perturbed grid/Columns' and 'Rows'");
-  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width) ||
-      !std::isfinite(height))
+  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
+      height <= 0.)
     throw InputError(text("The grid 'Packing/perturbed grid' has the width ",
                           width, " and the height ", height,
                           "; both must be positive and finite."));

@@ -206,7 +206,7 @@ double automatic_tolerance(const PolygonList &polygons)
 void check_tolerance(const PolygonList &polygons, const double tolerance)
 {
   const double rounding = n_units_of_rounding * largest_coordinate(polygons);
-  if (!(tolerance >= rounding) || !std::isfinite(tolerance))
+  if (!std::isfinite(tolerance) || tolerance < rounding)
     throw InputError(text("The matching tolerance ", tolerance,
                           " is below the rounding ", rounding,
                           " of the coordinates of '", polygons.file.string(),

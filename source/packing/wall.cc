@@ -126,8 +126,8 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
 
 CellLoops WallGenerator::generate(const std::filesystem::path &) const
 {
-  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width) ||
-      !std::isfinite(height))
+  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
+      height <= 0.)
     throw InputError(text("The wall 'Packing/wall' has the width ", width,
                           " and the height ", height,
                           "; both must be positive and finite."));

@@ -37,7 +37,7 @@ double largest_component(const std::vector<double> &v)
 /** @return whether that can be done. */
 bool divide(std::vector<double> &v, const double divisor)
 {
-  if (!(divisor > 0.) || !std::isfinite(divisor))
+  if (!std::isfinite(divisor) || divisor <= 0.)
     return false;
   for (double &component : v)
     component /= divisor;
