@@ -18,6 +18,12 @@ namespace
  * is the same for every tolerance, so that the centre is, too.
  */
 constexpr double largest_decrement = 1e-7;
+/**
+ * The same for the forces themselves. In joints that are much stronger than
+ * their load the decrement says little on them, and rounding leaves in each
+ * step a part of their error.
+ */
+constexpr double largest_force_change = 1e-6;
 
 /**
  * Newton's method takes up to 25 iterations where there is a centre or a
@@ -36,6 +42,16 @@ constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 constexpr double half_way = 0.316;
 constexpr double fixed_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fixed_joints_steps = 30;
+
+/**
+ * The stress, nondimensional, above which all strengths are the same. The
+ * barrier of a strength b is a constant plus a term of order (q/b)^2, so that
+ * the centre does not change as strengths grow together; but its second
+ * derivative, of order b^2, costs digits.
+ */
+constexpr double largest_effective_strength = 1e6;
+/** The largest |q|/b, b so limited, with which that holds to its square. */
+constexpr double far_below_limit = 1e-4;
 
 /** The work of a load, over the size of its terms, that is not rounding. */
 constexpr double least_resistance = 1e-10;
@@ -115,6 +131,30 @@ fixed_joints(const DiscreteProblem &problem,
   return fixed;
 }
 
+/** Whether a strength of @p problem is lower in @p limited. */
+bool is_limited(const DiscreteProblem &problem, const DiscreteProblem &limited)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    if (limited.joints()[e].strength < problem.joints()[e].strength)
+      return true;
+  return false;
+}
+
+/** Whether no force comes near a strength that is lower in @p limited. */
+bool limit_is_far(const DiscreteProblem &problem,
+                  const DiscreteProblem &limited,
+                  const Solution &found)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const double limit = limited.joints()[e].strength;
+    if (limit < problem.joints()[e].strength &&
+        !(std::abs(found.forces.tangential[e]) <= far_below_limit * limit))
+      return false;
+  }
+  return true;
+}
+
 Solution minimise_barrier(const DiscreteProblem &problem,
                           const BarrierJoint &law,
                           JointSystem &system,
@@ -127,11 +167,13 @@ Solution minimise_barrier(const DiscreteProblem &problem,
     newton.step(least_shift, newton.u());
     return {};
   };
+  NewtonControls until;
+  until.imbalance = tolerance;
+  until.decrement = largest_decrement;
+  until.force_change = largest_force_change;
+  until.n_max_iterations = std::min(n_max_newton_iterations, n_max_iterations);
   // No displacement of its own: the barrier's grows with its parameter.
-  return minimise(problem, newton,
-                  {tolerance, largest_decrement,
-                   std::min(n_max_newton_iterations, n_max_iterations)},
-                  advance, 0., terminal);
+  return minimise(problem, newton, until, advance, 0., terminal);
 }
 } // namespace
 
@@ -171,6 +213,25 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
+  const DiscreteProblem limited =
+      problem.with_strengths_up_to(largest_effective_strength);
+  const Solution found = find_centre(limited, controls, terminal);
+  if (!is_limited(problem, limited) ||
+      (found.converged() && limit_is_far(problem, limited, found)))
+    return found;
+
+  SolverControls rest = controls;
+  rest.n_max_iterations -= found.n_iterations;
+  Solution solution = find_centre(problem, rest, terminal);
+  solution.n_iterations += found.n_iterations;
+  solution.n_evaluations += found.n_evaluations;
+  return solution;
+}
+
+Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
+                                     const SolverControls &controls,
+                                     Terminal &terminal) const
+{
   BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::automatic);
   unsigned int n_iterations = 0, n_evaluations = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
 #include <voussoir/statics/certificate.h>
 
 #include <algorithm>
@@ -8,6 +9,33 @@
 namespace Voussoir
 {
 using dealii::Tensor;
+
+namespace
+{
+/**
+ * The reference force of each connected group, by its lowest member: the
+ * largest load on a cell, or without load the largest force; zero if there is
+ * neither. Groups do not feel each other, so none may hide behind another.
+ */
+std::vector<double> reference_forces(const Scene &scene,
+                                     const InterfaceForces &forces,
+                                     const std::vector<unsigned int> &group)
+{
+  std::vector<double> load(group.size(), 0.), force(group.size(), 0.);
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+    load[group[c]] = std::max(load[group[c]], scene.load[c].norm());
+  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
+  {
+    double &largest = force[group[scene.packing.interfaces()[e].cell_minus]];
+    largest = std::max({largest, std::abs(forces.normal[e]),
+                        std::abs(forces.tangential[e])});
+  }
+  for (unsigned int g = 0; g < group.size(); ++g)
+    if (!(load[g] > 0.))
+      load[g] = force[g];
+  return load;
+}
+} // namespace
 
 Certificate certify(const Scene &scene, const InterfaceForces &forces)
 {
@@ -23,41 +51,37 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
       return {infinity, infinity, infinity, infinity};
     }
 
-  double reference = 0.;
-  for (const Tensor<1, 2> &F : scene.load)
-    reference = std::max(reference, F.norm());
-  if (!(reference > 0.))
-    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-      reference = std::max({reference, std::abs(forces.normal[e]),
-                            std::abs(forces.tangential[e])});
-  if (!(reference > 0.))
-    return certificate; // neither loads nor forces
+  const std::vector<unsigned int> group = connected_groups(packing);
+  const std::vector<double> reference = reference_forces(scene, forces, group);
+  // Without a reference force there is nothing to be compared.
+  const auto add = [&](double &largest, const double error,
+                       const unsigned int cell) {
+    if (reference[group[cell]] > 0.)
+      largest = std::max(largest, error / reference[group[cell]]);
+  };
 
   std::vector<Tensor<1, 2>> sum = scene.load;
   sum.emplace_back(); // of the ground, which takes any force
-  double violation = 0.;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    violation = std::max(
-        {violation, forces.normal[e],
-         std::abs(forces.tangential[e]) - scene.strength[e] * i.length});
+    add(certificate.admissibility_violation,
+        std::max(forces.normal[e], std::abs(forces.tangential[e]) -
+                                       scene.strength[e] * i.length),
+        i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(scene, forces, e));
   }
-  certificate.admissibility_violation = violation / reference;
 
   const std::vector<double> torques = residual_torques(scene, forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    certificate.equilibrium_residual =
-        std::max(certificate.equilibrium_residual, sum[c].norm() / reference);
-    certificate.max_torque = std::max(
-        certificate.max_torque,
-        std::abs(torques[c]) / (reference * std::sqrt(packing.area(c))));
+    add(certificate.equilibrium_residual, sum[c].norm(), c);
+    add(certificate.max_torque,
+        std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
   return certificate;
 }

@@ -36,6 +36,7 @@ public:
       : problem(problem), program(program), terminal(terminal),
         start(program.start()), constraints(program.constraints())
   {
+    hold_bodies();
   }
 
   IpoptResult result;
@@ -205,6 +206,18 @@ public:
   bool asked = false;
 
 private:
+  /**
+   * Move each connected group so that the body that is held starts at zero:
+   * close to the end displacements may be many orders smaller than those of the
+   * start, and their differences would lose digits to a common translation.
+   */
+  void hold_bodies()
+  {
+    std::vector<double> u(start.begin(), start.begin() + problem.n_dofs());
+    problem.hold_bodies(u);
+    std::copy(u.begin(), u.end(), start.begin());
+  }
+
   /** Hand over the places of the entries, or their values. */
   static void fill(const std::vector<Entry> &entries,
                    const double factor,
@@ -225,7 +238,7 @@ private:
   const DiscreteProblem &problem;
   ConvexProgram &program;
   Terminal &terminal;
-  const std::vector<double> start;
+  std::vector<double> start;
   const std::vector<Entry> constraints;
   /** The last displacement that Ipopt tried. */
   std::vector<double> latest;

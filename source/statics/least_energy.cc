@@ -115,10 +115,10 @@ Solution minimise_elastic(const DiscreteProblem &problem,
       proximal.advance();
     return mechanism;
   };
-  return minimise(problem, newton,
-                  {controls.tolerance, std::numeric_limits<double>::infinity(),
-                   controls.n_max_iterations},
-                  advance, displacement_unit, terminal);
+  NewtonControls until;
+  until.imbalance = controls.tolerance;
+  until.n_max_iterations = controls.n_max_iterations;
+  return minimise(problem, newton, until, advance, displacement_unit, terminal);
 }
 } // namespace
 

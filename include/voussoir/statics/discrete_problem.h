@@ -107,9 +107,18 @@ public:
    */
   void remove_translations(std::vector<double> &u) const;
 
+  /** Subtract from @p u in each connected group what is_held() moves by. */
+  void hold_bodies(std::vector<double> &u) const;
+
   /** The displacements of the cells among @p u, times @p unit. */
   std::vector<dealii::Tensor<1, 2>>
   displacement_of_cells(const std::vector<double> &u, double unit) const;
+
+  /**
+   * The same problem with all strengths s_e above @p strength, nondimensional,
+   * lowered to it.
+   */
+  DiscreteProblem with_strengths_up_to(double strength) const;
 
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;
