@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
 #include <algorithm>
@@ -44,14 +45,14 @@ constexpr double fixed_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fixed_joints_steps = 30;
 
 /**
- * The stress, nondimensional, above which all strengths are the same. The
- * barrier of a strength b is a constant plus a term of order (q/b)^2, so that
- * the centre does not change as strengths grow together; but its second
- * derivative, of order b^2, costs digits.
+ * The stress, nondimensional, that counts for all strengths above it. Where a
+ * motion opens all joints without sliding, as in Voronoi packings, forces are
+ * bounded by the loads, and the barrier of a strength b is a constant but for
+ * (q/b)^2; its second derivative, of order b^2, multiplies the rounding of the
+ * coordinates. Elsewhere the centre would hold normal forces of the order of b
+ * that balance by themselves.
  */
-constexpr double largest_effective_strength = 1e6;
-/** The largest |q|/b, b so limited, with which that holds to its square. */
-constexpr double far_below_limit = 1e-4;
+constexpr double largest_effective_strength = 100.;
 
 /** The work of a load, over the size of its terms, that is not rounding. */
 constexpr double least_resistance = 1e-10;
@@ -140,19 +141,16 @@ bool is_limited(const DiscreteProblem &problem, const DiscreteProblem &limited)
   return false;
 }
 
-/** Whether no force comes near a strength that is lower in @p limited. */
-bool limit_is_far(const DiscreteProblem &problem,
-                  const DiscreteProblem &limited,
-                  const Solution &found)
+/** Whether a joint always slides in @p found only because of the limit. */
+bool slides_at_limit(const DiscreteProblem &problem,
+                     const DiscreteProblem &limited,
+                     const Solution &found)
 {
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const double limit = limited.joints()[e].strength;
-    if (limit < problem.joints()[e].strength &&
-        !(std::abs(found.forces.tangential[e]) <= far_below_limit * limit))
-      return false;
-  }
-  return true;
+  for (unsigned int e = 0; e < found.always_sliding.size(); ++e)
+    if (found.always_sliding[e] &&
+        limited.joints()[e].strength < problem.joints()[e].strength)
+      return true;
+  return false;
 }
 
 Solution minimise_barrier(const DiscreteProblem &problem,
@@ -216,13 +214,15 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
   const DiscreteProblem limited =
       problem.with_strengths_up_to(largest_effective_strength);
   const Solution found = find_centre(limited, controls, terminal);
-  if (!is_limited(problem, limited) ||
-      (found.converged() && limit_is_far(problem, limited, found)))
+  if (found.converged() && !slides_at_limit(problem, limited, found))
     return found;
+  if (!is_limited(problem, limited))
+    return settle(problem, controls, found, terminal);
 
   SolverControls rest = controls;
   rest.n_max_iterations -= found.n_iterations;
-  Solution solution = find_centre(problem, rest, terminal);
+  Solution solution =
+      settle(problem, rest, find_centre(problem, rest, terminal), terminal);
   solution.n_iterations += found.n_iterations;
   solution.n_evaluations += found.n_evaluations;
   return solution;

@@ -2,6 +2,7 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
 #include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
 #include <algorithm>
@@ -183,9 +184,13 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                              const SolverControls &controls,
                              Terminal &terminal) const
 {
-  return minimise_elastic(
-      problem, linear_solver, controls,
-      problem.stress_scale() * problem.length_scale() / modulus, terminal);
+  return settle(
+      problem, controls,
+      minimise_elastic(problem, linear_solver, controls,
+                       problem.stress_scale() * problem.length_scale() /
+                           modulus,
+                       terminal),
+      terminal);
 }
 
 std::optional<Mechanism>
