@@ -12,28 +12,34 @@ using dealii::Tensor;
 
 namespace
 {
+/** A load, relative to the largest of the scene, that is rounding. */
+constexpr double rounding_of_loads = 1e-12;
+
 /**
  * The reference force of each connected group, by its lowest member: the
- * largest load on a cell, or without load the largest force; zero if there is
- * neither. Groups do not feel each other, so none may hide behind another.
+ * largest load on one of its cells, since groups do not feel each other and
+ * none may hide behind another. A group without load is judged by the largest
+ * of the scene, and a scene without load by the largest force.
  */
 std::vector<double> reference_forces(const Scene &scene,
                                      const InterfaceForces &forces,
                                      const std::vector<unsigned int> &group)
 {
-  std::vector<double> load(group.size(), 0.), force(group.size(), 0.);
+  std::vector<double> reference(group.size(), 0.);
+  double largest_load = 0., largest_force = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
-    load[group[c]] = std::max(load[group[c]], scene.load[c].norm());
-  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
   {
-    double &largest = force[group[scene.packing.interfaces()[e].cell_minus]];
-    largest = std::max({largest, std::abs(forces.normal[e]),
-                        std::abs(forces.tangential[e])});
+    double &largest = reference[group[c]];
+    largest = std::max(largest, scene.load[c].norm());
+    largest_load = std::max(largest_load, largest);
   }
-  for (unsigned int g = 0; g < group.size(); ++g)
-    if (!(load[g] > 0.))
-      load[g] = force[g];
-  return load;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+    largest_force = std::max({largest_force, std::abs(forces.normal[e]),
+                              std::abs(forces.tangential[e])});
+  for (double &largest : reference)
+    if (!(largest > rounding_of_loads * largest_load))
+      largest = largest_load > 0. ? largest_load : largest_force;
+  return reference;
 }
 } // namespace
 
@@ -69,8 +75,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
     add(certificate.admissibility_violation,
-        std::max(forces.normal[e], std::abs(forces.tangential[e]) -
-                                       scene.strength[e] * i.length),
+        std::max(forces.normal[e],
+                 std::abs(forces.tangential[e]) - scene.strength[e] * i.length),
         i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(scene, forces, e));

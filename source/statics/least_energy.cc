@@ -184,13 +184,12 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                              const SolverControls &controls,
                              Terminal &terminal) const
 {
-  return settle(
-      problem, controls,
-      minimise_elastic(problem, linear_solver, controls,
-                       problem.stress_scale() * problem.length_scale() /
-                           modulus,
-                       terminal),
-      terminal);
+  return settle(problem, controls,
+                minimise_elastic(problem, linear_solver, controls,
+                                 problem.stress_scale() *
+                                     problem.length_scale() / modulus,
+                                 terminal),
+                terminal);
 }
 
 std::optional<Mechanism>

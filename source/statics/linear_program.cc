@@ -186,9 +186,8 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
 {
   require_interior(problem, name());
   // Forces within lower strengths are within these.
-  const Solution found =
-      solve_program(problem.with_strengths_up_to(sufficient_strength), controls,
-                    terminal);
+  const Solution found = solve_program(
+      problem.with_strengths_up_to(sufficient_strength), controls, terminal);
   if (found.converged() || !(strongest(problem) > sufficient_strength))
     return found;
   SolverControls rest = controls;

@@ -41,23 +41,22 @@ void run(const std::string &name, const std::string &settings, const int right)
   for (const Way &way : all_ways)
   {
     fs::remove_all("output");
-    std::ofstream("scene.prm") << settings << "\nset Formulation = "
-                               << way.formulation
-                               << "\nsubsection Stress\n set Reconstruct = "
-                                  "false\nend\nsubsection Solver\n subsection "
-                               << way.formulation << "\n  " << way.settings
-                               << "\n end\nend\n";
+    std::ofstream("scene.prm")
+        << settings << "\nset Formulation = " << way.formulation
+        << "\nsubsection Stress\n set Reconstruct = "
+           "false\nend\nsubsection Solver\n subsection "
+        << way.formulation << "\n  " << way.settings << "\n end\nend\n";
     std::ostringstream out, error;
-    const int status =
-        Voussoir::run_command_line({"scene.prm"}, out, error);
+    const int status = Voussoir::run_command_line({"scene.prm"}, out, error);
     const std::string message = error.str();
     check(name + ", " + way.name + ": status " + std::to_string(right) +
-              (status == right ? "" : " but " + std::to_string(status) + " " +
-                                          message),
+              (status == right
+                   ? ""
+                   : " but " + std::to_string(status) + " " + message),
           status == right);
-    check(name + ", " + way.name + ": a message if and only if it failed",
-          message.find("rror") != std::string::npos || status == 0 ||
-              message.size() > 20);
+    check(name + ", " + way.name + ": a sentence if it failed",
+          status == 0 ||
+              (message.size() > 40 && message.find('.') != std::string::npos));
     check(name + ", " + way.name + ": no NaN" + bad_files(),
           bad_files().empty());
   }
@@ -66,8 +65,10 @@ void run(const std::string &name, const std::string &settings, const int right)
 std::string voronoi(const unsigned int n, const std::string &size)
 {
   return "subsection Packing\n subsection Voronoi\n  set Number of points = " +
-         std::to_string(n) + "\n  set Lower left = -" + size + ", 0\n"
-         "  set Upper right = " + size + ", " + size + "\n end\nend\n";
+         std::to_string(n) + "\n  set Lower left = -" + size +
+         ", 0\n"
+         "  set Upper right = " +
+         size + ", " + size + "\n end\nend\n";
 }
 
 std::string strength(const std::string &value)
@@ -90,9 +91,14 @@ int main()
   run("no friction", voronoi(30, "1") + strength("0") + pressure, 0);
   run("no friction, sheared",
       voronoi(30, "1") + strength("0") + traction("-1.5*nx; -0.5*ny"), 3);
-  run("small", voronoi(30, "1e-9") + strength("1e-9") + traction("-1e-9*nx; -1e-9*ny"), 0);
-  run("large", voronoi(30, "1e9") + strength("1e12") + traction("-1e12*nx; -1e12*ny"), 0);
-  run("very strong", voronoi(30, "1") + strength("1e12") + traction("-1.3*nx; -0.7*ny"), 0);
+  run("small",
+      voronoi(30, "1e-9") + strength("1e-9") + traction("-1e-9*nx; -1e-9*ny"),
+      0);
+  run("large",
+      voronoi(30, "1e9") + strength("1e12") + traction("-1e12*nx; -1e12*ny"),
+      0);
+  run("very strong",
+      voronoi(30, "1") + strength("1e12") + traction("-1.3*nx; -0.7*ny"), 0);
   run("strengths that jump",
       voronoi(30, "1") + strength("x < 0 ? 1e-6 : 1e6") + pressure, 0);
   run("one cell", voronoi(1, "1") + strength("1") + pressure, 0);
@@ -101,6 +107,6 @@ int main()
   run("a wall at 1 - 1e-5 of the limit",
       wall + strength("1.00001") + traction("ny; 0"), 0);
   for (const char *beyond : {"0.9", "0.999999", "0.99999999"})
-    run("a wall beyond the limit",
-        wall + strength(beyond) + traction("ny; 0"), 3);
+    run("a wall beyond the limit", wall + strength(beyond) + traction("ny; 0"),
+        3);
 }

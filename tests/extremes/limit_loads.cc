@@ -57,16 +57,14 @@ void approach(const std::string &name,
     for (int k = 1; k <= n_digits; ++k)
       for (const double sign : {-1., 1.})
       {
-        const Judgement found = judge(scene_at(1. + sign * std::pow(10., -k)),
-                                      way);
-        const Verdict right =
-            sign < 0. ? Verdict::carried : Verdict::collapse;
+        const Judgement found =
+            judge(scene_at(1. + sign * std::pow(10., -k)), way);
+        const Verdict right = sign < 0. ? Verdict::carried : Verdict::collapse;
         const std::string load =
             std::string(sign < 0. ? "1 - 1e-" : "1 + 1e-") + std::to_string(k);
         check("  " + way.name + " at " + load + ": not wrong",
-              found.verdict == right ||
-                  (found.verdict == Verdict::refused &&
-                   !found.message.empty()));
+              found.verdict == right || (found.verdict == Verdict::refused &&
+                                         !found.message.empty()));
         if (way.formulation != "analytic centre" || sign > 0. || k <= 5)
           check("  " + way.name + " at " + load + ": answered",
                 found.verdict == right);
@@ -75,10 +73,12 @@ void approach(const std::string &name,
 
 int main()
 {
-  approach("shear wall",
-           [](const double load) { return shear_wall(1. / load); }, 8);
-  approach("turned squares",
-           [](const double load) { return turned_squares(0.3 * load); }, 8);
+  approach(
+      "shear wall", [](const double load) { return shear_wall(1. / load); }, 8);
+  approach(
+      "turned squares",
+      [](const double load) { return turned_squares(0.3 * load); }, 8);
   // This limit has six digits.
-  approach("arch", [](const double load) { return arch(0.314904 / load); }, 5);
+  approach(
+      "arch", [](const double load) { return arch(0.314904 / load); }, 5);
 }

@@ -160,12 +160,10 @@ inline DiscreteProblem::Jump DiscreteProblem::jump(const Joint &joint,
 {
   // The two products may cancel all but the last digits, and in a stiff joint
   // these are forces.
-  const long double x =
-      static_cast<long double>(u[dof(joint.cell_plus, 0)]) -
-      u[dof(joint.cell_minus, 0)];
-  const long double y =
-      static_cast<long double>(u[dof(joint.cell_plus, 1)]) -
-      u[dof(joint.cell_minus, 1)];
+  const long double x = static_cast<long double>(u[dof(joint.cell_plus, 0)]) -
+                        u[dof(joint.cell_minus, 0)];
+  const long double y = static_cast<long double>(u[dof(joint.cell_plus, 1)]) -
+                        u[dof(joint.cell_minus, 1)];
   return {static_cast<double>(x * joint.normal[0] + y * joint.normal[1]),
           static_cast<double>(x * joint.tangent[0] + y * joint.tangent[1])};
 }
