@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
 #include <algorithm>
@@ -18,6 +19,12 @@ namespace
  * is the same for every tolerance, so that the centre is, too.
  */
 constexpr double largest_decrement = 1e-7;
+/**
+ * The same for the forces themselves. In joints that are much stronger than
+ * their load the decrement says little on them, and rounding leaves in each
+ * step a part of their error.
+ */
+constexpr double largest_force_change = 1e-6;
 
 /**
  * Newton's method takes up to 25 iterations where there is a centre or a
@@ -36,6 +43,16 @@ constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 constexpr double half_way = 0.316;
 constexpr double fixed_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fixed_joints_steps = 30;
+
+/**
+ * The stress, nondimensional, that counts for all strengths above it. Where a
+ * motion opens all joints without sliding, as in Voronoi packings, forces are
+ * bounded by the loads, and the barrier of a strength b is a constant but for
+ * (q/b)^2; its second derivative, of order b^2, multiplies the rounding of the
+ * coordinates. Elsewhere the centre would hold normal forces of the order of b
+ * that balance by themselves.
+ */
+constexpr double largest_effective_strength = 100.;
 
 /** The work of a load, over the size of its terms, that is not rounding. */
 constexpr double least_resistance = 1e-10;
@@ -115,6 +132,27 @@ fixed_joints(const DiscreteProblem &problem,
   return fixed;
 }
 
+/** Whether a strength of @p problem is lower in @p limited. */
+bool is_limited(const DiscreteProblem &problem, const DiscreteProblem &limited)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    if (limited.joints()[e].strength < problem.joints()[e].strength)
+      return true;
+  return false;
+}
+
+/** Whether a joint always slides in @p found only because of the limit. */
+bool slides_at_limit(const DiscreteProblem &problem,
+                     const DiscreteProblem &limited,
+                     const Solution &found)
+{
+  for (unsigned int e = 0; e < found.always_sliding.size(); ++e)
+    if (found.always_sliding[e] &&
+        limited.joints()[e].strength < problem.joints()[e].strength)
+      return true;
+  return false;
+}
+
 Solution minimise_barrier(const DiscreteProblem &problem,
                           const BarrierJoint &law,
                           JointSystem &system,
@@ -127,11 +165,13 @@ Solution minimise_barrier(const DiscreteProblem &problem,
     newton.step(least_shift, newton.u());
     return {};
   };
+  NewtonControls until;
+  until.imbalance = tolerance;
+  until.decrement = largest_decrement;
+  until.force_change = largest_force_change;
+  until.n_max_iterations = std::min(n_max_newton_iterations, n_max_iterations);
   // No displacement of its own: the barrier's grows with its parameter.
-  return minimise(problem, newton,
-                  {tolerance, largest_decrement,
-                   std::min(n_max_newton_iterations, n_max_iterations)},
-                  advance, 0., terminal);
+  return minimise(problem, newton, until, advance, 0., terminal);
 }
 } // namespace
 
@@ -171,6 +211,27 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
+  const DiscreteProblem limited =
+      problem.with_strengths_up_to(largest_effective_strength);
+  const Solution found = find_centre(limited, controls, terminal);
+  if (found.converged() && !slides_at_limit(problem, limited, found))
+    return found;
+  if (!is_limited(problem, limited))
+    return settle(problem, controls, found, terminal);
+
+  SolverControls rest = controls;
+  rest.n_max_iterations -= found.n_iterations;
+  Solution solution =
+      settle(problem, rest, find_centre(problem, rest, terminal), terminal);
+  solution.n_iterations += found.n_iterations;
+  solution.n_evaluations += found.n_evaluations;
+  return solution;
+}
+
+Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
+                                     const SolverControls &controls,
+                                     Terminal &terminal) const
+{
   BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::automatic);
   unsigned int n_iterations = 0, n_evaluations = 0;

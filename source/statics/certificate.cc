@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
 #include <voussoir/statics/certificate.h>
 
 #include <algorithm>
@@ -8,6 +9,39 @@
 namespace Voussoir
 {
 using dealii::Tensor;
+
+namespace
+{
+/** A load, relative to the largest of the scene, that is rounding. */
+constexpr double rounding_of_loads = 1e-12;
+
+/**
+ * The reference force of each connected group, by its lowest member: the
+ * largest load on one of its cells, since groups do not feel each other and
+ * none may hide behind another. A group without load is judged by the largest
+ * of the scene, and a scene without load by the largest force.
+ */
+std::vector<double> reference_forces(const Scene &scene,
+                                     const InterfaceForces &forces,
+                                     const std::vector<unsigned int> &group)
+{
+  std::vector<double> reference(group.size(), 0.);
+  double largest_load = 0., largest_force = 0.;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+  {
+    double &largest = reference[group[c]];
+    largest = std::max(largest, scene.load[c].norm());
+    largest_load = std::max(largest_load, largest);
+  }
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+    largest_force = std::max({largest_force, std::abs(forces.normal[e]),
+                              std::abs(forces.tangential[e])});
+  for (double &largest : reference)
+    if (!(largest > rounding_of_loads * largest_load))
+      largest = largest_load > 0. ? largest_load : largest_force;
+  return reference;
+}
+} // namespace
 
 Certificate certify(const Scene &scene, const InterfaceForces &forces)
 {
@@ -23,41 +57,37 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
       return {infinity, infinity, infinity, infinity};
     }
 
-  double reference = 0.;
-  for (const Tensor<1, 2> &F : scene.load)
-    reference = std::max(reference, F.norm());
-  if (!(reference > 0.))
-    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-      reference = std::max({reference, std::abs(forces.normal[e]),
-                            std::abs(forces.tangential[e])});
-  if (!(reference > 0.))
-    return certificate; // neither loads nor forces
+  const std::vector<unsigned int> group = connected_groups(packing);
+  const std::vector<double> reference = reference_forces(scene, forces, group);
+  // Without a reference force there is nothing to be compared.
+  const auto add = [&](double &largest, const double error,
+                       const unsigned int cell) {
+    if (reference[group[cell]] > 0.)
+      largest = std::max(largest, error / reference[group[cell]]);
+  };
 
   std::vector<Tensor<1, 2>> sum = scene.load;
   sum.emplace_back(); // of the ground, which takes any force
-  double violation = 0.;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    violation = std::max(
-        {violation, forces.normal[e],
-         std::abs(forces.tangential[e]) - scene.strength[e] * i.length});
+    add(certificate.admissibility_violation,
+        std::max(forces.normal[e],
+                 std::abs(forces.tangential[e]) - scene.strength[e] * i.length),
+        i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(scene, forces, e));
   }
-  certificate.admissibility_violation = violation / reference;
 
   const std::vector<double> torques = residual_torques(scene, forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    certificate.equilibrium_residual =
-        std::max(certificate.equilibrium_residual, sum[c].norm() / reference);
-    certificate.max_torque = std::max(
-        certificate.max_torque,
-        std::abs(torques[c]) / (reference * std::sqrt(packing.area(c))));
+    add(certificate.equilibrium_residual, sum[c].norm(), c);
+    add(certificate.max_torque,
+        std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
   return certificate;
 }

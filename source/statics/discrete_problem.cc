@@ -108,6 +108,18 @@ void DiscreteProblem::remove_translations(std::vector<double> &u) const
       u[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
 }
 
+void DiscreteProblem::hold_bodies(std::vector<double> &u) const
+{
+  std::vector<Tensor<1, 2>> held(n_bodies());
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    if (is_held(b))
+      for (unsigned int i = 0; i < 2; ++i)
+        held[group[b]][i] = u[dof(b, i)];
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[dof(b, i)] -= held[group[b]][i];
+}
+
 std::vector<Tensor<1, 2>>
 DiscreteProblem::displacement_of_cells(const std::vector<double> &u,
                                        const double unit) const
@@ -166,6 +178,15 @@ bool DiscreteProblem::is_held(const unsigned int body) const
   const bool with_ground =
       n_bodies() > n_cells() && group[body] == group.back();
   return with_ground ? body == n_cells() : body == group[body];
+}
+
+DiscreteProblem
+DiscreteProblem::with_strengths_up_to(const double strength) const
+{
+  DiscreteProblem problem(*this);
+  for (Joint &joint : problem.joint_list)
+    joint.strength = std::min(joint.strength, strength * joint.length);
+  return problem;
 }
 
 DiscreteProblem DiscreteProblem::without_loads() const

@@ -2,6 +2,7 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
 #include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
 #include <algorithm>
@@ -115,10 +116,10 @@ Solution minimise_elastic(const DiscreteProblem &problem,
       proximal.advance();
     return mechanism;
   };
-  return minimise(problem, newton,
-                  {controls.tolerance, std::numeric_limits<double>::infinity(),
-                   controls.n_max_iterations},
-                  advance, displacement_unit, terminal);
+  NewtonControls until;
+  until.imbalance = controls.tolerance;
+  until.n_max_iterations = controls.n_max_iterations;
+  return minimise(problem, newton, until, advance, displacement_unit, terminal);
 }
 } // namespace
 
@@ -183,9 +184,12 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                              const SolverControls &controls,
                              Terminal &terminal) const
 {
-  return minimise_elastic(
-      problem, linear_solver, controls,
-      problem.stress_scale() * problem.length_scale() / modulus, terminal);
+  return settle(problem, controls,
+                minimise_elastic(problem, linear_solver, controls,
+                                 problem.stress_scale() *
+                                     problem.length_scale() / modulus,
+                                 terminal),
+                terminal);
 }
 
 std::optional<Mechanism>

@@ -128,6 +128,36 @@ private:
   /** The joints with a strength. */
   std::vector<unsigned int> rough;
 };
+
+/**
+ * A stress, nondimensional, that joints seldom need. The friction of a joint is
+ * the difference of two multipliers whose sum is its strength, and loses digits
+ * to strengths that are much larger.
+ */
+constexpr double sufficient_strength = 100.;
+
+/** The largest strength s_e of a joint. */
+double strongest(const DiscreteProblem &problem)
+{
+  double strength = 0.;
+  for (const Joint &joint : problem.joints())
+    strength = std::max(strength, joint.strength / joint.length);
+  return strength;
+}
+
+Solution solve_program(const DiscreteProblem &problem,
+                       const SolverControls &controls,
+                       Terminal &terminal)
+{
+  Program program(problem);
+  const IpoptResult result = solve_with_ipopt(
+      problem, program, {controls.tolerance, controls.n_max_iterations},
+      terminal);
+  Solution solution = make_solution(problem, result);
+  if (!solution.mechanism)
+    solution.forces = program.forces(result.multipliers);
+  return solution;
+}
 } // namespace
 
 std::string LinearProgram::name() const
@@ -155,13 +185,34 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
                                Terminal &terminal) const
 {
   require_interior(problem, name());
-  Program program(problem);
-  const IpoptResult result = solve_with_ipopt(
-      problem, program, {controls.tolerance, controls.n_max_iterations},
+  // Forces within lower strengths are within these.
+  const Solution found = solve_program(
+      problem.with_strengths_up_to(sufficient_strength), controls, terminal);
+  if (found.converged() || !(strongest(problem) > sufficient_strength))
+    return found;
+  SolverControls rest = controls;
+  rest.n_max_iterations -= found.n_iterations;
+  Solution solution = solve_program(problem, rest, terminal);
+  solution.n_iterations += found.n_iterations;
+  solution.n_evaluations += found.n_evaluations;
+  return solution;
+}
+
+Solution settle(const DiscreteProblem &problem,
+                const SolverControls &controls,
+                Solution solution,
+                Terminal &terminal)
+{
+  if (solution.converged() || solution.mechanism || problem.opening().empty())
+    return solution;
+  const Solution second = solve_program(
+      problem, {SolverControls().tolerance, controls.n_max_iterations},
       terminal);
-  Solution solution = make_solution(problem, result);
-  if (!solution.mechanism)
-    solution.forces = program.forces(result.multipliers);
+  if (second.mechanism)
+  {
+    solution.mechanism = second.mechanism;
+    solution.outcome = second.outcome;
+  }
   return solution;
 }
 } // namespace Voussoir

@@ -62,7 +62,8 @@ Newton::Newton(const DiscreteProblem &problem,
                JointSystem &system,
                std::vector<double> u)
     : problem(problem), law(law), system(system),
-      last_decrement(std::numeric_limits<double>::infinity())
+      last_decrement(std::numeric_limits<double>::infinity()),
+      last_force_change(std::numeric_limits<double>::infinity())
 {
   present.u = std::move(u);
   present.jumps = jumps_of(present.u);
@@ -235,6 +236,12 @@ double Newton::search(const std::vector<double> &direction,
         },
         n_searches);
   }
+  last_force_change = 0.;
+  for (unsigned int e = 0; e < trial.forces.size(); ++e)
+    last_force_change = std::max(
+        {last_force_change,
+         std::abs(trial.forces[e].normal - present.forces[e].normal),
+         std::abs(trial.forces[e].tangential - present.forces[e].tangential)});
   present = std::move(trial);
   return t;
 }
@@ -275,6 +282,11 @@ double Newton::decrement() const
   return last_decrement;
 }
 
+double Newton::force_change() const
+{
+  return last_force_change;
+}
+
 unsigned int Newton::n_iterations() const
 {
   return iterations;
@@ -303,7 +315,8 @@ Solution minimise(const DiscreteProblem &problem,
     const double imbalance = newton.imbalance();
     const unsigned int n = newton.n_iterations();
     const bool converged = imbalance <= controls.imbalance &&
-                           newton.decrement() <= controls.decrement;
+                           newton.decrement() <= controls.decrement &&
+                           newton.force_change() <= controls.force_change;
     if (imbalance < least || converged || best_u.empty())
     {
       least = imbalance;

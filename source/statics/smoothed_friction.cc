@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
 
@@ -262,8 +263,10 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
     // precision, and do not depend on the steps that led there.
     ipopt.mu_target = central_path_parameter;
 
-  Solution solution =
-      program.solution(solve_with_ipopt(problem, program, ipopt, terminal));
+  Solution solution = settle(
+      problem, controls,
+      program.solution(solve_with_ipopt(problem, program, ipopt, terminal)),
+      terminal);
   for (Tensor<1, 2> &u : solution.displacement)
     u *= smoothing_length;
   return solution;

@@ -37,6 +37,10 @@ private:
                   const SolverControls &controls,
                   Terminal &terminal) const override;
 
+  Solution find_centre(const DiscreteProblem &problem,
+                       const SolverControls &controls,
+                       Terminal &terminal) const;
+
   BarrierWeights weights = BarrierWeights::edge_area;
 };
 

@@ -107,9 +107,18 @@ public:
    */
   void remove_translations(std::vector<double> &u) const;
 
+  /** Subtract from @p u in each connected group what is_held() moves by. */
+  void hold_bodies(std::vector<double> &u) const;
+
   /** The displacements of the cells among @p u, times @p unit. */
   std::vector<dealii::Tensor<1, 2>>
   displacement_of_cells(const std::vector<double> &u, double unit) const;
+
+  /**
+   * The same problem with all strengths s_e above @p strength, nondimensional,
+   * lowered to it.
+   */
+  DiscreteProblem with_strengths_up_to(double strength) const;
 
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;
@@ -149,10 +158,14 @@ inline unsigned int DiscreteProblem::dof(const unsigned int body,
 inline DiscreteProblem::Jump DiscreteProblem::jump(const Joint &joint,
                                                    const double *u)
 {
-  const double x = u[dof(joint.cell_plus, 0)] - u[dof(joint.cell_minus, 0)];
-  const double y = u[dof(joint.cell_plus, 1)] - u[dof(joint.cell_minus, 1)];
-  return {x * joint.normal[0] + y * joint.normal[1],
-          x * joint.tangent[0] + y * joint.tangent[1]};
+  // The two products may cancel all but the last digits, and in a stiff joint
+  // these are forces.
+  const long double x = static_cast<long double>(u[dof(joint.cell_plus, 0)]) -
+                        u[dof(joint.cell_minus, 0)];
+  const long double y = static_cast<long double>(u[dof(joint.cell_plus, 1)]) -
+                        u[dof(joint.cell_minus, 1)];
+  return {static_cast<double>(x * joint.normal[0] + y * joint.normal[1]),
+          static_cast<double>(x * joint.tangent[0] + y * joint.tangent[1])};
 }
 
 inline void DiscreteProblem::add_jump_gradient(const Joint &joint,

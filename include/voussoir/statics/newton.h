@@ -56,6 +56,8 @@ public:
   double imbalance(double shift, const std::vector<double> &centre) const;
   /** (r . A^{-1} r)^(1/2) of the last step, r what it had to balance. */
   double decrement() const;
+  /** The largest change of a force in the last step. */
+  double force_change() const;
 
   unsigned int n_iterations() const;
   /** How often the forces were evaluated. */
@@ -93,6 +95,7 @@ private:
   JointSystem &system;
   State present;
   double last_decrement;
+  double last_force_change;
   unsigned int iterations = 0;
   unsigned int evaluations = 0;
 };
@@ -104,6 +107,8 @@ struct NewtonControls
   double imbalance;
   /** The largest decrement of the last step. */
   double decrement = std::numeric_limits<double>::infinity();
+  /** The largest change of a force in the last step. */
+  double force_change = std::numeric_limits<double>::infinity();
   unsigned int n_max_iterations;
 };
 

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Geometry at its extremes: edges down to 1e-14 of the longest, generators
+// closer than rounding, many cells at one point, slender bricks, courses of
+// very different heights, cells of 3 and of 1,000 sides, one to three cells.
+// And the numbering: no order of cells or vertices changes a force.
+
+#include <voussoir/base/text.h>
+
+#include <deal.II/base/numbers.h>
+
+#include "judgement.h"
+#include <array>
+#include <map>
+#include <numeric>
+#include <random>
+
+using namespace Voussoir;
+using dealii::Point;
+
+const auto pressure = tensor(-1., 0., 0., -1.);
+const Rectangle unit = {{0., 0.}, {1., 1.}};
+
+PointList points(const std::vector<Point<2>> &list)
+{
+  PointList result;
+  result.points = list;
+  return result;
+}
+
+CellLoops cells_of(const std::vector<Point<2>> &vertices,
+                   const std::vector<std::vector<unsigned int>> &loops)
+{
+  CellLoops cells;
+  cells.vertices = vertices;
+  for (const auto &loop : loops)
+  {
+    cells.loops.insert(cells.loops.end(), loop.begin(), loop.end());
+    cells.first.push_back(cells.loops.size());
+  }
+  return cells;
+}
+
+/** All formulations carry a uniform pressure, which is right in the mean. */
+void carry_pressure(const std::string &name, const Packing &packing)
+{
+  Worst certificate, mean, uniform;
+  std::string not_carried;
+  for (const Way &way : all_ways)
+  {
+    const Scene scene = scene_under_stress(packing, 0.5, pressure);
+    const Judgement found = judge(scene, way);
+    if (found.verdict != Verdict::carried)
+    {
+      not_carried += " " + way.name + " (" + found.message + ")";
+      continue;
+    }
+    certificate.add(found.error);
+    mean.add(error_of_mean(scene, found.forces, pressure));
+    if (way.name == least_energy.name)
+      uniform.add(distance_from_uniform(scene, found.forces, pressure));
+  }
+  check(name + ": carried" + not_carried, not_carried.empty());
+  check_error(name + ": certificate", certificate.error, 1e-8);
+  check_error(name + ": mean stress", mean.error, 1e-8);
+}
+
+// ------------------------------------------------------------- short edges
+
+/** Four cells around an edge of length h in the middle of a square. */
+Packing around_short_edge(const double h)
+{
+  return Packing(
+      cells_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -h / 2}, {0, h / 2}},
+               {{0, 1, 4}, {1, 2, 5, 4}, {2, 3, 5}, {3, 0, 4, 5}}));
+}
+
+void try_short_edges()
+{
+  std::map<std::string, InterfaceForces> shortest;
+  for (const double h : {1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4})
+  {
+    const std::string name = "edge of " + std::to_string(h * 1e14) + "e-14";
+    carry_pressure(name, around_short_edge(h));
+    Worst difference;
+    for (const Way &way : all_ways)
+    {
+      const InterfaceForces forces =
+          judge(scene_under_stress(around_short_edge(h), 0.5, pressure), way)
+              .forces;
+      const auto limit = shortest.emplace(way.name, forces).first;
+      difference.add(forces.normal.size() == limit->second.normal.size()
+                         ? distance(forces, limit->second)
+                         : 1e300);
+    }
+    // As the edge shrinks the forces tend to a limit, in proportion to h.
+    check_error("  from those of the shortest", difference.error,
+                30. * h + 1e-7);
+  }
+}
+
+void try_close_generators()
+{
+  for (const double distance : {1e-3, 1e-6, 1e-9, 1e-11})
+    carry_pressure("generators " + std::to_string(distance * 1e11) +
+                       "e-11 apart",
+                   Packing(voronoi_cells(points({{0.5, 0.5},
+                                                 {0.5 + distance, 0.5},
+                                                 {0.2, 0.3},
+                                                 {0.8, 0.2},
+                                                 {0.3, 0.8}}),
+                                         unit)));
+  for (const double distance : {1e-13, 1e-15, 0.})
+    show_refusal([&] {
+      voronoi_cells(points({{0.25, 0.5}, {0.25 + distance, 0.5}}), unit);
+    });
+}
+
+/** Five cells that meet at one point, but for a perturbation. */
+void try_meeting_cells()
+{
+  for (const double perturbation :
+       {0., 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4})
+  {
+    PointList list;
+    for (unsigned int i = 0; i < 5; ++i)
+    {
+      const double angle = 0.3 + 2. * dealii::numbers::PI * i / 5;
+      const double radius = 0.25 + (i == 0 ? perturbation : 0.);
+      list.points.emplace_back(0.5 + radius * std::cos(angle),
+                               0.5 + radius * std::sin(angle));
+    }
+    carry_pressure("five cells at a point but for " +
+                       std::to_string(perturbation * 1e16) + "e-16",
+                   Packing(voronoi_cells(list, unit)));
+  }
+  PointList grid;
+  for (unsigned int i = 0; i < 7; ++i)
+    for (unsigned int j = 0; j < 7; ++j)
+      grid.points.emplace_back((i + 0.5) / 7, (j + 0.5) / 7);
+  const Packing squares(voronoi_cells(grid, unit));
+  check("cocircular seeds: 84 interfaces", squares.interfaces().size() == 84);
+  carry_pressure("cocircular seeds", squares);
+}
+
+// ------------------------------------------------------------ slender cells
+
+/**
+ * A wall that stands if and only if s_T >= 1. Where no state has every p > 0
+ * the centres must tell which joints are never pressed, and may give up.
+ */
+void try_shear(const std::string &name,
+               const std::function<Scene(double)> &scene_at,
+               const bool centres_may_refuse = false)
+{
+  for (const Way &way : all_ways)
+    for (const double strength : {1.5, 1.01, 0.99})
+    {
+      const Judgement found = judge(scene_at(strength), way);
+      check(name + ", s_T = " + std::to_string(strength) + ", " + way.name,
+            found.verdict ==
+                    (strength > 1. ? Verdict::carried : Verdict::collapse) ||
+                (centres_may_refuse && strength > 1. &&
+                 way.formulation == "analytic centre" &&
+                 found.verdict == Verdict::refused && !found.message.empty()));
+    }
+}
+
+/** Two columns in courses of height 1 and 1e-6 in turn. */
+Packing uneven_courses()
+{
+  std::vector<double> y = {0.};
+  for (unsigned int k = 0; k < 5; ++k)
+    y.push_back(y.back() + (k % 2 == 0 ? 1. : 1e-6));
+  const double x[] = {0., 0.7, 1.5};
+  std::vector<Point<2>> vertices;
+  for (const double level : y)
+    for (const double place : x)
+      vertices.emplace_back(place, level);
+  std::vector<std::vector<unsigned int>> loops;
+  for (unsigned int k = 0; k + 1 < y.size(); ++k)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      const unsigned int v = 3 * k + i;
+      loops.push_back({v, v + 1, v + 4, v + 3});
+    }
+  return Packing(cells_of(vertices, loops));
+}
+
+// ------------------------------------------------------- sides and counts
+
+/** A regular polygon of n sides, and a ring of n cells around it. */
+Packing ring_around(const unsigned int n)
+{
+  std::vector<Point<2>> vertices;
+  for (const double radius : {1., 1.05})
+    for (unsigned int i = 0; i < n; ++i)
+      vertices.emplace_back(radius * std::cos(2. * dealii::numbers::PI * i / n),
+                            radius *
+                                std::sin(2. * dealii::numbers::PI * i / n));
+  std::vector<std::vector<unsigned int>> loops(1);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    loops[0].push_back(i);
+    const unsigned int next = (i + 1) % n;
+    loops.push_back({i, i + n, next + n, next});
+  }
+  return Packing(cells_of(vertices, loops));
+}
+
+void try_few_cells()
+{
+  const Packing one(voronoi_cells(points({{0.3, 0.8}}), unit));
+  const Scene alone = scene_under_stress(one, 1., pressure);
+  for (const Way &way : all_ways)
+    check("one cell, " + way.name,
+          judge(alone, way).verdict == Verdict::carried);
+  for (const unsigned int n : {2, 3})
+  {
+    PointList row;
+    for (unsigned int i = 0; i < n; ++i)
+      row.points.emplace_back((i + 0.5) / n, 0.5);
+    Worst error;
+    for (const Way &way : all_ways)
+    {
+      // The joints are as long as the sides: |f^n| = 1, f^t = 0.
+      const Judgement found = judge(
+          scene_under_stress(Packing(voronoi_cells(row, unit)), 1., pressure),
+          way);
+      check(std::to_string(n) + " cells, " + way.name,
+            found.verdict == Verdict::carried);
+      for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
+        error.add(std::abs(found.forces.normal[e] + 1.) +
+                  std::abs(found.forces.tangential[e]));
+    }
+    check_error(std::to_string(n) + " cells in a row: forces", error.error,
+                1e-8);
+  }
+}
+
+// --------------------------------------------------------------- numbering
+
+/** The forces between two cells, by their old numbers. */
+using Forces =
+    std::map<std::pair<unsigned int, unsigned int>, std::array<double, 2>>;
+
+/** Cells in the order @p old_number, each loop begun at a vertex of its own. */
+CellLoops renumbered(const CellLoops &cells,
+                     const std::vector<unsigned int> &old_number,
+                     const unsigned int turn)
+{
+  CellLoops result;
+  result.vertices = cells.vertices;
+  for (const unsigned int c : old_number)
+  {
+    const unsigned int n = cells.first[c + 1] - cells.first[c];
+    for (unsigned int i = 0; i < n; ++i)
+      result.loops.push_back(
+          cells.loops[cells.first[c] + (i + turn * (c + 1)) % n]);
+    result.first.push_back(result.loops.size());
+    result.centres.push_back(cells.centres[c]);
+  }
+  return result;
+}
+
+Forces forces_by_pair(const CellLoops &cells,
+                      const std::vector<unsigned int> &old_number,
+                      const unsigned int turn,
+                      const Way &way)
+{
+  const Scene scene =
+      scene_under_stress(Packing(renumbered(cells, old_number, turn)), 0.35,
+                         tensor(-1.2, 0.1, 0.1, -0.8));
+  const Judgement found = judge(scene, way);
+  Forces forces;
+  for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
+  {
+    const auto &i = scene.packing.interfaces()[e];
+    const unsigned int a = old_number[i.cell_minus];
+    const unsigned int b = old_number[i.cell_plus];
+    // Both components are the same seen from the other side.
+    forces[{std::min(a, b), std::max(a, b)}] = {
+        {found.forces.normal[e], found.forces.tangential[e]}};
+  }
+  if (found.verdict != Verdict::carried)
+    forces.clear();
+  return forces;
+}
+
+double difference(const Forces &a, const Forces &b)
+{
+  if (a.size() != b.size() || a.empty())
+    return 1e300;
+  Worst worst;
+  for (const auto &[pair, force] : a)
+    for (unsigned int k = 0; k < 2; ++k)
+      worst.add(b.count(pair) == 0 ? 1e300
+                                   : std::abs(force[k] - b.at(pair)[k]));
+  return worst.error;
+}
+
+void try_orders(const unsigned int n_cells, const unsigned int n_orders)
+{
+  const CellLoops cells = voronoi_cells(random_points(n_cells, 4), unit);
+  std::vector<unsigned int> identity(n_cells);
+  std::iota(identity.begin(), identity.end(), 0);
+  for (const Way &way : all_ways)
+  {
+    const Forces reference = forces_by_pair(cells, identity, 0, way);
+    Worst worst;
+    std::vector<unsigned int> order = identity;
+    std::mt19937 random(1);
+    for (unsigned int k = 1; k < n_orders; ++k)
+    {
+      if (n_cells == 5)
+        std::next_permutation(order.begin(), order.end());
+      else
+        std::shuffle(order.begin(), order.end(), random);
+      worst.add(difference(reference, forces_by_pair(cells, order, k, way)));
+    }
+    check_error(std::to_string(n_orders) + " orders of " +
+                    std::to_string(n_cells) + " cells, " + way.name,
+                worst.error, 1e-8);
+  }
+}
+
+int main()
+{
+  try_short_edges();
+  try_close_generators();
+  try_meeting_cells();
+  // Bricks of aspect 1e4, lying and standing.
+  for (const auto &[width, height] :
+       {std::make_pair(5e3, 1.), std::make_pair(1., 2e4)})
+    try_shear(
+        text("bricks of aspect 1e4, wall of ", width, " x ", height),
+        [&](const double strength) {
+          return shear_wall(strength, width, height);
+        },
+        height > width);
+  try_shear("courses of 1 and 1e-6", [](const double strength) {
+    return scene_with(uneven_courses(), strength,
+                      [](const Point<2> &, const dealii::Tensor<1, 2> &n) {
+                        return dealii::Tensor<1, 2>({n[1], 0.});
+                      });
+  });
+  carry_pressure("courses of 1 and 1e-6, pressure", uneven_courses());
+  carry_pressure("triangles", ring_around(3));
+  carry_pressure("a cell of 1,000 sides", ring_around(1000));
+  try_few_cells();
+  try_orders(5, 120);
+  try_orders(300, 4);
+}

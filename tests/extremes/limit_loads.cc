@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Loads at 1 - 10^-k and 1 + 10^-k of the limit, k = 1...8, where the limit is
+// known: below, the forces balance the load or the answer is refused, above,
+// the collapse is proven or the answer is refused; never the other way round.
+// All but the centres, whose forces lie in the interior that vanishes at the
+// limit, answer always.
+
+#include <voussoir/packing/arch.h>
+#include <voussoir/statics/supports.h>
+
+#include "judgement.h"
+
+using namespace Voussoir;
+
+/** Squares turned by 45 degrees slide along their joints at d = s_T. */
+Scene turned_squares(const double d)
+{
+  const int n = 12;
+  PointList list;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if ((i + j) % 2 == 0)
+        list.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
+  return scene_under_stress(
+      Packing(voronoi_cells(list, Rectangle{{0, 0}, {1, 1}})), 0.3,
+      tensor(-1 + d, 0, 0, -1 - d));
+}
+
+/** The semicircular arch of 10 voussoirs; see statics/arch_limit. */
+Scene arch(const double strength)
+{
+  ArchGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("Mean radius", 1.);
+  prm.set("Thickness", 0.1);
+  prm.set("Voussoirs", 10L);
+  Packing packing(generator.generate(""));
+  packing.support(boundary_edges_where(packing, "ny < -0.99 && y < 1e-9", ""));
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  loads.body = BodyForce(packing, [](const dealii::Point<2> &, unsigned int) {
+    return dealii::Tensor<1, 2>({0., -1.});
+  });
+  const std::vector<double> strengths(packing.interfaces().size(), strength);
+  return Scene(std::move(packing), strengths, std::move(loads));
+}
+
+/** @p scene_at gives the scene at a multiple of the limit load. */
+void approach(const std::string &name,
+              const std::function<Scene(double)> &scene_at,
+              const int n_digits)
+{
+  std::cout << name << std::endl;
+  for (const Way &way : all_ways)
+    for (int k = 1; k <= n_digits; ++k)
+      for (const double sign : {-1., 1.})
+      {
+        const Judgement found =
+            judge(scene_at(1. + sign * std::pow(10., -k)), way);
+        const Verdict right = sign < 0. ? Verdict::carried : Verdict::collapse;
+        const std::string load =
+            std::string(sign < 0. ? "1 - 1e-" : "1 + 1e-") + std::to_string(k);
+        check("  " + way.name + " at " + load + ": not wrong",
+              found.verdict == right || (found.verdict == Verdict::refused &&
+                                         !found.message.empty()));
+        if (way.formulation != "analytic centre" || sign > 0. || k <= 5)
+          check("  " + way.name + " at " + load + ": answered",
+                found.verdict == right);
+      }
+}
+
+int main()
+{
+  approach(
+      "shear wall", [](const double load) { return shear_wall(1. / load); }, 8);
+  approach(
+      "turned squares",
+      [](const double load) { return turned_squares(0.3 * load); }, 8);
+  // This limit has six digits.
+  approach(
+      "arch", [](const double load) { return arch(0.314904 / load); }, 5);
+}

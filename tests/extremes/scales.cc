@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Lengths of 1e-9 to 1e9, stresses of 1e-9 to 1e12, coordinates offset by 1e8,
+// strengths from exactly zero to 1e9 times the load, and strengths of
+// neighbours that differ by 1e12: the forces of every formulation balance the
+// load, and divided by length and stress they are the same at every scale.
+
+#include "judgement.h"
+
+using namespace Voussoir;
+
+constexpr unsigned int n_cells = 60;
+
+struct Scale
+{
+  double length;
+  double stress;
+};
+
+const std::vector<Scale> scales = {{1e-9, 1.},    {1e9, 1.},   {1., 1e-9},
+                                   {1., 1e12},    {1e9, 1e12}, {1e-9, 1e-9},
+                                   {3.7, 1. / 7.}};
+
+const auto pressure = tensor(-1., 0., 0., -1.);
+const auto sheared = tensor(-1.2, 0.1, 0.1, -0.8);
+
+Packing packing_of_size(const double length)
+{
+  return random_packing(n_cells, 1, {{0., 0.}, {length, length}});
+}
+
+Scene scene_at(const Scale &scale,
+               const std::function<double(unsigned int)> &strength,
+               const dealii::Tensor<2, 2> &S)
+{
+  Packing packing = packing_of_size(scale.length);
+  std::vector<double> strengths;
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    strengths.push_back(strength(e) * scale.stress);
+  std::vector<dealii::Tensor<1, 2>> tractions;
+  for (const auto &edge : packing.boundary_edges())
+    tractions.push_back(scale.stress * S * edge.normal);
+  return Scene(std::move(packing), strengths, {tractions, {}, {}});
+}
+
+InterfaceForces nondimensional(InterfaceForces forces, const Scale &scale)
+{
+  for (auto *component : {&forces.normal, &forces.tangential})
+    for (double &f : *component)
+      f = f / scale.length / scale.stress;
+  return forces;
+}
+
+/** All formulations at all scales, for one choice of strengths. */
+void compare(const std::string &name,
+             const std::function<double(unsigned int)> &strength,
+             const dealii::Tensor<2, 2> &S)
+{
+  std::cout << name << std::endl;
+  for (const Way &way : all_ways)
+  {
+    const Scene scene = scene_at({1., 1.}, strength, S);
+    const Judgement reference = judge(scene, way);
+    bool all_carried = reference.verdict == Verdict::carried;
+    Worst mean, difference;
+    if (all_carried)
+      mean.add(error_of_mean(scene, reference.forces, S));
+    for (const Scale &scale : scales)
+    {
+      const Scene scaled = scene_at(scale, strength, S);
+      const Judgement found = judge(scaled, way);
+      if (found.verdict != Verdict::carried)
+      {
+        all_carried = false;
+        continue;
+      }
+      mean.add(error_of_mean(scaled, found.forces, scale.stress * S));
+      if (reference.verdict == Verdict::carried)
+        difference.add(
+            distance(reference.forces, nondimensional(found.forces, scale)));
+    }
+    check("  " + way.name + ": carried at every scale", all_carried);
+    check_error("  " + way.name + ": mean stress", mean.error, 1e-8);
+    check_error("  " + way.name + ": forces at all scales", difference.error,
+                1e-8);
+    // These give a uniform pressure back, least energy every uniform stress.
+    if (way.name == least_energy.name ||
+        (S[0][1] == 0. &&
+         (way.name == compliant.name || way.name == centre.name)))
+      check_error("  " + way.name + ": uniform stress",
+                  distance_from_uniform(scene, reference.forces, S), 1e-6);
+  }
+}
+
+/** Far from the origin the coordinates have few digits; the balance has all. */
+void try_offset(const double offset)
+{
+  std::cout << "offset " << offset << std::endl;
+  const Rectangle there = {{offset, -offset}, {offset + 1., 1. - offset}};
+  for (const Way &way : all_ways)
+  {
+    const Scene scene =
+        scene_under_stress(random_packing(n_cells, 1, there), 0.3, sheared);
+    const Judgement found = judge(scene, way);
+    check("  " + way.name + ": carried", found.verdict == Verdict::carried);
+    check_error("  " + way.name + ": mean stress",
+                error_of_mean(scene, found.forces, sheared), 1e-8);
+    if (way.name == least_energy.name)
+      check_error("  " + way.name + ": uniform stress",
+                  distance_from_uniform(scene, found.forces, sheared),
+                  1e-15 * offset / 1e-4);
+  }
+}
+
+/** Two packings that do not touch, with loads that differ by @p ratio. */
+void try_groups(const double ratio)
+{
+  std::cout << "loads of two groups, ratio " << ratio << std::endl;
+  const auto cells = [](const double x) {
+    return voronoi_cells(random_points(20, 1, {{x, 0.}, {x + 1., 1.}}),
+                         Rectangle{{x, 0.}, {x + 1., 1.}});
+  };
+  CellLoops both = cells(0.);
+  const CellLoops other = cells(2.);
+  for (const unsigned int v : other.loops)
+    both.loops.push_back(both.vertices.size() + v);
+  for (unsigned int c = 1; c < other.first.size(); ++c)
+    both.first.push_back(both.first.back() + other.first[c] -
+                         other.first[c - 1]);
+  both.vertices.insert(both.vertices.end(), other.vertices.begin(),
+                       other.vertices.end());
+  both.centres.insert(both.centres.end(), other.centres.begin(),
+                      other.centres.end());
+  const auto load = [&](const dealii::Point<2> &x,
+                        const dealii::Tensor<1, 2> &n) {
+    return (x[0] > 1.5 ? ratio : 1.) * (sheared * n);
+  };
+  for (const Way &way : all_ways)
+  {
+    // What is enough for the large load is more than enough for the other.
+    const Scene scene = scene_with(Packing(both), 0.3, load);
+    const Judgement found = judge(scene, way);
+    check("  " + way.name + ": carried, or refused with a message",
+          found.verdict == Verdict::carried ||
+              (found.verdict == Verdict::refused && !found.message.empty()));
+    if (way.name == least_energy.name || ratio == 0.)
+      check("  " + way.name + ": carried", found.verdict == Verdict::carried);
+    if (found.verdict != Verdict::carried || ratio == 0.)
+      continue;
+    // The certificate sees an error in the smaller load alone.
+    InterfaceForces wrong = found.forces;
+    wrong.normal.back() *= 1.01;
+    check("  " + way.name + ": an error of the smaller is seen",
+          certify(scene, wrong).equilibrium_residual > 1e-4);
+  }
+}
+
+int main()
+{
+  for (const double strength : {0., 1e-9, 1e-6, 1e-3})
+    compare(
+        "pressure, s_T = " + std::to_string(strength * 1e9) + "e-9",
+        [&](unsigned int) { return strength; }, pressure);
+  for (const double strength : {0.3, 1., 1e3, 1e6, 1e9})
+    compare(
+        "shear, s_T = " + std::to_string(strength),
+        [&](unsigned int) { return strength; }, sheared);
+  compare(
+      "strengths of 1e-6 and 1e6, pressure",
+      [](const unsigned int e) { return e % 2 == 0 ? 1e-6 : 1e6; }, pressure);
+  compare(
+      "strengths of 1 and 1e12, shear",
+      [](const unsigned int e) { return e % 2 == 0 ? 1. : 1e12; }, sheared);
+  for (const double offset : {1e4, 1e8})
+    try_offset(offset);
+  for (const double ratio : {1e-3, 1e-7, 2e-12, 0.})
+    try_groups(ratio);
+}
