@@ -41,11 +41,13 @@ void run(const std::string &name, const std::string &settings, const int right)
   for (const Way &way : all_ways)
   {
     fs::remove_all("output");
+    // Once with all that is computed from the forces.
     std::ofstream("scene.prm")
         << settings << "\nset Formulation = " << way.formulation
-        << "\nsubsection Stress\n set Reconstruct = "
-           "false\nend\nsubsection Solver\n subsection "
-        << way.formulation << "\n  " << way.settings << "\n end\nend\n";
+        << "\nset Accuracy = "
+        << (way.name == least_energy.name ? "fine" : "draft")
+        << "\nsubsection Solver\n subsection " << way.formulation << "\n  "
+        << way.settings << "\n end\nend\n";
     std::ostringstream out, error;
     const int status = Voussoir::run_command_line({"scene.prm"}, out, error);
     const std::string message = error.str();
