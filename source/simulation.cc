@@ -111,6 +111,15 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
                     "0: the closing summary alone; 1: also the stages; 2: also "
                     "the iterations of the solver.",
                     Integer(0, 2));
+  add_choice<ResultFiles>(
+      prm, "Files", result_files,
+      {{ResultFiles::all, "all", "both kinds."},
+       {ResultFiles::csv, "csv", "interfaces.csv and cells.csv."},
+       {ResultFiles::vtu, "vtu",
+        "interfaces.vtu and, unless 'Accuracy = draft', stress.vtu."},
+       {ResultFiles::none, "none", "neither."}},
+      "Which results are written besides summary.json and parameters.prm. A "
+      "stress that is not written is not reconstructed.");
   add_choice<PackingFile>(
       prm, "Packing", packing_file,
       {{PackingFile::none, "none", "nothing."},
@@ -170,6 +179,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   }
   Results results(record);
   results.forces = dimensional_forces(problem, solution);
+  results.correction = solution.correction;
   results.never_pressed = solution.never_pressed;
   results.always_sliding = solution.always_sliding;
   results.displacement = solution.displacement;
@@ -185,6 +195,11 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
   std::vector<double> strengths = friction.strengths(blocks);
   Loads on_blocks = loads.loads(blocks);
   return {std::move(blocks), std::move(strengths), std::move(on_blocks)};
+}
+
+bool Simulation::writes(const ResultFiles kind) const
+{
+  return result_files == ResultFiles::all || result_files == kind;
 }
 
 void Simulation::show_supports(const Scene &scene) const
@@ -208,7 +223,8 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   results.reactions = reactions(scene, results.forces);
   results.torques = residual_torques(scene, results.forces);
   results.mean_stresses = cell_mean_stresses(scene, results.forces);
-  if (stress.reconstruct())
+  const bool reconstruct = stress.reconstruct() && writes(ResultFiles::vtu);
+  if (reconstruct)
   {
     results.stress = reconstruct_stress(scene, results.forces,
                                         stress.reconstruction(), terminal);
@@ -219,16 +235,19 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   }
   timer.leave_subsection();
 
-  results.timings =
-      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  timer.enter_subsection("output");
   ResultDirectory files(output_directory);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
-  add("interfaces.csv", write_interfaces_csv);
-  add("cells.csv", write_cells_csv);
-  add("interfaces.vtu", write_interfaces_vtu);
-  if (stress.reconstruct())
+  if (writes(ResultFiles::csv))
+  {
+    add("interfaces.csv", write_interfaces_csv);
+    add("cells.csv", write_cells_csv);
+  }
+  if (writes(ResultFiles::vtu))
+    add("interfaces.vtu", write_interfaces_vtu);
+  if (reconstruct)
     add("stress.vtu", write_stress_vtu);
   publish(files, results, prm);
   show_summary(terminal, results);
@@ -251,15 +270,18 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
     collapse.proof.work_over_dissipation =
         std::numeric_limits<double>::infinity();
   collapse.parts = load_parts(collapse.scene, collapse.displacement);
-  collapse.timings =
-      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  timer.enter_subsection("output");
   ResultDirectory files(output_directory);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, collapse); });
   };
-  add("mechanism.csv", write_mechanism_csv);
-  add("mechanism_joints.csv", write_mechanism_joints_csv);
-  add("mechanism.vtu", write_mechanism_vtu);
+  if (writes(ResultFiles::csv))
+  {
+    add("mechanism.csv", write_mechanism_csv);
+    add("mechanism_joints.csv", write_mechanism_joints_csv);
+  }
+  if (writes(ResultFiles::vtu))
+    add("mechanism.vtu", write_mechanism_vtu);
   publish(files, collapse, prm);
   terminal.summary("Status", "collapse");
   throw LoadNotCarried(message_of(collapse));
@@ -292,8 +314,8 @@ void Simulation::check_certificate(const Results &results) const
 
 template <typename Found>
 void Simulation::publish(ResultDirectory &files,
-                         const Found &found,
-                         const dealii::ParameterHandler &prm) const
+                         Found &found,
+                         const dealii::ParameterHandler &prm)
 {
   const Packing &cells = found.scene.packing;
   if (packing_file == PackingFile::wkt)
@@ -309,6 +331,8 @@ void Simulation::publish(ResultDirectory &files,
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
   });
+  timer.leave_subsection();
+  found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
   files.write("summary.json", [&](std::ostream &out) {
     write_summary_json(out, found); // last: it marks a complete set
   });

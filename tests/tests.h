@@ -154,17 +154,19 @@ inline const Way centre_equal = {"analytic centre, equal weights",
 inline const std::vector<Way> all_ways = {compliant,    hard,   linear_program,
                                           least_energy, centre, centre_equal};
 
-/** One way to solve, with a tolerance. */
+/** One way to solve, with a tolerance, and settings of the section Solver. */
 struct Solver
 {
-  explicit Solver(const Way &way, const double tolerance = 1e-10)
+  explicit Solver(const Way &way,
+                  const double tolerance = 1e-10,
+                  const std::string &settings = "")
       : quiet(nowhere, 0)
   {
     parameters.add_parameters(prm);
     std::ostringstream input;
     input << "set Formulation = " << way.formulation
-          << "\nsubsection Solver\nset Tolerance = " << tolerance
-          << "\nsubsection " << way.formulation << "\n"
+          << "\nsubsection Solver\nset Tolerance = " << tolerance << "\n"
+          << settings << "\nsubsection " << way.formulation << "\n"
           << way.settings << "\nend\nend\n";
     prm.parse_input_from_string(input.str());
   }

@@ -42,6 +42,15 @@ public:
            const std::filesystem::path &directory);
 
 private:
+  /** Which kinds of results are written. */
+  enum class ResultFiles
+  {
+    all,
+    csv,
+    vtu,
+    none
+  };
+
   /** In which form the packing is written, too. */
   enum class PackingFile
   {
@@ -52,6 +61,8 @@ private:
 
   Scene make_scene(const std::filesystem::path &directory) const;
   void show_supports(const Scene &scene) const;
+  /** Whether results of that kind are to be written. */
+  bool writes(ResultFiles kind) const;
   /** Check, complete and write what was found. */
   void finish(Results results, const dealii::ParameterHandler &prm);
   [[noreturn]] void finish(Collapse collapse,
@@ -60,14 +71,15 @@ private:
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,
-               const Found &found,
-               const dealii::ParameterHandler &prm) const;
+               Found &found,
+               const dealii::ParameterHandler &prm);
 
   Terminal &terminal;
   dealii::TimerOutput timer;
   std::string title;
   std::string output_directory = "output";
   unsigned int verbosity = 1;
+  ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;
   PackingParameters packing;
   SupportParameters supports;

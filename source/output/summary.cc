@@ -95,6 +95,8 @@ void write_summary_json(std::ostream &out, const Results &results)
 {
   const Certificate &certificate = results.certificate;
   Json summary = summary_of(results, "solved");
+  if (results.correction)
+    summary["solver"]["correction"] = *results.correction;
   summary["certificate"] = {
       {"equilibrium_residual", certificate.equilibrium_residual},
       {"admissibility_violation", certificate.admissibility_violation},
@@ -138,6 +140,9 @@ void show_summary(Terminal &terminal, const Results &results)
 
   terminal.summary("Status", "solved");
   terminal.summary("Selection", results.selection);
+  if (results.correction)
+    terminal.summary("Equilibrated", text("by at most ", *results.correction,
+                                          " of the largest force"));
   terminal.summary("Equilibrium",
                    text("residual ", certificate.equilibrium_residual,
                         " of the largest load on a cell"));

@@ -2,19 +2,53 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/equilibrate.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/smoothed_friction.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace Voussoir
 {
+namespace
+{
+/** The largest |a - b|, over the largest |a|; zero for no forces. */
+double relative_change(const InterfaceForces &a, const InterfaceForces &b)
+{
+  double change = 0., largest = 0.;
+  const auto compare = [&](const std::vector<double> &x,
+                           const std::vector<double> &y) {
+    for (unsigned int e = 0; e < x.size(); ++e)
+    {
+      change = std::max(change, std::abs(x[e] - y[e]));
+      largest = std::max(largest, std::abs(x[e]));
+    }
+  };
+  compare(a.normal, b.normal);
+  compare(a.tangential, b.tangential);
+  return largest > 0. ? change / largest : 0.;
+}
+} // namespace
+
 Solution Formulation::solve(const DiscreteProblem &problem,
                             const SolverControls &controls,
                             Terminal &terminal) const
 {
   if (!problem.joints().empty() && problem.is_loaded())
-    return select(problem, controls, terminal);
+  {
+    Solution solution = select(problem, controls, terminal);
+    if (controls.equilibrate && !solution.mechanism)
+    {
+      InterfaceForces balanced = equilibrate(problem, solution.forces);
+      solution.correction = relative_change(solution.forces, balanced);
+      solution.forces = std::move(balanced);
+    }
+    return solution;
+  }
 
   Solution nothing;
   nothing.forces.normal.resize(problem.joints().size());
@@ -63,6 +97,11 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
                     Double(1e-14, 1e-2));
   prm.add_parameter("Maximum iterations", common.n_max_iterations,
                     "Give up after so many iterations.", Integer(1, 1000000));
+  prm.add_parameter("Equilibrate", common.equilibrate,
+                    "Whether the forces are then corrected, as little as "
+                    "possible, until every cell balances to rounding. It costs "
+                    "a few linear solves and pays after a loose 'Tolerance'.",
+                    Bool());
   for (const auto &formulation : formulations)
   {
     prm.enter_subsection(formulation->name());

@@ -20,13 +20,6 @@ using Joint = DiscreteProblem::Joint;
 using Jump = DiscreteProblem::Jump;
 
 /**
- * The product of normal force and opening, nondimensional, at which hard
- * contact stops: near enough to zero not to move the forces, far enough above
- * the solver's tolerance for the product to be met in every joint.
- */
-constexpr double central_path_parameter = 1e-8;
-
-/**
  * With compliant contact the balance of all cells decides when to stop. Ipopt
  * does not see that of the cells held in place, where the imbalance of all
  * others adds up, and must not stop before.
@@ -245,6 +238,12 @@ void SmoothedFriction::add_parameters(dealii::ParameterHandler &prm)
                     "of the displacements in the results and changes nothing "
                     "else; a length.",
                     Double(1e-100, 1e100));
+  prm.add_parameter("Barrier parameter", barrier_parameter,
+                    "The product of normal force and opening, nondimensional "
+                    "and the same in every joint, at which hard contact stops: "
+                    "small enough not to move the forces, and far enough above "
+                    "'Solver/Tolerance' to be met.",
+                    Double(1e-14, 1e-2));
 }
 
 Solution SmoothedFriction::select(const DiscreteProblem &problem,
@@ -261,7 +260,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
     // Stop at a given point of the central path and not anywhere near its end:
     // the normal forces are then those of one barrier problem, to the solver's
     // precision, and do not depend on the steps that led there.
-    ipopt.mu_target = central_path_parameter;
+    ipopt.mu_target = barrier_parameter;
 
   Solution solution = settle(
       problem, controls,

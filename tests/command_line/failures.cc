@@ -109,10 +109,6 @@ int main()
   run_with("set Output directory =\n");
   run_with("include scene.prm\n");
 
-  // A strength that is beyond all numbers when squared
-  run_with("set Formulation = analytic centre\n"
-           "subsection Friction\n set Strength = 1e300\nend\n"
-           "subsection Loads\n set Traction = -nx; -ny\nend\n");
   // A solver that is not given the iterations it needs writes nothing either.
   run_with("subsection Loads\n set Traction = -1.3*nx; -0.7*ny\nend\n"
            "subsection Packing\n subsection Voronoi\n"

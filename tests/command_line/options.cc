@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -72,7 +73,26 @@ int main()
   check("at most ten lines",
         std::count(quiet.begin(), quiet.end(), '\n') <= 10);
 
-  // What is not asked for is not written.
-  run({"sub/scene.prm", "--set", "Accuracy=draft"});
-  check("no stress.vtu", !fs::exists("output/scene/stress.vtu"));
+  // What is not asked for is not written, and no older file stays.
+  const auto files_with = [](const std::string &setting) {
+    run({"sub/scene.prm", "--set", setting});
+    std::set<std::string> names;
+    for (const auto &file : fs::directory_iterator("output/scene"))
+      names.insert(file.path().filename());
+    return names;
+  };
+  using Names = std::set<std::string>;
+  const Names always = {"parameters.prm", "summary.json"};
+  const Names csv = {"interfaces.csv", "cells.csv"};
+  const Names vtu = {"interfaces.vtu", "stress.vtu"};
+  const auto also = [](Names a, const Names &b) {
+    a.insert(b.begin(), b.end());
+    return a;
+  };
+  check("draft: no stress.vtu",
+        files_with("Accuracy=draft").count("stress.vtu") == 0);
+  check("all", files_with("Output/Files=all") == also(also(always, csv), vtu));
+  check("csv", files_with("Output/Files=csv") == also(always, csv));
+  check("vtu", files_with("Output/Files=vtu") == also(always, vtu));
+  check("none", files_with("Output/Files=none") == always);
 }

@@ -101,6 +101,8 @@ int main()
       0);
   run("very strong",
       voronoi(30, "1") + strength("1e12") + traction("-1.3*nx; -0.7*ny"), 0);
+  run("beyond all numbers when squared",
+      voronoi(30, "1") + strength("1e300") + pressure, 0);
   run("strengths that jump",
       voronoi(30, "1") + strength("x < 0 ? 1e-6 : 1e6") + pressure, 0);
   run("one cell", voronoi(1, "1") + strength("1") + pressure, 0);

@@ -52,7 +52,7 @@ InterfaceForces from_start(const Scene &scene,
   std::ostringstream nowhere;
   Terminal quiet(nowhere, 0);
   return dimensional_forces(problem, minimise(
-                                         problem, newton, {1e-10, 1e-7, 200},
+                                         problem, newton, {1e-10, 200, 1e-7},
                                          [&]() -> std::optional<Mechanism> {
                                            newton.step(least_shift, newton.u());
                                            return {};

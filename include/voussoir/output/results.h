@@ -9,6 +9,7 @@
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,8 @@ struct Results : RunRecord
   }
 
   InterfaceForces forces;
+  /** See Solution. */
+  std::optional<double> correction;
   /** Of each interface, or empty if the formulation does not tell. */
   std::vector<bool> never_pressed, always_sliding;
   std::vector<dealii::Tensor<1, 2>> displacement;

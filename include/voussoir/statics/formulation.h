@@ -23,6 +23,8 @@ struct SolverControls
   /** Largest force imbalance to stop at, nondimensional. */
   double tolerance = 1e-10;
   unsigned int n_max_iterations = 300;
+  /** Whether equilibrate() follows. */
+  bool equilibrate = false;
 };
 
 /**

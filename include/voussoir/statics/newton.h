@@ -105,11 +105,11 @@ struct NewtonControls
 {
   /** The largest imbalance. */
   double imbalance;
+  unsigned int n_max_iterations;
   /** The largest decrement of the last step. */
   double decrement = std::numeric_limits<double>::infinity();
   /** The largest change of a force in the last step. */
   double force_change = std::numeric_limits<double>::infinity();
-  unsigned int n_max_iterations;
 };
 
 /**

@@ -32,6 +32,7 @@ private:
 
   Contact contact = Contact::compliant;
   double smoothing_length = 1.;
+  double barrier_parameter = 1e-8;
 };
 } // namespace Voussoir
 

@@ -15,6 +15,8 @@ struct Solution
 {
   /** f_e^n and f_e^t of each joint; nondimensional. */
   InterfaceForces forces;
+  /** What equilibrate() changed in a force at most, over the largest force. */
+  std::optional<double> correction;
   /**
    * u_c, in the user's unit: from the ground, or with zero mean in each
    * connected group of cells that does not rest on it.

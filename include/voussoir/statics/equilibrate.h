@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_equilibrate_h
+#define voussoir_statics_equilibrate_h
+
+#include <voussoir/statics/discrete_problem.h>
+
+namespace Voussoir
+{
+/**
+ * Forces near @p forces (nondimensional) that balance every cell and are
+ * admissible, both to rounding if that can be reached: the forces are moved
+ * into their limits, and then by the smallest correction df that balances,
+ *
+ *   minimise  sum_e (d_e/|e|) ((df_e^n)^2 / w_e^n + (df_e^t)^2 / w_e^t).
+ *
+ * A weight w is one far from the limit and falls with the distance from it: a
+ * force close to its limit hardly moves, one at its limit not at all. That is
+ * repeated while it helps.
+ *
+ * @return the best forces met, by the larger of imbalance and violation; those
+ *   given, if none are better.
+ */
+InterfaceForces equilibrate(const DiscreteProblem &problem,
+                            const InterfaceForces &forces);
+} // namespace Voussoir
+
+#endif

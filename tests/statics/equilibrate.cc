@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Forces that do not balance are corrected as little as possible: known
+// corrections come out, every formulation's loose answers balance to rounding
+// afterwards, and no answer gets worse.
+
+#include <voussoir/statics/certificate.h>
+#include <voussoir/statics/equilibrate.h>
+
+#include "tests.h"
+#include <cmath>
+
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+/** The larger error of the certificate. */
+double error(const Scene &scene, const InterfaceForces &forces)
+{
+  const Certificate certificate = certify(scene, forces);
+  return std::max(certificate.equilibrium_residual,
+                  certificate.admissibility_violation);
+}
+
+/** Loose answers of all formulations to one scene. */
+void tighten(const std::string &name, const Scene &scene)
+{
+  for (const Way &way : all_ways)
+  {
+    const double before = error(scene, Solver(way, 1e-2).forces(scene));
+    const double after =
+        error(scene, Solver(way, 1e-2, "set Equilibrate = true").forces(scene));
+    check_error(name + ", " + way.name + ": balanced and admissible", after,
+                1e-13);
+    check("  no worse than before", after <= std::max(before, 1e-15));
+  }
+}
+
+/** n unit squares on top of each other under a pressure of 1. */
+Scene pile(const unsigned int n)
+{
+  CellLoops cells;
+  cells.vertices = {{0., 0.}, {1., 0.}};
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    cells.vertices.emplace_back(0., k + 1.);
+    cells.vertices.emplace_back(1., k + 1.);
+    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
+      cells.loops.push_back(v);
+    cells.first.push_back(cells.loops.size());
+  }
+  return scene_under_stress(Packing(cells), 1., tensor(0., 0., 0., -1.));
+}
+
+/** A pile is determinate: whatever the forces were, there is one answer. */
+void try_pile()
+{
+  const Scene scene = pile(5);
+  const DiscreteProblem problem(scene);
+  Solution solution;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    solution.forces.normal.push_back(-1e-3 * (e + 1.));
+    solution.forces.tangential.push_back(0.1 * e);
+  }
+  solution.forces = equilibrate(problem, solution.forces);
+  const InterfaceForces forces = dimensional_forces(problem, solution);
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    check_error("a pile, normal force", std::abs(forces.normal[e] + 1.), 1e-13);
+    check_error("  tangential force", std::abs(forces.tangential[e]), 1e-13);
+  }
+}
+
+/** sum_e (d_e/|e|) a_e . b_e */
+double product(const DiscreteProblem &problem,
+               const InterfaceForces &a,
+               const InterfaceForces &b)
+{
+  double sum = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    sum += (a.normal[e] * b.normal[e] + a.tangential[e] * b.tangential[e]) /
+           problem.joints()[e].stiffness();
+  return sum;
+}
+
+InterfaceForces difference(const InterfaceForces &a, const InterfaceForces &b)
+{
+  InterfaceForces d = a;
+  for (unsigned int e = 0; e < a.normal.size(); ++e)
+  {
+    d.normal[e] -= b.normal[e];
+    d.tangential[e] -= b.tangential[e];
+  }
+  return d;
+}
+
+/**
+ * Far from all limits the correction is the smallest one: normal, in its norm,
+ * to the difference of any two balanced states.
+ */
+void try_smallest()
+{
+  const Scene scene = scene_under_stress(random_packing(100, 1), 10.,
+                                         tensor(-1.2, 0.1, 0.1, -0.8));
+  const DiscreteProblem problem(scene);
+  const InterfaceForces even = Solver(least_energy).solve(problem).forces;
+  const InterfaceForces other =
+      difference(Solver(centre_equal).solve(problem).forces, even);
+  InterfaceForces wrong = even;
+  for (unsigned int e = 0; e < wrong.normal.size(); ++e)
+  {
+    wrong.normal[e] *= 1. + 0.05 * std::sin(e);
+    wrong.tangential[e] += 0.05 * problem.joints()[e].length * std::cos(e);
+  }
+  const InterfaceForces change = difference(equilibrate(problem, wrong), wrong);
+  check("there is something to correct",
+        product(problem, change, change) > 1e-4 * product(problem, even, even));
+  check_error("the correction is the smallest",
+              std::abs(product(problem, change, other)) /
+                  std::sqrt(product(problem, change, change) *
+                            product(problem, other, other)),
+              1e-10);
+}
+
+/** What cannot be balanced is not made worse. */
+void try_impossible()
+{
+  const Scene scene = shear_wall(0.9);
+  const DiscreteProblem problem(scene);
+  Solution solution = Solver(least_energy).solve(problem);
+  check("a wall that slides has no forces", solution.mechanism.has_value());
+  const unsigned int n = problem.joints().size();
+  for (const double pressure : {0., 0.5, 1.})
+  {
+    solution.forces = {std::vector<double>(n, -pressure),
+                       std::vector<double>(n, pressure)};
+    const double before = error(scene, dimensional_forces(problem, solution));
+    solution.forces = equilibrate(problem, solution.forces);
+    const double after = error(scene, dimensional_forces(problem, solution));
+    check("  and no correction finds them", after > 1e-3);
+    check("  nor makes them worse", after <= (1. + 1e-12) * before);
+  }
+}
+
+int main()
+{
+  try_pile();
+  try_smallest();
+  tighten("grains", scene_under_stress(random_packing(200, 2), 0.5,
+                                       tensor(-1.3, 0.1, 0.1, -0.7)));
+  tighten("a wall in shear", shear_wall(1.5));
+  try_impossible();
+
+  const Scene scene = shear_wall(1.5);
+  const DiscreteProblem problem(scene);
+  check("nothing is corrected that nobody asked for",
+        !Solver(hard, 1e-2).solve(problem).correction);
+  check("a correction is told",
+        Solver(hard, 1e-2, "set Equilibrate = true").solve(problem).correction >
+            1e-10);
+}
