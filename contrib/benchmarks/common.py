@@ -30,10 +30,18 @@ def times(outcome, reference, seconds=statics):
 
 
 def quality(outcome):
-    """The columns of the balance of the forces, empty without an answer."""
+    """The columns of how it ended and of the balance of the forces, empty
+    without an answer."""
     state = outcome.seen
-    return {"residual": state.residual() if state else "",
+    return {**ending(outcome),
+            "residual": state.residual() if state else "",
             "violation": state.violation() if state else ""}
+
+
+def ending(outcome):
+    """The columns of how the runs ended."""
+    return {"outcome": outcome.outcome,
+            "iterations": outcome.runs[0].iterations}
 
 
 def compared(outcome, reference):

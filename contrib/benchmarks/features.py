@@ -1,7 +1,7 @@
 """The experiment on the cost of features."""
 import numpy as np
 
-from common import DEVIATOR, times
+from common import DEVIATOR, ending, times
 from scenes import STRENGTH, WAYS, random_cells
 from stress import fine
 
@@ -45,8 +45,7 @@ def features_of(bench, cells, added):
     reference = outcomes[0]
     memory = median(reference, lambda run: run.memory)
     return [{**outcome.labels, **times(outcome, reference, total),
-             "outcome": outcome.runs[0].outcome,
-             "iterations": outcome.runs[0].iterations,
+             **ending(outcome),
              "stage": slower_stage(outcome, reference),
              "memory_ratio": median(outcome, lambda run: run.memory) / memory,
              "memory": median(outcome, lambda run: run.memory)}

@@ -4,7 +4,7 @@ from common import (DEVIATOR, compared, far_and_close, forces,
 from scenes import (FORCES_ONLY, STRENGTH, WAYS, random_cells, shear_wall,
                     turned_squares)
 
-DEFAULT_TOLERANCE = 1e-10
+DEFAULT_TOLERANCE, TIGHTEST_TOLERANCE = 1e-10, 1e-14
 
 
 def formulations(bench):
@@ -22,8 +22,7 @@ def formulations(bench):
         for outcome in outcomes:
             rows.append({
                 **outcome.labels, **times(outcome, reference),
-                "outcome": outcome.runs[0].outcome,
-                "iterations": outcome.runs[0].iterations, **quality(outcome),
+                **quality(outcome),
                 "patch_error": (outcome.seen.patch_error(stress)
                                 if outcome.seen else "")})
     return rows
@@ -50,38 +49,41 @@ def tolerance(bench):
             **outcome.labels,
             **times(outcome, picked(outcomes, tolerance=DEFAULT_TOLERANCE,
                                     **plain)),
-            "outcome": outcome.runs[0].outcome,
-            "iterations": outcome.runs[0].iterations, **quality(outcome),
+            **quality(outcome),
             **compared(outcome, picked(outcomes, tolerance=tolerances[-1],
                                        **plain))})
     return rows
 
 
 def barrier(bench):
-    """The point where hard contact stops, and the smoothing length."""
-    section = "Solver/smoothed friction"
-    parameters = bench.sized((1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12),
-                             (1e-2, 1e-12))
-    variants = [("hard", "Barrier parameter", value, 1e-12)
-                for value in parameters]
-    variants += [(way, "Smoothing length", value, 1.)
-                 for way in ("hard", "compliant")
-                 for value in bench.sized((1e-6, 1., 1e6), (1., 1e6))]
-    settings = [
-        ({"scene": name, "way": way, "parameter": parameter, "value": value,
-          "reference": reference},
-         {**scene, **WAYS[way], **FORCES_ONLY, f"{section}/{parameter}": value})
-        for name, scene in far_and_close(bench).items()
-        for way, parameter, value, reference in variants]
-    outcomes = bench.series("barrier", settings, forces)
+    """The point where hard contact stops, with two tolerances, and the
+    smoothing length. Times are over those of the default; the canonical state
+    is that of the point 1e-10 with the tightest tolerance, and of the default
+    smoothing length."""
+    points = bench.sized((1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12), (1e-8, 1e-10))
+    lengths = bench.sized((1e-6, 1., 1e6), (1., 1e6))
+    default, tight = DEFAULT_TOLERANCE, TIGHTEST_TOLERANCE
+    variants = [("hard", "Barrier parameter", value, tolerance,
+                 (1e-8, default), (1e-10, tight))
+                for tolerance in (default, tight) for value in points]
+    variants += [(way, "Smoothing length", value, default,
+                  (1., default), (1., default))
+                 for way in ("hard", "compliant") for value in lengths]
     rows = []
-    for outcome in outcomes:
-        labels = outcome.labels
-        reference = picked(outcomes, **{**labels, "value": labels["reference"]})
-        rows.append({**labels, **times(outcome, reference),
-                     "outcome": outcome.runs[0].outcome,
-                     "iterations": outcome.runs[0].iterations,
-                     **quality(outcome), **compared(outcome, reference)})
+    for name, scene in far_and_close(bench).items():
+        outcomes = bench.series("barrier", [
+            ({"scene": name, "way": way, "parameter": parameter, "value": value,
+              "tolerance": tolerance},
+             {**scene, **WAYS[way], **FORCES_ONLY, "Solver/Tolerance": tolerance,
+              f"Solver/smoothed friction/{parameter}": value})
+            for way, parameter, value, tolerance, _, _ in variants], forces)
+        for outcome, (way, parameter, _, _, usual, exact) in zip(outcomes,
+                                                                 variants):
+            timed, canonical = (
+                picked(outcomes, way=way, parameter=parameter, value=value,
+                       tolerance=tolerance) for value, tolerance in (usual, exact))
+            rows.append({**outcome.labels, **times(outcome, timed),
+                         **quality(outcome), **compared(outcome, canonical)})
     return rows
 
 
@@ -101,8 +103,6 @@ def rigidity(bench):
             reference = picked(
                 outcomes, **{**outcome.labels, "way": "least energy"})
             rows.append({**outcome.labels, **times(outcome, reference),
-                         "outcome": outcome.runs[0].outcome,
-                         "iterations": outcome.runs[0].iterations,
                          **quality(outcome)})
     return rows
 

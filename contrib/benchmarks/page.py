@@ -14,8 +14,20 @@ def outcome_or(text):
     return lambda row: text(row) if row["outcome"] == "solved" else row["outcome"]
 
 
-def plain(key):
-    return lambda row: f"{row[key]:g}" if row[key] != "" else "-"
+def power_of(key):
+    return lambda row: power(row[key])
+
+
+def spread(rows):
+    """A sentence on the noise of the times that a table gives without it."""
+    noise = sorted(row["time_spread"] / row["time_ratio"] for row in rows)
+    return (f"The spread of the times is {number(100 * noise[len(noise) // 2])} "
+            f"per cent in the median and {number(100 * noise[-1])} at most. ")
+
+
+def seconds_at(**labels):
+    """The seconds of the one row of a line with the given labels."""
+    return lambda line: number(where(line, **labels)[0]["seconds"])
 
 
 def short_times(rows):
@@ -55,8 +67,9 @@ def tolerance(rows):
         "collapse and at 0.99 of the limit. An entry is the distance to the "
         f"canonical state, which is that with the tolerance {reference}, and in "
         "brackets the time over that of the same formulation with 1e-10. "
-        + short_times(rows),
-        pivot(rows, keys, "tolerance", outcome_or(entry)),
+        + spread(rows) + short_times(rows),
+        pivot(rows, keys, "tolerance", outcome_or(entry),
+              ("seconds at 1e-10", seconds_at(tolerance=1e-10))),
         "The residual, and the change of the mean stresses of the cells from "
         "those of the canonical state. The largest violation of all is "
         f"{number(worst['violation'])} ({worst['way']}, "
@@ -89,15 +102,17 @@ def barrier(rows):
     return [
         "Hard contact by the point of the central path where the solver stops, "
         "and both contacts by the smoothing length; random cells far from and "
-        "close to collapse. Times and distances are over and to those at the "
-        "reference value. " + short_times(rows),
+        "close to collapse. Times are over those of the defaults. The canonical "
+        "state of hard contact is that of the point 1e-10 with the tolerance "
+        "1e-14. " + short_times(rows),
         listed(rows, {
             "scene": "scene", "contact": "way", "parameter": "parameter",
-            "value": plain("value"), "reference": plain("reference"),
-            "time / reference": ratio, "seconds": "seconds",
+            "value": power_of("value"), "tolerance": power_of("tolerance"),
+            "time / default": ratio, "seconds": "seconds",
             "iterations": outcome_or(lambda row: number(row["iterations"])),
             "residual": "residual", "violation": "violation",
-            "distance": "distance"})]
+            "distance to the canonical state": "distance",
+            "change of mean stress": "mean_stress_change"}, left=3)]
 
 
 def reconstruction(rows):
@@ -153,11 +168,14 @@ def rigidity(rows):
         return f"{number(row['residual'])} / {number(row['violation'])}"
 
     keys = {"structure": "structure", "formulation": "way"}
+    farthest = max(row["distance_to_collapse"] for row in rows)
     return [
         "Loads at 1 less the given distance of the limit load. An entry is the "
         "time over that of least energy and in brackets the iterations, or how "
-        "the run ended. " + short_times(rows),
-        pivot(rows, keys, "distance_to_collapse", outcome_or(entry)),
+        "the run ended. " + spread(rows) + short_times(rows),
+        pivot(rows, keys, "distance_to_collapse", outcome_or(entry),
+              (f"seconds at {power(farthest)}",
+               seconds_at(distance_to_collapse=farthest))),
         "Residual and violation of the same runs.",
         pivot(rows, keys, "distance_to_collapse", outcome_or(balance))]
 
@@ -199,7 +217,7 @@ def measured(rows):
         listed(rows, {"experiment": "experiment", "repeats": "repeats",
                       "command": lambda row: f"`{row['command']}`",
                       "processor": "processor", "cores": "cores",
-                      "program": "program"})]
+                      "program": "program"}, left=5)]
 
 
 def write(directory):

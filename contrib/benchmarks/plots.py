@@ -12,13 +12,13 @@ COLOURS = {"compliant": "#1f77b4", "hard": "#d62728",
 FLOOR = 1e-17  # where a value of zero is drawn
 
 
-def axes(panels, labels, title):
-    """A figure with panels side by side, on logarithmic axes; labels of x and
-    y, and the titles of the panels."""
+def axes(panels, labels, title, scale="log"):
+    """A figure with panels side by side; labels of x and y, the titles of the
+    panels, and the scale of x."""
     figure, row = plt.subplots(1, panels, figsize=(4.4 * panels + 1.2, 4),
                                squeeze=False, sharey=True)
     for panel, name in zip(row[0], title):
-        panel.set(xscale="log", yscale="log", xlabel=labels[0], title=name)
+        panel.set(xscale=scale, yscale="log", xlabel=labels[0], title=name)
         panel.grid(alpha=0.3)
     row[0][0].set_ylabel(labels[1])
     return figure, row[0]
@@ -58,7 +58,7 @@ def tolerance(rows, path):
         len(scenes), ("time / that with tolerance 1e-10",
                       "distance to the canonical state"),
         [f"{scene.capitalize()} {'from' if scene == 'far' else 'to'} collapse"
-         for scene in scenes])
+         for scene in scenes], "linear")
     for panel, scene in zip(panels, scenes):
         here = solved(where(rows, scene=scene))
         for way in distinct(here, "way"):

@@ -45,15 +45,16 @@ class Run:
 
 @dataclasses.dataclass
 class Outcome:
-    """The runs of one setting; `seen` is what was seen of the first of them, if
-    it was solved."""
+    """The runs of one setting; `seen` is what was seen of the results of the
+    first of them, if it was solved."""
     labels: dict
     runs: list
     seen: object = None
 
     @property
-    def solved(self):
-        return self.runs[0].status == SOLVED
+    def outcome(self):
+        """How the runs ended; all in the same way, unless something is odd."""
+        return "/".join(dict.fromkeys(run.outcome for run in self.runs))
 
 
 def prm_text(parameters):

@@ -60,7 +60,8 @@ def number(value):
 
 def power(value):
     """A round number, such as a tolerance, as in 1e-4."""
-    return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
+    return (f"{value:g}" if 1 <= value < 1e4 else
+            f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e"))
 
 
 def ratio(row):
@@ -68,28 +69,31 @@ def ratio(row):
     return f"{number(row['time_ratio'])} ± {number(row['time_spread'])}"
 
 
-def markdown(header, lines):
-    """A table of texts; the first column is aligned left."""
-    rows = [header, [":--"] + ["--:"] * (len(header) - 1), *lines]
+def markdown(header, lines, left=1):
+    """A table of texts; the first columns are aligned left."""
+    rows = [header, [":--"] * left + ["--:"] * (len(header) - left), *lines]
     return "\n".join("| " + " | ".join(row) + " |" for row in rows) + "\n"
 
 
-def listed(rows, columns):
+def listed(rows, columns, left=1):
     """A table of rows as they are; `columns` maps a heading to a key or to a
     function of the row."""
     return markdown(list(columns), [
         [get(row) if callable(get) else number(row[get])
-         for get in columns.values()] for row in rows])
+         for get in columns.values()] for row in rows], left)
 
 
-def pivot(rows, keys, across, entry, heading=power):
+def pivot(rows, keys, across, entry, last=None):
     """A table with a line for each combination of `keys`, a dictionary from
-    headings to keys, and a column for each value of `across`."""
+    headings to keys, and a column for each value of `across`. `last` is the
+    heading of a last column and a function of the rows of a line."""
     values = distinct(rows, across)
     lines = {}
     for row in rows:
-        line = lines.setdefault(tuple(row[key] for key in keys.values()), {})
-        line[row[across]] = entry(row)
-    return markdown([*keys, *map(heading, values)], [
-        [*map(str, labels), *(line.get(value, "-") for value in values)]
-        for labels, line in lines.items()])
+        lines.setdefault(tuple(row[key] for key in keys.values()), []).append(row)
+    header = [*keys, *map(power, values), *([last[0]] if last else [])]
+    return markdown(header, [
+        [*map(str, labels),
+         *(entry(where(line, **{across: value})[0]) for value in values),
+         *([last[1](line)] if last else [])]
+        for labels, line in lines.items()], len(keys))
