@@ -114,10 +114,13 @@ def tolerance_advice(rows):
 
 
 def cheapest(rows, measure, accuracy):
-    """The fastest row with a measure up to `accuracy`; None if there is none."""
+    """Of the rows with a measure up to `accuracy` the fastest, or that with the
+    loosest tolerance of those that it does not beat; None if there is none."""
     good = [row for row in solved(rows)
             if row[measure] != "" and row[measure] <= accuracy]
-    return min(good, key=lambda row: row["time_ratio"], default=None)
+    fastest = min(good, key=lambda row: row["time_ratio"], default=None)
+    return max((row for row in good if not beats(fastest, row)),
+               key=lambda row: row["tolerance"], default=None)
 
 
 def beats(one, other):
@@ -189,7 +192,8 @@ def halving(rows, load):
     least time; None if none does."""
     bound = stress_error(rows, "standard", load) / 2
     good = [setting for setting in distinct(rows, "setting")
-            if stress_error(rows, setting, load) <= bound]
+            if stress_time(rows, setting)["time_ratio"] != "" and
+            (stress_error(rows, setting, load) or math.inf) <= bound]
     return min(good, default=None, key=lambda setting:
                stress_time(rows, setting)["time_ratio"])
 

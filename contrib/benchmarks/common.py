@@ -21,9 +21,12 @@ def statics(run):
 
 
 def times(outcome, reference, seconds=statics):
-    """The columns of time of an Outcome with respect to another one."""
+    """The columns of time of an Outcome with respect to another one; empty if
+    a run has no such time, which is then NaN."""
     own = np.array([seconds(run) for run in outcome.runs])
     ratio = own / np.array([seconds(run) for run in reference.runs])
+    if np.isnan(ratio).any():
+        return dict.fromkeys(("time_ratio", "time_spread", "seconds"), "")
     low, high = np.percentile(ratio, [25, 75])
     return {"time_ratio": np.median(ratio), "time_spread": (high - low) / 2,
             "seconds": np.median(own)}

@@ -1,7 +1,7 @@
 """The page: advice, tables with what they show, plots, and how it was
 measured."""
 import tables
-from advice import (ACCURACIES, MEASURES, beats, equilibrate_choices, lines,
+from advice import (MEASURES, beats, equilibrate_choices, lines,
                     stress_error, stress_time)
 from plots import PLOTS
 from tables import distinct, listed, number, pivot, power, ratio, where
@@ -20,7 +20,8 @@ def power_of(key):
 
 def spread(rows):
     """A sentence on the noise of the times that a table gives without it."""
-    noise = sorted(row["time_spread"] / row["time_ratio"] for row in rows)
+    noise = sorted(row["time_spread"] / row["time_ratio"] for row in rows
+                   if row["time_ratio"])
     return (f"The spread of the times is {number(100 * noise[len(noise) // 2])} "
             f"per cent in the median and {number(100 * noise[-1])} at most. ")
 
@@ -58,7 +59,8 @@ def tolerance(rows):
     def balance(row):
         return f"{number(row['residual'])} / {number(row['mean_stress_change'])}"
 
-    keys = {"scene": "scene", "formulation": "way", "Equilibrate": "equilibrate"}
+    keys = {"scene": "scene", "formulation": "way",
+            "Equilibrate": "equilibrate"}
     worst = max((row for row in rows if row["violation"] != ""),
                 key=lambda row: row["violation"])
     reference = power(min(row["tolerance"] for row in rows))
@@ -126,7 +128,11 @@ def reconstruction(rows):
 
     def time(row):
         timed = stress_time(rows, row["setting"])
-        return ratio(timed) if timed["seconds"] else "-"
+        return ratio(timed) if timed["seconds"] != "" else "-"
+
+    def microseconds(row):
+        seconds = stress_time(rows, row["setting"])["seconds"]
+        return number(1e6 * seconds if seconds != "" else "")
 
     even, calm, torque = "uniform stress", "uneven, no torque", "uneven, torque"
     settings = [where(rows, setting=setting)[0]
@@ -142,8 +148,7 @@ def reconstruction(rows):
         "of each cell.",
         listed(settings, {
             "setting": "setting", "time / standard": time,
-            "µs a cell": lambda row: number(
-                1e6 * stress_time(rows, row["setting"])["seconds"]),
+            "µs a cell": microseconds,
             "no torque": error("distance", calm),
             "torque": error("distance", torque),
             "wall": distance("wall"), "random cells": distance("random cells"),

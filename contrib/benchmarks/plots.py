@@ -8,17 +8,17 @@ from tables import distinct, where  # noqa: E402
 
 COLOURS = {"compliant": "#1f77b4", "hard": "#d62728",
            "linear program": "#7f7f7f", "least energy": "#2ca02c",
-           "centre, edge area": "#9467bd", "centre, equal": "#ff7f0e"}
-FLOOR = 1e-17  # where a value of zero is drawn
+           "centre (edge area)": "#9467bd", "centre (equal)": "#ff7f0e"}
+FLOOR = 1e-16  # where a value of zero is drawn
 
 
-def axes(panels, labels, title, scale="log"):
-    """A figure with panels side by side; labels of x and y, the titles of the
-    panels, and the scale of x."""
+def axes(panels, labels, title):
+    """A figure with panels side by side, on logarithmic axes; labels of x and
+    y, and the titles of the panels."""
     figure, row = plt.subplots(1, panels, figsize=(4.4 * panels + 1.2, 4),
                                squeeze=False, sharey=True)
     for panel, name in zip(row[0], title):
-        panel.set(xscale=scale, yscale="log", xlabel=labels[0], title=name)
+        panel.set(xscale="log", yscale="log", xlabel=labels[0], title=name)
         panel.grid(alpha=0.3)
     row[0][0].set_ylabel(labels[1])
     return figure, row[0]
@@ -33,13 +33,14 @@ def save(figure, panel, path):
     plt.close(figure)
 
 
-def curves(panel, rows, x, y):
+def curves(panel, rows, x, y, **style):
     """A curve for each formulation."""
     for way in distinct(rows, "way"):
         own = [row for row in solved(where(rows, way=way)) if row[y] != ""]
         panel.plot([row[x] for row in own],
-                   [max(row[y], FLOOR) for row in own], "o-", markersize=4,
-                   color=COLOURS[way], label=way)
+                   [max(row[y], FLOOR) for row in own],
+                   **{"marker": "o", "markersize": 4, "color": COLOURS[way],
+                      "label": way, **style})
 
 
 def formulations(rows, path):
@@ -51,28 +52,19 @@ def formulations(rows, path):
 
 
 def tolerance(rows, path):
-    """The distance to the canonical state by the time it takes; hollow with
-    Equilibrate."""
+    """The distance to the canonical state by the tolerance; hollow with
+    Equilibrate. Distances below 1e-16 are drawn there."""
     scenes = distinct(rows, "scene")
     figure, panels = axes(
-        len(scenes), ("time / that with tolerance 1e-10",
-                      "distance to the canonical state"),
+        len(scenes), ("tolerance", "distance to the canonical state"),
         [f"{scene.capitalize()} {'from' if scene == 'far' else 'to'} collapse"
-         for scene in scenes], "linear")
+         for scene in scenes])
     for panel, scene in zip(panels, scenes):
-        here = solved(where(rows, scene=scene))
-        for way in distinct(here, "way"):
-            for equilibrate, style in (("false", "o-"), ("true", "o--")):
-                own = [row for row in where(here, way=way,
-                                            equilibrate=equilibrate)
-                       if row["distance"] != "" and row["distance"] > 0]
-                panel.plot([row["time_ratio"] for row in own],
-                           [row["distance"] for row in own], style,
-                           markersize=4, color=COLOURS[way], linewidth=1,
-                           markerfacecolor=("white" if equilibrate == "true"
-                                            else COLOURS[way]),
-                           label=way + (", Equilibrate" if equilibrate == "true"
-                                        else ""))
+        here = where(rows, scene=scene)
+        curves(panel, where(here, equilibrate="false"), "tolerance", "distance")
+        curves(panel, where(here, equilibrate="true"), "tolerance", "distance",
+               linestyle="--", linewidth=1, markerfacecolor="white", label=None)
+        panel.invert_xaxis()
     save(figure, panels[0], path)
 
 
@@ -87,7 +79,8 @@ def reconstruction(rows, path):
             time = stress_time(rows, setting)["time_ratio"]
             error = stress_error(rows, setting, load)
             if time and error:
-                panel.plot([time], [error], "o", label=setting)
+                panel.plot([time], [error], "s" if "degree 1" in setting else "o",
+                           label=setting)
     save(figure, panels[0], path)
 
 
