@@ -42,8 +42,8 @@ def formulation_advice(rows):
     ways = exact_ways(rows)
     if not ways:
         return f"no formulation returns a uniform stress to {power(EXACT)}"
-    text = (f"{ways[0]['way']} is the fastest of the formulations that return a "
-            f"uniform stress to {power(EXACT)} "
+    text = (f"{ways[0]['way']} is the fastest of the formulations that return "
+            f"a uniform stress to {power(EXACT)} "
             f"({number(ways[0]['seconds'])} s for "
             f"{number(ways[0]['cells'])} cells)")
     if len(ways) > 1:
@@ -74,8 +74,8 @@ def rigidity_advice(rows):
     if math.isinf(closest):
         return "close to collapse none answers in all structures"
     ways = [way for way in last if last[way] == closest]
-    text = (f"{in_words(ways)} {'answer' if len(ways) > 1 else 'answers'} closest "
-            f"to collapse, in all structures up to {power(closest)} from it")
+    verb = "answer" if len(ways) > 1 else "answers"
+    text = (f"{in_words(ways)} {verb} closest to collapse, in all structures up to {power(closest)} from it")
     if len(ways) == 1:
         return text
     fastest = min(ways, key=lambda way: mean(
@@ -210,8 +210,8 @@ def stress_advice(rows):
             f"{before}" if setting is None else
             f"in blocks {name} the cheapest setting that halves the error of "
             f"`standard` is {setting} "
-            f"({number(stress_error(rows, setting, load))} instead of {before}, "
-            f"in {number(stress_time(rows, setting)['time_ratio'])} times the "
+            f"({number(stress_error(rows, setting, load))} instead of "
+            f"{before}, in {number(stress_time(rows, setting)['time_ratio'])} times the "
             f"time of `standard`)")
     return "; ".join(parts)
 

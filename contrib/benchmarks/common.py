@@ -1,7 +1,7 @@
 """What the experiments share. Their rows are dictionaries of the same keys, of
 which `time_ratio` and `time_spread` are the median and half the interquartile
-range, over the repeats, of the ratio of a time to that of a reference setting in
-the same repeat; `seconds` is the median time.
+range, over the repeats, of the ratio of a time to that of a reference setting
+in the same repeat; `seconds` is the median time.
 """
 import functools
 
@@ -42,9 +42,11 @@ def quality(outcome):
 
 
 def ending(outcome):
-    """The columns of how the runs ended."""
+    """The columns of how the runs and their solver ended."""
+    solver = outcome.runs[0].summary.get("solver", {})
     return {"outcome": outcome.outcome,
-            "iterations": outcome.runs[0].iterations}
+            "iterations": solver.get("iterations", ""),
+            "solver": solver.get("outcome", "")}
 
 
 def compared(outcome, reference):
@@ -70,8 +72,9 @@ def picked(outcomes, **labels):
 
 @functools.cache
 def limit_of_random_cells(bench, cells, width):
-    """The largest deviator that random cells carry, to the relative width. Asked
-    are least energy and, where it has no answer, the linear program."""
+    """The largest deviator that random cells carry, to the relative width.
+    Asked are least energy and, where it has no answer, the linear program; no
+    answer from both counts as not carried."""
     low, high = STRENGTH, 1.
     while high - low > width * high:
         deviator = (low + high) / 2
@@ -90,7 +93,8 @@ def limit_of_random_cells(bench, cells, width):
 def close_to_collapse(bench, cells):
     """Random cells under 0.99 of the deviator that they carry."""
     width = bench.sized(1e-4, 0.02)
-    return random_cells(cells, CLOSE * limit_of_random_cells(bench, cells, width))
+    limit = limit_of_random_cells(bench, cells, width)
+    return random_cells(cells, CLOSE * limit)
 
 
 def far_and_close(bench):

@@ -14,7 +14,8 @@ def total(run):
 def features(bench):
     """What each feature adds to the forces alone; those that make a hundred or
     more sub-cells a cell in a smaller packing."""
-    stress = {name: {**parameters, "Output/Files": "vtu"} for name, parameters in
+    stress = {name: {**parameters, "Output/Files": "vtu"}
+              for name, parameters in
               (("standard", {"Accuracy": "standard"}), fine(0, 0), fine(0, 1),
                fine(1, 0))}
     supported = {"Supports/Where": "ny < -0.5 && y < 1e-9"}

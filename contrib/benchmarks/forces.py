@@ -74,14 +74,16 @@ def barrier(bench):
         outcomes = bench.series("barrier", [
             ({"scene": name, "way": way, "parameter": parameter, "value": value,
               "tolerance": tolerance},
-             {**scene, **WAYS[way], **FORCES_ONLY, "Solver/Tolerance": tolerance,
+             {**scene, **WAYS[way], **FORCES_ONLY,
+              "Solver/Tolerance": tolerance,
               f"Solver/smoothed friction/{parameter}": value})
             for way, parameter, value, tolerance, _, _ in variants], forces)
         for outcome, (way, parameter, _, _, usual, exact) in zip(outcomes,
                                                                  variants):
             timed, canonical = (
                 picked(outcomes, way=way, parameter=parameter, value=value,
-                       tolerance=tolerance) for value, tolerance in (usual, exact))
+                       tolerance=tolerance)
+                for value, tolerance in (usual, exact))
             rows.append({**outcome.labels, **times(outcome, timed),
                          **quality(outcome), **compared(outcome, canonical)})
     return rows

@@ -3,8 +3,9 @@ the seconds that it took, and the largest memory that it held, in KiB.
 
     launch.py SECONDS PROGRAM [ARGUMENTS]
 
-It gets SIGALRM after SECONDS. Linux counts the memory of the process that starts
-a program as the program's own, which therefore has to be small, as this one is.
+It gets SIGALRM after SECONDS. Linux counts the memory of the process that
+starts a program as the program's own, which therefore has to be small, as this
+one is.
 """
 import os
 import signal

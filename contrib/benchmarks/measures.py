@@ -31,7 +31,8 @@ class State:
         self.plus = e["cell_plus"].astype(int)
         self.length, self.strength = e["length"], e["strength"]
         self.normal = np.stack([e["nx"], e["ny"]], axis=1)
-        self.middle = np.stack([e["x0"] + e["x1"], e["y0"] + e["y1"]], axis=1) / 2
+        self.middle = np.stack(
+            [e["x0"] + e["x1"], e["y0"] + e["y1"]], axis=1) / 2
         self.normal_force = e["normal_force"]
         self.tangential_force = e["tangential_force"]
         self.centre = np.stack([c["x"], c["y"]], axis=1)
@@ -113,11 +114,22 @@ class Field:
         exact = np.broadcast_to(np.asarray(stress), self.stress.shape)
         return self.norm(self.stress - exact) / self.norm(exact)
 
-    def distance(self, finer):
-        """The L2 distance to a StressField of the same packing, relative to
-        that field, with this one sampled in its sub-cells."""
-        difference = self.stress_at(finer) - finer.stress
-        return finer.norm(difference) / finer.norm(finer.stress)
+    def distances(self, finer):
+        """The L2 distances to a StressField of the same packing, relative to
+        that field: of the stress as it is, and of its means over the sub-cells
+        of this one."""
+        here = self.located(finer)
+        found, here = here >= 0, here[here >= 0]
+        exact, area = finer.stress[found], finer.area[found]
+        weighted = (area[:, None, None] * exact).reshape(-1, 4)
+        covered = np.bincount(here, area, len(self.area))
+        means = np.stack([np.bincount(here, column, len(self.area))
+                          for column in weighted.T], axis=1)
+        means /= np.maximum(covered, 1e-300)[:, None]
+        change = self.stress[here] - exact
+        change_of_means = self.stress[here] - means.reshape(-1, 2, 2)[here]
+        return [np.sqrt(np.sum(area[:, None, None] * field**2)) /
+                finer.norm(finer.stress) for field in (change, change_of_means)]
 
 
 class MeanStress(Field):
@@ -130,8 +142,9 @@ class MeanStress(Field):
         super().__init__(stress.reshape(-1, 2, 2), c["area"],
                          np.arange(len(stress)))
 
-    def stress_at(self, finer):
-        return self.stress[finer.cell]
+    def located(self, finer):
+        """Which of its cells each sub-cell of another field is in."""
+        return finer.cell
 
 
 class StressField(Field):
@@ -156,43 +169,50 @@ class StressField(Field):
         super().__init__(in_plane(at("stress")), area, at("cell").astype(int))
         self.div, self.skew = at("div")[:, :2], at("skew")
 
-    def imbalance(self):
+    def imbalance(self, body_force):
         """The L2 norm of (div sigma + b) times the root of the cell's area,
         over that of sigma; and of what is left of it without the rigid
         acceleration of each cell about its centroid."""
         def total(weight):
             return np.bincount(self.cell, weight * self.area)
+
+        left = self.div + np.asarray(body_force)
         cell_area = total(1.)
-        centre = np.stack([total(x) for x in self.middle.T], 1) / cell_area[:, None]
+        centre = np.stack([total(x) for x in self.middle.T], axis=1)
+        centre /= cell_area[:, None]
         arm = self.middle - centre[self.cell]
         turned = np.stack([-arm[:, 1], arm[:, 0]], axis=1)
-        spin = (total(np.sum(turned * self.div, axis=1)) /
+        spin = (total(np.sum(turned * left, axis=1)) /
                 total(np.sum(turned**2, axis=1)))
-        rest = self.div - spin[self.cell, None] * turned
+        rest = left - spin[self.cell, None] * turned
         return [np.sqrt(np.sum(cell_area * total(np.sum(field**2, axis=1)))) /
-                self.norm(self.stress) for field in (self.div, rest)]
+                self.norm(self.stress) for field in (left, rest)]
 
     def asymmetry(self):
         """The L2 norm of the skew part of sigma over that of sigma."""
         return (np.sqrt(2 * np.sum(self.area * self.skew**2)) /
                 self.norm(self.stress))
 
-    def stress_at(self, finer):
-        """This stress in the middles of the sub-cells of another field."""
+    def located(self, finer):
+        """Which of its sub-cells the middle of each one of another field is in,
+        or -1 where rounding hides it, on the rim of a sliver."""
+        number = numpy_to_vtk(np.repeat(np.arange(float(len(self.area))), 4))
+        number.SetName("number")
+        source = vtk.vtkUnstructuredGrid()
+        source.CopyStructure(self.grid)
+        source.GetPointData().AddArray(number)
         points = vtk.vtkPoints()
-        points.SetData(numpy_to_vtk(
-            np.pad(finer.middle, ((0, 0), (0, 1))), deep=True))
+        points.SetData(numpy_to_vtk(np.pad(finer.middle, ((0, 0), (0, 1)))))
         middles = vtk.vtkPolyData()
         middles.SetPoints(points)
         probe = vtk.vtkProbeFilter()
         probe.SetInputData(middles)
-        probe.SetSourceData(self.grid)
+        probe.SetSourceData(source)
         probe.Update()
         found = probe.GetOutput().GetPointData()
         hit = vtk_to_numpy(found.GetArray("vtkValidPointMask")) > 0
-        stress = in_plane(vtk_to_numpy(found.GetArray("stress")).astype(float))
-        # A middle on the rim of a sliver may be missed by rounding.
-        return np.where(hit[:, None, None], stress, finer.stress)
+        return np.where(hit, np.rint(vtk_to_numpy(found.GetArray("number"))),
+                        -1).astype(int)
 
 
 def in_plane(tensors):

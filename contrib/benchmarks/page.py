@@ -11,7 +11,22 @@ SHORT = 0.05  # seconds below which a time is mostly noise
 
 def outcome_or(text):
     """An entry that says how the run ended if there is no answer."""
-    return lambda row: text(row) if row["outcome"] == "solved" else row["outcome"]
+    def entry(row):
+        return text(row) if row["outcome"] == "solved" else row["outcome"]
+    return entry
+
+
+def iterations(row):
+    """The iterations of the solver, with a star if it did not converge."""
+    return number(row["iterations"]) + "*" * (row["solver"] != "converged")
+
+
+def not_converged(rows):
+    """A sentence on the stars of a table, if there are any."""
+    stars = [row for row in rows if row["outcome"] == "solved" and
+             row["solver"] != "converged"]
+    return ("A star marks a solver that did not converge, whose forces pass the "
+            "certificate all the same. " if stars else "")
 
 
 def power_of(key):
@@ -22,8 +37,9 @@ def spread(rows):
     """A sentence on the noise of the times that a table gives without it."""
     noise = sorted(row["time_spread"] / row["time_ratio"] for row in rows
                    if row["time_ratio"])
-    return (f"The spread of the times is {number(100 * noise[len(noise) // 2])} "
-            f"per cent in the median and {number(100 * noise[-1])} at most. ")
+    return ("The spread of the times is "
+            f"{number(100 * noise[len(noise) // 2])} per cent in the median and "
+            f"{number(100 * noise[-1])} at most. ")
 
 
 def seconds_at(**labels):
@@ -43,11 +59,12 @@ def formulations(rows):
     return [
         "Random Voronoi cells under the uniform stress diag(-1.2, -0.8) with "
         "s_T = 0.3; forces only. The patch error is the distance of the forces "
-        "from those of that stress, which is admissible. " + short_times(rows),
+        "from those of that stress, which is admissible. "
+        + not_converged(rows) + short_times(rows),
         listed(rows, {
             "formulation": "way", "cells": "cells",
             "time / least energy": ratio, "seconds": "seconds",
-            "iterations": outcome_or(lambda row: number(row["iterations"])),
+            "iterations": outcome_or(iterations),
             "residual": "residual", "violation": "violation",
             "patch error": "patch_error"})]
 
@@ -106,12 +123,12 @@ def barrier(rows):
         "and both contacts by the smoothing length; random cells far from and "
         "close to collapse. Times are over those of the defaults. The canonical "
         "state of hard contact is that of the point 1e-10 with the tolerance "
-        "1e-14. " + short_times(rows),
+        "1e-14. " + not_converged(rows) + short_times(rows),
         listed(rows, {
             "scene": "scene", "contact": "way", "parameter": "parameter",
             "value": power_of("value"), "tolerance": power_of("tolerance"),
             "time / default": ratio, "seconds": "seconds",
-            "iterations": outcome_or(lambda row: number(row["iterations"])),
+            "iterations": outcome_or(iterations),
             "residual": "residual", "violation": "violation",
             "distance to the canonical state": "distance",
             "change of mean stress": "mean_stress_change"}, left=3)]
@@ -144,13 +161,17 @@ def reconstruction(rows):
         "the L2 distance to the finest stress, relative to it: in regular "
         f"polygons of {', '.join(sides)} sides (root mean square) under uneven "
         "tractions without and with a torque, in a wall under its weight, and "
-        "in random cells close to collapse. `draft` stands for the mean stress "
-        "of each cell.",
+        "in random cells close to collapse. That includes the change of the "
+        "stress within a sub-cell, for which the files have one value; the "
+        "columns of means compare it with the mean of the finest stress over "
+        "the sub-cell. `draft` stands for the mean stress of each cell.",
         listed(settings, {
             "setting": "setting", "time / standard": time,
             "µs a cell": microseconds,
             "no torque": error("distance", calm),
+            "means, no torque": error("distance_of_means", calm),
             "torque": error("distance", torque),
+            "means, torque": error("distance_of_means", torque),
             "wall": distance("wall"), "random cells": distance("random cells"),
             "uniform stress": error("patch_error", even)}),
         "What is left of the equations in the same polygons: div sigma + b, "
@@ -167,7 +188,7 @@ def reconstruction(rows):
 
 def rigidity(rows):
     def entry(row):
-        return f"{number(row['time_ratio'])} ({number(row['iterations'])})"
+        return f"{number(row['time_ratio'])} ({iterations(row)})"
 
     def balance(row):
         return f"{number(row['residual'])} / {number(row['violation'])}"
@@ -177,7 +198,7 @@ def rigidity(rows):
     return [
         "Loads at 1 less the given distance of the limit load. An entry is the "
         "time over that of least energy and in brackets the iterations, or how "
-        "the run ended. " + spread(rows) + short_times(rows),
+        "the run ended. " + not_converged(rows) + spread(rows) + short_times(rows),
         pivot(rows, keys, "distance_to_collapse", outcome_or(entry),
               (f"seconds at {power(farthest)}",
                seconds_at(distance_to_collapse=farthest))),
@@ -194,7 +215,7 @@ def features(rows):
         listed(rows, {
             "feature": "feature", "cells": "cells", "time / forces only": ratio,
             "seconds": "seconds",
-            "iterations": outcome_or(lambda row: number(row["iterations"])),
+            "iterations": outcome_or(iterations),
             "stage": "stage", "memory / forces only": "memory_ratio",
             "MiB": "memory"})]
 

@@ -79,8 +79,8 @@ def reconstruction(rows, path):
             time = stress_time(rows, setting)["time_ratio"]
             error = stress_error(rows, setting, load)
             if time and error:
-                panel.plot([time], [error], "s" if "degree 1" in setting else "o",
-                           label=setting)
+                marker = "s" if "degree 1" in setting else "o"
+                panel.plot([time], [error], marker, label=setting)
     save(figure, panels[0], path)
 
 

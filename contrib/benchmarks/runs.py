@@ -37,11 +37,6 @@ class Run:
         """The exit status in words."""
         return STATUS.get(self.status, "crash")
 
-    @property
-    def iterations(self):
-        """Of the solver; empty if there is no answer."""
-        return self.summary.get("solver", {}).get("iterations", "")
-
 
 @dataclasses.dataclass
 class Outcome:
@@ -102,7 +97,7 @@ class Bench:
              scene], capture_output=True, text=True, check=True)
         status, elapsed, memory = map(float, process.stdout.split())
         if status in (1, BAD_INPUT):
-            sys.exit(f"{self.program} {scene.name} ended with status {status}:\n"
+            sys.exit(f"{self.program} ended with status {int(status)}:\n"
                      f"{process.stderr}\nThe parameters were\n"
                      f"{scene.read_text()}")
         summary = directory / "summary.json"

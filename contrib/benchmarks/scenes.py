@@ -8,10 +8,11 @@ WAYS = {
              "Solver/smoothed friction/Contact": "hard"},
     "linear program": {"Formulation": "linear program"},
     "least energy": {"Formulation": "least energy"},
-    "centre (edge area)": {"Formulation": "analytic centre",
-                          "Solver/analytic centre/Barrier weights": "edge area"},
+    "centre (edge area)": {
+        "Formulation": "analytic centre",
+        "Solver/analytic centre/Barrier weights": "edge area"},
     "centre (equal)": {"Formulation": "analytic centre",
-                      "Solver/analytic centre/Barrier weights": "equal"},
+                       "Solver/analytic centre/Barrier weights": "equal"},
 }
 STRENGTH = 0.3  # s_T of all scenes but the shear wall, over the mean pressure
 FORCES_ONLY = {"Accuracy": "draft", "Output/Files": "csv",

@@ -6,7 +6,7 @@ from measures import MeanStress, StressField
 from scenes import (TRACTIONS, UNIFORM_STRESS, WAYS, regular_polygon,
                     wall_under_weight)
 
-ERRORS = ("distance", "imbalance", "imbalance_not_rigid", "asymmetry",
+ERRORS = ("distance", "distance_of_means", "imbalance", "imbalance_not_rigid", "asymmetry",
           "patch_error")
 
 
@@ -87,6 +87,7 @@ def reconstruction_errors(bench, labels, scene, finest):
     ways = {name: parameters
             for name, (parameters, _) in reconstructions(bench).items()}
     name, parameters = fine(finest, 1)
+    body_force = (0, -1) if labels["load"] == "weight" else (0, 0)
     outcomes = bench.series(
         "reconstruction",
         [({**labels, "setting": setting},
@@ -97,7 +98,7 @@ def reconstruction_errors(bench, labels, scene, finest):
     for outcome in outcomes[:len(ways)]:
         rows.append({**outcome.labels, "cells": "", "time_ratio": "",
                      "time_spread": "", "seconds": "",
-                     **errors(outcome.seen, outcomes[-1].seen)})
+                     **errors(outcome.seen, outcomes[-1].seen, body_force)})
         if labels["load"] == "uniform stress" and outcome.seen:
             rows[-1]["patch_error"] = outcome.seen.patch_error(UNIFORM_STRESS)
     return rows
@@ -109,12 +110,12 @@ def field(run):
     return (StressField if written else MeanStress)(run.directory)
 
 
-def errors(found, reference):
+def errors(found, reference, body_force):
     """The columns ERRORS of a Field; the mean stress has no divergence."""
     row = dict.fromkeys(ERRORS, "")
     if found and reference:
-        row["distance"] = found.distance(reference)
+        row["distance"], row["distance_of_means"] = found.distances(reference)
     if isinstance(found, StressField):
-        row["imbalance"], row["imbalance_not_rigid"] = found.imbalance()
+        row["imbalance"], row["imbalance_not_rigid"] = found.imbalance(body_force)
         row["asymmetry"] = found.asymmetry()
     return row

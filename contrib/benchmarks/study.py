@@ -22,8 +22,8 @@ try:
 except ImportError as error:
     packages = re.findall(r"^(\S+)\s.*\bbenchmark\b",
                           (TOP / "contrib/packages.txt").read_text(), re.M)
-    sys.exit(f"study.py: {error}; install the packages {' '.join(packages)} and "
-             "run it with /usr/bin/python3.")
+    sys.exit(f"study.py: {error}; install the packages {' '.join(packages)} "
+             "and run it with /usr/bin/python3.")
 
 EXPERIMENTS = {"formulations": forces.formulations,
                "tolerance": forces.tolerance,

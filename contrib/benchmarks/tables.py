@@ -32,10 +32,9 @@ def read(path):
 
 
 def where(rows, **labels):
-    """The rows with the given values; a value may be a list of those allowed."""
+    """The rows with the given values."""
     return [row for row in rows
-            if all(row[key] in (value if isinstance(value, list) else [value])
-                   for key, value in labels.items())]
+            if all(row[key] == value for key, value in labels.items())]
 
 
 def distinct(rows, key):
@@ -90,7 +89,8 @@ def pivot(rows, keys, across, entry, last=None):
     values = distinct(rows, across)
     lines = {}
     for row in rows:
-        lines.setdefault(tuple(row[key] for key in keys.values()), []).append(row)
+        labels = tuple(row[key] for key in keys.values())
+        lines.setdefault(labels, []).append(row)
     header = [*keys, *map(power, values), *([last[0]] if last else [])]
     return markdown(header, [
         [*map(str, labels),
