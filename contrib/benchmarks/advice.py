@@ -75,7 +75,8 @@ def rigidity_advice(rows):
         return "close to collapse none answers in all structures"
     ways = [way for way in last if last[way] == closest]
     verb = "answer" if len(ways) > 1 else "answers"
-    text = (f"{in_words(ways)} {verb} closest to collapse, in all structures up to {power(closest)} from it")
+    text = (f"{in_words(ways)} {verb} closest to collapse, in all "
+            f"structures up to {power(closest)} from it")
     if len(ways) == 1:
         return text
     fastest = min(ways, key=lambda way: mean(
@@ -190,7 +191,7 @@ def stress_time(rows, setting):
 def halving(rows, load):
     """The setting that halves the error of `standard` under a load for the
     least time; None if none does."""
-    bound = stress_error(rows, "standard", load) / 2
+    bound = (stress_error(rows, "standard", load) or 0) / 2
     good = [setting for setting in distinct(rows, "setting")
             if stress_time(rows, setting)["time_ratio"] != "" and
             (stress_error(rows, setting, load) or math.inf) <= bound]
@@ -211,8 +212,9 @@ def stress_advice(rows):
             f"in blocks {name} the cheapest setting that halves the error of "
             f"`standard` is {setting} "
             f"({number(stress_error(rows, setting, load))} instead of "
-            f"{before}, in {number(stress_time(rows, setting)['time_ratio'])} times the "
-            f"time of `standard`)")
+            f"{before}, in "
+            f"{number(stress_time(rows, setting)['time_ratio'])} times the time "
+            f"of `standard`)")
     return "; ".join(parts)
 
 

@@ -25,8 +25,8 @@ def not_converged(rows):
     """A sentence on the stars of a table, if there are any."""
     stars = [row for row in rows if row["outcome"] == "solved" and
              row["solver"] != "converged"]
-    return ("A star marks a solver that did not converge, whose forces pass the "
-            "certificate all the same. " if stars else "")
+    return ("A star marks a solver that did not converge, whose forces pass "
+            "the certificate all the same. " if stars else "")
 
 
 def power_of(key):
@@ -38,8 +38,8 @@ def spread(rows):
     noise = sorted(row["time_spread"] / row["time_ratio"] for row in rows
                    if row["time_ratio"])
     return ("The spread of the times is "
-            f"{number(100 * noise[len(noise) // 2])} per cent in the median and "
-            f"{number(100 * noise[-1])} at most. ")
+            f"{number(100 * noise[len(noise) // 2])} per cent in the median "
+            f"and {number(100 * noise[-1])} at most. ")
 
 
 def seconds_at(**labels):
@@ -51,8 +51,8 @@ def short_times(rows):
     """A sentence on the rows whose time is very short."""
     short = [row for row in rows if row["seconds"] != "" and
              row["seconds"] < SHORT]
-    return (f"In {len(short)} of the {len(rows)} rows the time is below {SHORT} "
-            "s, where its spread says more than the ratio." if short else "")
+    return (f"In {len(short)} of the {len(rows)} rows the time is below "
+            f"{SHORT} s, where its spread says more than the ratio." if short else "")
 
 
 def formulations(rows):
@@ -74,18 +74,18 @@ def tolerance(rows):
         return f"{number(row['distance'])} ({number(row['time_ratio'])})"
 
     def balance(row):
-        return f"{number(row['residual'])} / {number(row['mean_stress_change'])}"
+        change = number(row["mean_stress_change"])
+        return f"{number(row['residual'])} / {change}"
 
     keys = {"scene": "scene", "formulation": "way",
             "Equilibrate": "equilibrate"}
-    worst = max((row for row in rows if row["violation"] != ""),
-                key=lambda row: row["violation"])
+    worst = max(rows, key=lambda row: row["violation"] or 0)
     reference = power(min(row["tolerance"] for row in rows))
     return [
         "`Solver/Tolerance` from left to right, for random cells far from "
         "collapse and at 0.99 of the limit. An entry is the distance to the "
-        f"canonical state, which is that with the tolerance {reference}, and in "
-        "brackets the time over that of the same formulation with 1e-10. "
+        f"canonical state, which is that with the tolerance {reference}, and "
+        "in brackets the time over that of the same formulation with 1e-10. "
         + spread(rows) + short_times(rows),
         pivot(rows, keys, "tolerance", outcome_or(entry),
               ("seconds at 1e-10", seconds_at(tolerance=1e-10))),
@@ -121,8 +121,8 @@ def barrier(rows):
     return [
         "Hard contact by the point of the central path where the solver stops, "
         "and both contacts by the smoothing length; random cells far from and "
-        "close to collapse. Times are over those of the defaults. The canonical "
-        "state of hard contact is that of the point 1e-10 with the tolerance "
+        "close to collapse. Times are over those of the defaults. The "
+        "canonical state of hard contact is that of the point 1e-10 with the tolerance "
         "1e-14. " + not_converged(rows) + short_times(rows),
         listed(rows, {
             "scene": "scene", "contact": "way", "parameter": "parameter",
@@ -176,8 +176,8 @@ def reconstruction(rows):
             "uniform stress": error("patch_error", even)}),
         "What is left of the equations in the same polygons: div sigma + b, "
         "times the root of the cell's area, and the skew part, both in L2 and "
-        "over sigma. With a torque a rigid acceleration must remain; the fourth "
-        "column is without it.",
+        "over sigma. With a torque a rigid acceleration must remain; the "
+        "fourth column is without it.",
         listed(settings, {
             "setting": "setting", "div, no torque": error("imbalance", calm),
             "div, torque": error("imbalance", torque),
@@ -198,7 +198,8 @@ def rigidity(rows):
     return [
         "Loads at 1 less the given distance of the limit load. An entry is the "
         "time over that of least energy and in brackets the iterations, or how "
-        "the run ended. " + not_converged(rows) + spread(rows) + short_times(rows),
+        "the run ended. " + not_converged(rows) + spread(rows)
+        + short_times(rows),
         pivot(rows, keys, "distance_to_collapse", outcome_or(entry),
               (f"seconds at {power(farthest)}",
                seconds_at(distance_to_collapse=farthest))),
@@ -210,8 +211,8 @@ def features(rows):
     return [
         "What each feature adds to the forces alone, which write no file but "
         "the summary: random cells under a uniform stress, least energy. Time "
-        "is the sum of all stages; the stage is the one that grows most. Memory "
-        "is the largest that the process held.",
+        "is the sum of all stages; the stage is the one that grows most. "
+        "Memory is the largest that the process held.",
         listed(rows, {
             "feature": "feature", "cells": "cells", "time / forces only": ratio,
             "seconds": "seconds",

@@ -6,8 +6,8 @@ from measures import MeanStress, StressField
 from scenes import (TRACTIONS, UNIFORM_STRESS, WAYS, regular_polygon,
                     wall_under_weight)
 
-ERRORS = ("distance", "distance_of_means", "imbalance", "imbalance_not_rigid", "asymmetry",
-          "patch_error")
+ERRORS = ("distance", "distance_of_means", "imbalance", "imbalance_not_rigid",
+          "asymmetry", "patch_error")
 
 
 def fine(refinements, degree):
@@ -116,6 +116,7 @@ def errors(found, reference, body_force):
     if found and reference:
         row["distance"], row["distance_of_means"] = found.distances(reference)
     if isinstance(found, StressField):
-        row["imbalance"], row["imbalance_not_rigid"] = found.imbalance(body_force)
+        row["imbalance"], row["imbalance_not_rigid"] = found.imbalance(
+            body_force)
         row["asymmetry"] = found.asymmetry()
     return row
