@@ -8,10 +8,14 @@ fail() {
   exit 1
 }
 
-# The packages of contrib/packages.txt: those to run, or with "test" all.
+# The packages of contrib/packages.txt: those to run, and those that have the
+# purpose, such as "test".
 packages() {
-  awk -v purpose="$1" '!/^#/ && NF && ($2 == "" || $2 == purpose) {print $1}' \
-    "$top/contrib/packages.txt"
+  awk -v purpose="$1" '!/^#/ && NF {
+      wanted = NF == 1
+      for (i = 2; i <= NF; ++i) wanted = wanted || $i == purpose
+      if (wanted) print $1
+    }' "$top/contrib/packages.txt"
 }
 
 # Install those packages that are missing.

@@ -1,0 +1,23 @@
+"""Run a program and print its exit status (negative: the signal that ended it),
+the seconds that it took, and the largest memory that it held, in KiB.
+
+    launch.py SECONDS PROGRAM [ARGUMENTS]
+
+It gets SIGALRM after SECONDS. Linux counts the memory of the process that
+starts a program as the program's own, which therefore has to be small, as this
+one is.
+"""
+import os
+import signal
+import sys
+import time
+
+start = time.perf_counter()
+child = os.fork()
+if child == 0:
+    signal.alarm(int(sys.argv[1]))
+    os.dup2(2, 1)
+    os.execv(sys.argv[2], sys.argv[2:])
+_, status, usage = os.wait4(child, 0)
+print(os.waitstatus_to_exitcode(status), time.perf_counter() - start,
+      usage.ru_maxrss)
