@@ -30,7 +30,7 @@ def formulations(bench):
 
 def tolerance(bench):
     """Each way with each tolerance, with and without Equilibrate."""
-    tolerances = bench.sized((1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12),
+    tolerances = bench.sized((1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12),
                              (1e-2, DEFAULT_TOLERANCE))
     settings = [
         ({"scene": name, "way": way, "tolerance": value,

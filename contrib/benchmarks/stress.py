@@ -24,12 +24,11 @@ def reconstructions(bench):
     draft = {"Accuracy": "draft"}, bench.sized(10000, 50)
     standard = {"Accuracy": "standard"}, bench.sized(10000, 50)
     ways = {"draft": draft, "standard": standard}
+    cells = ((10000, 1000), (1000, 200), (200, 20), (20, 10))
     for refinements in bench.sized((0, 1, 2, 3), (0,)):
         for degree in (0, 1):
             name, parameters = fine(refinements, degree)
-            cells = 10000 if refinements + degree == 0 else (
-                1000, 1000, 100, 20)[refinements]
-            ways[name] = parameters, bench.sized(cells, 50)
+            ways[name] = parameters, bench.sized(cells[refinements][degree], 50)
     return ways
 
 
@@ -67,14 +66,14 @@ def reconstruction_times(bench):
 def reconstructed(bench):
     """Labels, parameters, and the refinements of the reference, of structures
     in which the stress is compared."""
+    finest = bench.sized(3, 1)
     polygons = [({"structure": "polygon", "sides": sides, "load": load},
                  regular_polygon(sides, traction, bench.scratch),
-                 bench.sized(4, 1))
+                 finest)
                 for sides in bench.sized((3, 4, 5, 6, 8, 12), (5,))
                 for load, traction in TRACTIONS.items()]
-    wall = wall_under_weight(*bench.sized((8, 4), (4, 2)))
-    random = close_to_collapse(bench, bench.sized(50, 20))
-    finest = bench.sized(3, 1)
+    wall = wall_under_weight(*bench.sized((6, 3), (4, 2)))
+    random = close_to_collapse(bench, bench.sized(30, 20))
     return polygons + [
         ({"structure": "wall", "sides": "", "load": "weight"}, wall, finest),
         ({"structure": "random cells", "sides": "",

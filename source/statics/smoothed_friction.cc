@@ -27,6 +27,13 @@ using Jump = DiscreteProblem::Jump;
 constexpr double ipopt_over_own_tolerance = 1e-3;
 
 /**
+ * With hard contact Ipopt's tolerance bounds the error of the product of normal
+ * force and opening, too, and must be well below that product, or the forces
+ * are those of some other point of the central path.
+ */
+constexpr double tolerance_over_barrier = 1e-2;
+
+/**
  * How many iterations without a better balance of forces end the search, once
  * it is good enough for rounding to be the reason: at the very limit of the
  * load the displacements grow until rounding takes over.
@@ -241,8 +248,8 @@ void SmoothedFriction::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Barrier parameter", barrier_parameter,
                     "The product of normal force and opening, nondimensional "
                     "and the same in every joint, at which hard contact stops: "
-                    "small enough not to move the forces, and far enough above "
-                    "'Solver/Tolerance' to be met.",
+                    "small enough not to move the forces, and large enough for "
+                    "the solver to meet it.",
                     Double(1e-14, 1e-2));
 }
 
@@ -257,10 +264,14 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
   if (contact == Contact::compliant)
     ipopt.tolerance *= ipopt_over_own_tolerance;
   else
+  {
     // Stop at a given point of the central path and not anywhere near its end:
     // the normal forces are then those of one barrier problem, to the solver's
     // precision, and do not depend on the steps that led there.
     ipopt.mu_target = barrier_parameter;
+    ipopt.tolerance = std::min(ipopt.tolerance,
+                               tolerance_over_barrier * barrier_parameter);
+  }
 
   Solution solution = settle(
       problem, controls,
