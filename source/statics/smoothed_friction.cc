@@ -269,8 +269,8 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
     // the normal forces are then those of one barrier problem, to the solver's
     // precision, and do not depend on the steps that led there.
     ipopt.mu_target = barrier_parameter;
-    ipopt.tolerance = std::min(ipopt.tolerance,
-                               tolerance_over_barrier * barrier_parameter);
+    ipopt.tolerance =
+        std::min(ipopt.tolerance, tolerance_over_barrier * barrier_parameter);
   }
 
   Solution solution = settle(

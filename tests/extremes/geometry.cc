@@ -142,7 +142,7 @@ void try_short_edges()
   std::map<std::string, InterfaceForces> shortest;
   for (const double h : {1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4})
   {
-    const std::string name = "edge of " + std::to_string(h * 1e14) + "e-14";
+    const std::string name = text("edge of ", h);
     carry_pressure(name, around_short_edge(h));
     Worst difference;
     for (const Way &way : all_ways)
@@ -164,8 +164,7 @@ void try_short_edges()
 void try_close_generators()
 {
   for (const double distance : {1e-3, 1e-6, 1e-9, 1e-11})
-    carry_pressure("generators " + std::to_string(distance * 1e11) +
-                       "e-11 apart",
+    carry_pressure(text("generators ", distance, " apart"),
                    Packing(voronoi_cells(points({{0.5, 0.5},
                                                  {0.5 + distance, 0.5},
                                                  {0.2, 0.3},
@@ -192,8 +191,7 @@ void try_meeting_cells()
       list.points.emplace_back(0.5 + radius * std::cos(angle),
                                0.5 + radius * std::sin(angle));
     }
-    carry_pressure("five cells at a point but for " +
-                       std::to_string(perturbation * 1e16) + "e-16",
+    carry_pressure(text("five cells at a point but for ", perturbation),
                    Packing(voronoi_cells(list, unit)));
   }
   PointList grid;

@@ -5,6 +5,8 @@
 // neighbours that differ by 1e12: the forces of every formulation balance the
 // load, and divided by length and stress they are the same at every scale.
 
+#include <voussoir/base/text.h>
+
 #include "judgement.h"
 
 using namespace Voussoir;
@@ -159,12 +161,12 @@ int main()
 {
   for (const double strength : {0., 1e-9, 1e-6, 1e-3})
     compare(
-        "pressure, s_T = " + std::to_string(strength * 1e9) + "e-9",
+        text("pressure, s_T = ", strength),
         [&](unsigned int) { return strength; }, pressure);
   for (const double strength : {0.3, 1., 1e3, 1e6, 1e9})
     compare(
-        "shear, s_T = " + std::to_string(strength),
-        [&](unsigned int) { return strength; }, sheared);
+        text("shear, s_T = ", strength), [&](unsigned int) { return strength; },
+        sheared);
   compare(
       "strengths of 1e-6 and 1e6, pressure",
       [](const unsigned int e) { return e % 2 == 0 ? 1e-6 : 1e6; }, pressure);
