@@ -3,7 +3,7 @@
 
 Writes DIR/accuracy.md, a page of advice, tables and plots, with the tables in
 DIR/accuracy/*.csv and the plots in DIR/images/accuracy_*.png. The program must
-have been built, as contrib/run does. The full study takes hours.
+have been built; contrib/study does that first. The full study takes an hour.
 """
 import argparse
 import os
@@ -73,7 +73,7 @@ def note(directory, name, options, version):
     """Put how an experiment was measured in measured.csv."""
     path = directory / "measured.csv"
     others = [row for row in tables.read(path) if row["experiment"] != name]
-    command = "contrib/benchmarks/study.py" + " --quick" * options.quick
+    command = "contrib/study" + " --quick" * options.quick
     if options.repeats != (1 if options.quick else 5):
         command += f" --repeats {options.repeats}"
     if len(options.only) < len(EXPERIMENTS):
