@@ -17,6 +17,8 @@ child = os.fork()
 if child == 0:
     signal.alarm(int(sys.argv[1]))
     os.dup2(2, 1)
+    # Open MPI would start a daemon beside the program.
+    os.environ["OMPI_MCA_ess_singleton_isolated"] = "1"
     os.execv(sys.argv[2], sys.argv[2:])
 _, status, usage = os.wait4(child, 0)
 print(os.waitstatus_to_exitcode(status), time.perf_counter() - start,
