@@ -57,7 +57,8 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
                "its neighbours is not looked at.")};
 }
 
-std::string message_of(const Collapse &collapse)
+/** @param files those with the mechanism, "a and b", or none. */
+std::string message_of(const Collapse &collapse, const std::string &files)
 {
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
@@ -78,9 +79,9 @@ std::string message_of(const Collapse &collapse)
   if (!collapse.parts.empty())
     message << " Most is done by " << collapse.parts.front().name << ", "
             << std::lround(100. * share_of_first(collapse.parts))
-            << "% of the work that is put in. See mechanism.vtu and "
-               "mechanism_joints.csv; change 'Loads' or raise "
-               "'Friction/Strength'.";
+            << "% of the work that is put in. "
+            << (files.empty() ? "Change" : "See " + files + "; change")
+            << " 'Loads' or raise 'Friction/Strength'.";
   return message.str();
 }
 } // namespace
@@ -114,9 +115,11 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
-       {ResultFiles::csv, "csv", "interfaces.csv and cells.csv."},
+       {ResultFiles::csv, "csv",
+        "interfaces.csv and cells.csv, or those of the mechanism."},
        {ResultFiles::vtu, "vtu",
-        "interfaces.vtu and, unless 'Accuracy = draft', stress.vtu."},
+        "interfaces.vtu and, unless 'Accuracy = draft', stress.vtu, or that "
+        "of the mechanism."},
        {ResultFiles::none, "none", "neither."}},
       "Which results are written besides summary.json and parameters.prm. A "
       "stress that is not written is not reconstructed.");
@@ -221,8 +224,11 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
 
   timer.enter_subsection("stress");
   results.reactions = reactions(scene, results.forces);
-  results.torques = residual_torques(scene, results.forces);
-  results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  if (writes(ResultFiles::csv))
+  {
+    results.torques = residual_torques(scene, results.forces);
+    results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  }
   const bool reconstruct = stress.reconstruct() && writes(ResultFiles::vtu);
   if (reconstruct)
   {
@@ -284,7 +290,12 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
     add("mechanism.vtu", write_mechanism_vtu);
   publish(files, collapse, prm);
   terminal.summary("Status", "collapse");
-  throw LoadNotCarried(message_of(collapse));
+  throw LoadNotCarried(message_of(
+      collapse, result_files == ResultFiles::all
+                    ? "mechanism.vtu and mechanism_joints.csv"
+                : result_files == ResultFiles::vtu ? "mechanism.vtu"
+                : result_files == ResultFiles::csv ? "mechanism_joints.csv"
+                                                   : ""));
 }
 
 void Simulation::check_certificate(const Results &results) const

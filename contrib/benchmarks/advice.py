@@ -22,7 +22,7 @@ def solved(rows):
     return where(rows, outcome="solved")
 
 
-def mean(values):
+def root_mean_square(values):
     """The root mean square."""
     values = list(values)
     return math.sqrt(sum(value**2 for value in values) / len(values))
@@ -79,7 +79,7 @@ def rigidity_advice(rows):
             f"structures up to {power(closest)} from it")
     if len(ways) == 1:
         return text
-    fastest = min(ways, key=lambda way: mean(
+    fastest = min(ways, key=lambda way: root_mean_square(
         row["time_ratio"] for row in
         where(rows, way=way, distance_to_collapse=closest)))
     return f"{text}, {fastest} in the least time there"
@@ -180,7 +180,7 @@ def stress_error(rows, setting, load, measure="distance"):
     found = [row[measure] for row in
              where(rows, structure="polygon", load=load, setting=setting)
              if row["sides"] > 3 and row[measure] != ""]
-    return mean(found) if found else ""
+    return root_mean_square(found) if found else ""
 
 
 def stress_time(rows, setting):

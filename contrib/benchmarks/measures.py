@@ -50,7 +50,7 @@ class State:
 
     @property
     def largest_load(self):
-        """The reference force: the largest load on a cell."""
+        """The reference force: the largest load on a cell of the scene."""
         return np.linalg.norm(self.load, axis=1).max()
 
     def residual(self):

@@ -52,7 +52,8 @@ def short_times(rows):
     short = [row for row in rows if row["seconds"] != "" and
              row["seconds"] < SHORT]
     return (f"In {len(short)} of the {len(rows)} rows the time is below "
-            f"{SHORT} s, where its spread says more than the ratio." if short else "")
+            f"{SHORT} s, where its spread says more than the ratio."
+            if short else "")
 
 
 def formulations(rows):
@@ -122,8 +123,8 @@ def barrier(rows):
         "Hard contact by the point of the central path where the solver stops, "
         "and both contacts by the smoothing length; random cells far from and "
         "close to collapse. Times are over those of the defaults. The "
-        "canonical state of hard contact is that of the point 1e-10 with the tolerance "
-        "1e-14. " + not_converged(rows) + short_times(rows),
+        "canonical state of hard contact is that of the point 1e-10 with the "
+        "tolerance 1e-14. " + not_converged(rows) + short_times(rows),
         listed(rows, {
             "scene": "scene", "contact": "way", "parameter": "parameter",
             "value": power_of("value"), "tolerance": power_of("tolerance"),

@@ -20,7 +20,7 @@ try:
     import tables
     from runs import Bench
 except ImportError as error:
-    packages = re.findall(r"^(\S+)\s.*\bbenchmark\b",
+    packages = re.findall(r"^([^#\s]\S*)\s.*\bbenchmark\b",
                           (TOP / "contrib/packages.txt").read_text(), re.M)
     sys.exit(f"study.py: {error}; install the packages {' '.join(packages)} "
              "and run it with /usr/bin/python3.")
@@ -50,9 +50,11 @@ def arguments():
                         ";\nthe page takes the others from their tables")
     parser.add_argument("--page-only", action="store_true",
                         help="make the page from the tables")
-    parser.add_argument("--output", type=pathlib.Path, default=TOP / "doc",
-                        metavar="DIR", help="default: doc/")
+    parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
+                        help="default: doc/, or build/study/ with --quick")
     options = parser.parse_args()
+    options.output = options.output or TOP / (
+        "build/study" if options.quick else "doc")
     options.repeats = options.repeats or (1 if options.quick else 5)
     for name in set(options.only) - set(names):
         parser.error(f"there is no experiment '{name}'")

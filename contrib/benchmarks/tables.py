@@ -1,6 +1,7 @@
 """Tables: lists of rows, dictionaries of the same keys, as .csv files and as
 Markdown."""
 import csv
+import math
 
 
 def write(path, rows):
@@ -48,6 +49,8 @@ def number(value):
         return "-"
     if isinstance(value, str):
         return value
+    if not math.isfinite(value):
+        return str(value)
     if value == int(value) and abs(value) < 1e6:
         return f"{int(value):,}"
     if 0.01 <= abs(value) < 1000:

@@ -15,14 +15,15 @@ bool trap(const bool trapped)
   std::feclearexcept(FE_INVALID);
   const int before =
       trapped ? feenableexcept(FE_INVALID) : fedisableexcept(FE_INVALID);
-  return (before & FE_INVALID) != 0;
+  return before != -1 && (before & FE_INVALID) != 0;
 }
 } // namespace
 
 bool trap_invalid_operations()
 {
   trap(true);
-  return true;
+  // Some processors cannot.
+  return (fegetexcept() & FE_INVALID) != 0;
 }
 
 InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(trap(false))

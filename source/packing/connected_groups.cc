@@ -7,7 +7,8 @@
 
 namespace Voussoir
 {
-std::vector<unsigned int> connected_groups(const Packing &packing)
+std::vector<unsigned int> connected_groups(const Packing &packing,
+                                           const Ground ground)
 {
   const unsigned int n = packing.n_cells() + 1;
   std::vector<unsigned int> rank(n, 0), parent(n);
@@ -16,7 +17,8 @@ std::vector<unsigned int> connected_groups(const Packing &packing)
   for (unsigned int c = 0; c < n; ++c)
     sets.make_set(c);
   for (const Packing::Interface &interface : packing.interfaces())
-    sets.union_set(interface.cell_minus, interface.cell_plus);
+    if (ground == Ground::connects || interface.cell_plus != packing.ground())
+      sets.union_set(interface.cell_minus, interface.cell_plus);
 
   std::vector<unsigned int> lowest(n, n), group(n);
   for (unsigned int c = 0; c < n; ++c)

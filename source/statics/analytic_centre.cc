@@ -3,6 +3,7 @@
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
+#include <voussoir/statics/sufficient_strengths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,16 +44,6 @@ constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 constexpr double half_way = 0.316;
 constexpr double fixed_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fixed_joints_steps = 30;
-
-/**
- * The stress, nondimensional, that counts for all strengths above it. Where a
- * motion opens all joints without sliding, as in Voronoi packings, forces are
- * bounded by the loads, and the barrier of a strength b is a constant but for
- * (q/b)^2; its second derivative, of order b^2, multiplies the rounding of the
- * coordinates. Elsewhere the centre would hold normal forces of the order of b
- * that balance by themselves.
- */
-constexpr double largest_effective_strength = 100.;
 
 /** The work of a load, over the size of its terms, that is not rounding. */
 constexpr double least_resistance = 1e-10;
@@ -132,27 +123,6 @@ fixed_joints(const DiscreteProblem &problem,
   return fixed;
 }
 
-/** Whether a strength of @p problem is lower in @p limited. */
-bool is_limited(const DiscreteProblem &problem, const DiscreteProblem &limited)
-{
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    if (limited.joints()[e].strength < problem.joints()[e].strength)
-      return true;
-  return false;
-}
-
-/** Whether a joint always slides in @p found only because of the limit. */
-bool slides_at_limit(const DiscreteProblem &problem,
-                     const DiscreteProblem &limited,
-                     const Solution &found)
-{
-  for (unsigned int e = 0; e < found.always_sliding.size(); ++e)
-    if (found.always_sliding[e] &&
-        limited.joints()[e].strength < problem.joints()[e].strength)
-      return true;
-  return false;
-}
-
 Solution minimise_barrier(const DiscreteProblem &problem,
                           const BarrierJoint &law,
                           JointSystem &system,
@@ -191,7 +161,9 @@ std::string AnalyticCentre::selection() const
   return std::string("analytic centre of the admissible states, with ") +
          (weights == BarrierWeights::equal
               ? "equal weights"
-              : "each interface weighted by |e| d_e");
+              : "each interface weighted by |e| d_e") +
+         "; strengths count up to 100 times the mean stress of the loads where "
+         "that is enough";
 }
 
 void AnalyticCentre::add_parameters(dealii::ParameterHandler &prm)
@@ -211,21 +183,14 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
-  const DiscreteProblem limited =
-      problem.with_strengths_up_to(largest_effective_strength);
-  const Solution found = find_centre(limited, controls, terminal);
-  if (found.converged() && !slides_at_limit(problem, limited, found))
-    return found;
-  if (!is_limited(problem, limited))
-    return settle(problem, controls, found, terminal);
-
-  SolverControls rest = controls;
-  rest.n_max_iterations -= found.n_iterations;
-  Solution solution =
-      settle(problem, rest, find_centre(problem, rest, terminal), terminal);
-  solution.n_iterations += found.n_iterations;
-  solution.n_evaluations += found.n_evaluations;
-  return solution;
+  return settle(
+      problem, controls,
+      solve_with_sufficient_strengths(
+          problem, controls,
+          [&](const DiscreteProblem &at_most, const SolverControls &rest) {
+            return find_centre(at_most, rest, terminal);
+          }),
+      terminal);
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

@@ -17,9 +17,10 @@ constexpr double rounding_of_loads = 1e-12;
 
 /**
  * The reference force of each connected group, by its lowest member: the
- * largest load on one of its cells, since groups do not feel each other and
- * none may hide behind another. A group without load is judged by the largest
- * of the scene, and a scene without load by the largest force.
+ * largest load on one of its cells, since groups do not feel each other, nor
+ * through the ground, and none may hide behind another. A group without load is
+ * judged by the largest of the scene, and a scene without load by the largest
+ * force.
  */
 std::vector<double> reference_forces(const Scene &scene,
                                      const InterfaceForces &forces,
@@ -57,7 +58,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
       return {infinity, infinity, infinity, infinity};
     }
 
-  const std::vector<unsigned int> group = connected_groups(packing);
+  const std::vector<unsigned int> group =
+      connected_groups(packing, Ground::separates);
   const std::vector<double> reference = reference_forces(scene, forces, group);
   // Without a reference force there is nothing to be compared.
   const auto add = [&](double &largest, const double error,

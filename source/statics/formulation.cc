@@ -16,7 +16,7 @@ namespace Voussoir
 {
 namespace
 {
-/** The largest |a - b|, over the largest |a|; zero for no forces. */
+/** The largest |a - b|, over the largest force of both; zero for no forces. */
 double relative_change(const InterfaceForces &a, const InterfaceForces &b)
 {
   double change = 0., largest = 0.;
@@ -25,7 +25,7 @@ double relative_change(const InterfaceForces &a, const InterfaceForces &b)
     for (unsigned int e = 0; e < x.size(); ++e)
     {
       change = std::max(change, std::abs(x[e] - y[e]));
-      largest = std::max(largest, std::abs(x[e]));
+      largest = std::max({largest, std::abs(x[e]), std::abs(y[e])});
     }
   };
   compare(a.normal, b.normal);
@@ -93,14 +93,16 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Tolerance", common.tolerance,
                     "The largest force imbalance of a cell to stop at, as a "
                     "fraction of the sum of the sizes of all loads over the "
-                    "square root of the number of cells.",
+                    "square root of the number of cells. Hard contact stops at "
+                    "a hundredth of its 'Barrier parameter', if that is less.",
                     Double(1e-14, 1e-2));
   prm.add_parameter("Maximum iterations", common.n_max_iterations,
                     "Give up after so many iterations.", Integer(1, 1000000));
   prm.add_parameter("Equilibrate", common.equilibrate,
                     "Whether the forces are then corrected, as little as "
                     "possible, until every cell balances to rounding. It costs "
-                    "a few linear solves and pays after a loose 'Tolerance'.",
+                    "as much as a few iterations of Newton's method, and pays "
+                    "after a loose 'Tolerance'.",
                     Bool());
   for (const auto &formulation : formulations)
   {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/convex_program.h>
 #include <voussoir/statics/linear_program.h>
+#include <voussoir/statics/sufficient_strengths.h>
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace Voussoir
 {
@@ -129,22 +132,6 @@ private:
   std::vector<unsigned int> rough;
 };
 
-/**
- * A stress, nondimensional, that joints seldom need. The friction of a joint is
- * the difference of two multipliers whose sum is its strength, and loses digits
- * to strengths that are much larger.
- */
-constexpr double sufficient_strength = 100.;
-
-/** The largest strength s_e of a joint. */
-double strongest(const DiscreteProblem &problem)
-{
-  double strength = 0.;
-  for (const Joint &joint : problem.joints())
-    strength = std::max(strength, joint.strength / joint.length);
-  return strength;
-}
-
 Solution solve_program(const DiscreteProblem &problem,
                        const SolverControls &controls,
                        Terminal &terminal)
@@ -185,17 +172,11 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
                                Terminal &terminal) const
 {
   require_interior(problem, name());
-  // Forces within lower strengths are within these.
-  const Solution found = solve_program(
-      problem.with_strengths_up_to(sufficient_strength), controls, terminal);
-  if (found.converged() || !(strongest(problem) > sufficient_strength))
-    return found;
-  SolverControls rest = controls;
-  rest.n_max_iterations -= found.n_iterations;
-  Solution solution = solve_program(problem, rest, terminal);
-  solution.n_iterations += found.n_iterations;
-  solution.n_evaluations += found.n_evaluations;
-  return solution;
+  return solve_with_sufficient_strengths(
+      problem, controls,
+      [&](const DiscreteProblem &at_most, const SolverControls &rest) {
+        return solve_program(at_most, rest, terminal);
+      });
 }
 
 Solution settle(const DiscreteProblem &problem,
@@ -205,13 +186,26 @@ Solution settle(const DiscreteProblem &problem,
 {
   if (solution.converged() || solution.mechanism || problem.opening().empty())
     return solution;
-  const Solution second = solve_program(
-      problem, {SolverControls().tolerance, controls.n_max_iterations},
-      terminal);
-  if (second.mechanism)
+  try
   {
-    solution.mechanism = second.mechanism;
-    solution.outcome = second.outcome;
+    const Solution second = solve_program(
+        problem, {SolverControls().tolerance, controls.n_max_iterations},
+        terminal);
+    solution.n_iterations += second.n_iterations;
+    solution.n_evaluations += second.n_evaluations;
+    if (second.mechanism)
+    {
+      solution.mechanism = second.mechanism;
+      solution.outcome = second.outcome;
+    }
+  }
+  catch (const SolverError &)
+  {
+    // The first answer stands.
+  }
+  catch (const std::bad_alloc &)
+  {
+    // So it does.
   }
   return solution;
 }

@@ -250,7 +250,7 @@ void SmoothedFriction::add_parameters(dealii::ParameterHandler &prm)
                     "and the same in every joint, at which hard contact stops: "
                     "small enough not to move the forces, and large enough for "
                     "the solver to meet it.",
-                    Double(1e-14, 1e-2));
+                    Double(1e-12, 1e-2));
 }
 
 Solution SmoothedFriction::select(const DiscreteProblem &problem,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Whole runs at the extremes: the exit status is the right one, what fails says
-// why in a sentence, and no file holds a number that is none.
+// why in a sentence, and no .csv or .json file holds a number that is none.
 
 #include <voussoir/command_line.h>
 
@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 /** The names of the files with a NaN or an infinity, or none. */
 std::string bad_files()
 {
-  const std::regex bad("(^|[^a-z])(nan|inf|infinity)([^a-z]|$)",
+  // JSON has null for a number that is none, and for a proof without friction.
+  const std::regex bad("(^|[^a-z])(nan|inf|infinity|null)([^a-z]|$)",
                        std::regex::icase);
   std::string names;
   if (fs::exists("output"))
@@ -27,7 +28,8 @@ std::string bad_files()
         continue;
       std::ifstream in(file.path());
       for (std::string line; std::getline(in, line);)
-        if (std::regex_search(line, bad))
+        if (std::regex_search(line, bad) &&
+            line.find("\"work_over_dissipation\": null") == std::string::npos)
         {
           names += " " + file.path().filename().string();
           break;
@@ -57,8 +59,8 @@ void run(const std::string &name, const std::string &settings, const int right)
                    : " but " + std::to_string(status) + " " + message),
           status == right);
     check(name + ", " + way.name + ": a sentence if it failed",
-          status == 0 ||
-              (message.size() > 40 && message.find('.') != std::string::npos));
+          status == 0 || (message.size() > 40 &&
+                          message.substr(message.size() - 2) == ".\n"));
     check(name + ", " + way.name + ": no NaN" + bad_files(),
           bad_files().empty());
   }

@@ -304,19 +304,27 @@ void try_few_cells()
 using Forces =
     std::map<std::pair<unsigned int, unsigned int>, std::array<double, 2>>;
 
-/** Cells in the order @p old_number, each loop begun at a vertex of its own. */
+/**
+ * Cells in the order @p old_number, each loop begun at a vertex of its own, and
+ * vertices turned by @p turn.
+ */
 CellLoops renumbered(const CellLoops &cells,
                      const std::vector<unsigned int> &old_number,
                      const unsigned int turn)
 {
   CellLoops result;
-  result.vertices = cells.vertices;
+  const unsigned int n_vertices = cells.vertices.size();
+  for (unsigned int v = 0; v < n_vertices; ++v)
+    result.vertices.push_back(cells.vertices[(v + turn) % n_vertices]);
+  const auto new_vertex = [&](const unsigned int v) {
+    return (v + n_vertices - turn % n_vertices) % n_vertices;
+  };
   for (const unsigned int c : old_number)
   {
     const unsigned int n = cells.first[c + 1] - cells.first[c];
     for (unsigned int i = 0; i < n; ++i)
       result.loops.push_back(
-          cells.loops[cells.first[c] + (i + turn * (c + 1)) % n]);
+          new_vertex(cells.loops[cells.first[c] + (i + turn * (c + 1)) % n]));
     result.first.push_back(result.loops.size());
     result.centres.push_back(cells.centres[c]);
   }
@@ -392,12 +400,17 @@ int main()
   // Bricks of aspect 1e4, lying and standing.
   for (const auto &[width, height] :
        {std::make_pair(5e3, 1.), std::make_pair(1., 2e4)})
+  {
+    carry_pressure(
+        text("bricks of aspect 1e4, pressure, ", width, " x ", height),
+        wall(12, 6, width, height));
     try_shear(
         text("bricks of aspect 1e4, wall of ", width, " x ", height),
         [&](const double strength) {
           return shear_wall(strength, width, height);
         },
         height > width);
+  }
   try_shear("courses of 1 and 1e-6", [](const double strength) {
     return scene_with(uneven_courses(), strength,
                       [](const Point<2> &, const dealii::Tensor<1, 2> &n) {
@@ -405,7 +418,7 @@ int main()
                       });
   });
   carry_pressure("courses of 1 and 1e-6, pressure", uneven_courses());
-  carry_pressure("triangles", ring_around(3));
+  carry_pressure("a triangle in a ring", ring_around(3));
   carry_pressure("a cell of 1,000 sides", ring_around(1000));
   try_few_cells();
   try_orders(5, 120);

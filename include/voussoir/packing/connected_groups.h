@@ -8,12 +8,21 @@
 
 namespace Voussoir
 {
+/** Whether cells that both touch the ground are connected by it. */
+enum class Ground
+{
+  connects,
+  separates
+};
+
 /**
  * The connected groups of cells and the ground: for each cell, and at last for
  * the ground, the lowest number in its group. Groups touch each other nowhere,
- * so a group without the ground must be balanced by itself.
+ * so a group without the ground must be balanced by itself. If the ground
+ * separates, it is a group of its own.
  */
-std::vector<unsigned int> connected_groups(const Packing &packing);
+std::vector<unsigned int> connected_groups(const Packing &packing,
+                                           Ground ground = Ground::connects);
 } // namespace Voussoir
 
 #endif

@@ -8,10 +8,10 @@ namespace Voussoir
 {
 /**
  * How good a set of interface forces is, computed from the scene and the forces
- * alone, in the user's units, by code that no solver shares. Each connected
- * group of cells has a reference force of its own, the largest load on one of
- * them; without it the largest of the scene counts, or else the largest force.
- * The measures are those of the worst group.
+ * alone, in the user's units, by code that no solver shares. Each group of
+ * cells that touch each other has a reference force of its own, the largest
+ * load on one of them; without it the largest of the scene counts, or else the
+ * largest force. The measures are those of the worst group.
  */
 struct Certificate
 {

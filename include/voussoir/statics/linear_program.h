@@ -30,6 +30,7 @@ private:
                   const SolverControls &controls,
                   Terminal &terminal) const override;
 };
+
 /**
  * Give a @p solution that did not converge a second chance to be proven
  * impossible. Close to the limit of the load the linear systems of methods

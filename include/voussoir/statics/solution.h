@@ -15,7 +15,10 @@ struct Solution
 {
   /** f_e^n and f_e^t of each joint; nondimensional. */
   InterfaceForces forces;
-  /** What equilibrate() changed in a force at most, over the largest force. */
+  /**
+   * What equilibrate() changed in a force at most, over the largest force
+   * before or after.
+   */
   std::optional<double> correction;
   /**
    * u_c, in the user's unit: from the ground, or with zero mean in each
