@@ -149,7 +149,7 @@ void try_impossible()
 /** Forces at their limits stay there. */
 void try_limits()
 {
-  const Scene scene = scene_under_stress(random_packing(200, 2), 0.5,
+  const Scene scene = scene_under_stress(random_packing(200, 2), 0.3,
                                          tensor(-1.4, 0., 0., -0.6));
   const DiscreteProblem problem(scene);
   InterfaceForces forces = Solver(least_energy).solve(problem).forces;
