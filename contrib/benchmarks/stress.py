@@ -24,8 +24,8 @@ def reconstructions(bench):
     draft = {"Accuracy": "draft"}, bench.sized(10000, 50)
     standard = {"Accuracy": "standard"}, bench.sized(10000, 50)
     ways = {"draft": draft, "standard": standard}
-    cells = ((10000, 1000), (1000, 200), (200, 20), (20, 10))
-    for refinements in bench.sized((0, 1, 2, 3), (0,)):
+    cells = ((10000, 1000), (1000, 200), (200, 20))
+    for refinements in bench.sized((0, 1, 2), (0,)):
         for degree in (0, 1):
             name, parameters = fine(refinements, degree)
             ways[name] = parameters, bench.sized(cells[refinements][degree], 50)
