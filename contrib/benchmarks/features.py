@@ -33,8 +33,8 @@ def features(bench):
         "export of the packing": {"Output/Packing": "WKT"},
     }
     heavy = {f"stress, {name}": stress[name] for name in stress}
-    return (features_of(bench, bench.sized(100000, 50), light) +
-            features_of(bench, bench.sized(2000, 60), heavy))
+    return (features_of(bench, bench.sized(20000, 50), light) +
+            features_of(bench, bench.sized(1000, 60), heavy))
 
 
 def features_of(bench, cells, added):
