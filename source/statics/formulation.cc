@@ -97,8 +97,8 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
                     "a hundredth of its 'Barrier parameter', if that is less.",
                     Double(1e-14, 1e-2));
   prm.add_parameter("Maximum iterations", common.n_max_iterations,
-                    "Give up after so many iterations; where that may be "
-                    "settled by another method, after as many of that again.",
+                    "Give up after so many iterations. A search for a proof of "
+                    "collapse that follows has as many of its own.",
                     Integer(1, 1000000));
   prm.add_parameter("Equilibrate", common.equilibrate,
                     "Whether the forces are then corrected, as little as "

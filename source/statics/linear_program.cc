@@ -188,11 +188,11 @@ Solution settle(const DiscreteProblem &problem,
     return solution;
   try
   {
-    const Solution second = solve_program(
-        problem, {SolverControls().tolerance, controls.n_max_iterations},
-        terminal);
-    solution.n_iterations += second.n_iterations;
-    solution.n_evaluations += second.n_evaluations;
+    const Solution second =
+        solve_program(problem,
+                      {SolverControls().tolerance,
+                       controls.n_max_iterations - solution.n_iterations},
+                      terminal);
     if (second.mechanism)
     {
       solution.mechanism = second.mechanism;

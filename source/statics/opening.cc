@@ -82,8 +82,10 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   bool all_face_back = true;
   for_supports([&](const Joint &joint, const Tensor<1, 2> &point) {
     const double cosine = joint.normal * back;
-    all_face_back &= cosine > least_cosine;
-    distance = std::max(distance, (point - ground) * joint.normal / cosine);
+    if (cosine > least_cosine)
+      distance = std::max(distance, (point - ground) * joint.normal / cosine);
+    else
+      all_face_back = false;
   });
   ground += distance * back;
   return all_face_back;
