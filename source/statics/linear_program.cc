@@ -188,11 +188,9 @@ Solution settle(const DiscreteProblem &problem,
     return solution;
   try
   {
-    const Solution second =
-        solve_program(problem,
-                      {SolverControls().tolerance,
-                       controls.n_max_iterations - solution.n_iterations},
-                      terminal);
+    const Solution second = solve_program(
+        problem, {SolverControls().tolerance, controls.n_max_iterations},
+        terminal);
     if (second.mechanism)
     {
       solution.mechanism = second.mechanism;
