@@ -11,6 +11,8 @@
 #include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -23,12 +25,6 @@ namespace Voussoir
 namespace
 {
 /**
- * The largest residual or violation in a certificate with which a state still
- * counts as solved; more only if the user asked for a looser tolerance.
- */
-constexpr double largest_accepted_error = 1e-6;
-
-/**
  * How much room above 'Solver/Tolerance' the certificate gets, whose norm and
  * reference force are others than the solver's.
  */
@@ -39,9 +35,6 @@ constexpr double frictionless_ratio = 1e9;
 
 /** How many supports are named on the terminal. */
 constexpr unsigned int n_shown_supports = 4;
-
-/** The largest relative closing of a joint in a mechanism, for rounding. */
-constexpr double largest_closing = 1e-12;
 
 /** A sentence on the cells that are not convex, or none. */
 std::vector<std::string> cells_not_convex(const Packing &packing)
@@ -263,8 +256,7 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
 {
   collapse.proof = certify_mechanism(collapse.scene, collapse.displacement);
   const MechanismCertificate &proof = collapse.proof;
-  if (!(proof.closing_violation <= largest_closing) ||
-      !(proof.work_over_dissipation > 1.))
+  if (!proves_collapse(proof))
     throw SolverError(text("The solver proposes a collapse mechanism, but it "
                            "closes joints by ",
                            proof.closing_violation,
@@ -281,21 +273,22 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, collapse); });
   };
+  std::vector<std::string> to_look_at;
+  if (writes(ResultFiles::vtu))
+  {
+    add("mechanism.vtu", write_mechanism_vtu);
+    to_look_at.push_back("mechanism.vtu");
+  }
   if (writes(ResultFiles::csv))
   {
     add("mechanism.csv", write_mechanism_csv);
     add("mechanism_joints.csv", write_mechanism_joints_csv);
+    to_look_at.push_back("mechanism_joints.csv");
   }
-  if (writes(ResultFiles::vtu))
-    add("mechanism.vtu", write_mechanism_vtu);
   publish(files, collapse, prm);
   terminal.summary("Status", "collapse");
-  throw LoadNotCarried(message_of(
-      collapse, result_files == ResultFiles::all
-                    ? "mechanism.vtu and mechanism_joints.csv"
-                : result_files == ResultFiles::vtu ? "mechanism.vtu"
-                : result_files == ResultFiles::csv ? "mechanism_joints.csv"
-                                                   : ""));
+  throw LoadNotCarried(
+      message_of(collapse, boost::algorithm::join(to_look_at, " and ")));
 }
 
 void Simulation::check_certificate(const Results &results) const

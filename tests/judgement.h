@@ -40,7 +40,7 @@ inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
     {
       const MechanismCertificate proof =
           certify_mechanism(scene, found.mechanism->displacement);
-      if (proof.closing_violation <= 1e-12 && proof.work_over_dissipation > 1.)
+      if (proves_collapse(proof))
         judgement.verdict = Verdict::collapse;
       else
         judgement.message = "The proof is not accepted.";
@@ -50,7 +50,7 @@ inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
     const Certificate certificate = certify(scene, judgement.forces);
     judgement.error = std::max(certificate.equilibrium_residual,
                                certificate.admissibility_violation);
-    if (judgement.error <= 1e-6)
+    if (judgement.error <= largest_accepted_error)
       judgement.verdict = Verdict::carried;
     else
       judgement.message = "The certificate finds " +

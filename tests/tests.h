@@ -128,6 +128,17 @@ inline Voussoir::Scene shear_wall(const double strength,
       });
 }
 
+/** n^2 / 2 squares, the points of a lattice turned by 45 degrees. */
+inline Voussoir::Packing turned_squares(const int n)
+{
+  Voussoir::PointList list;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if ((i + j) % 2 == 0)
+        list.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
+  return Voussoir::Packing(voronoi_cells(list, {{0, 0}, {1, 1}}));
+}
+
 /** A formulation with settings "set Entry = value" of its own subsection. */
 struct Way
 {

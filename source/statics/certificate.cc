@@ -15,6 +15,9 @@ namespace
 /** A load, relative to the largest of the scene, that is rounding. */
 constexpr double rounding_of_loads = 1e-12;
 
+/** The largest relative closing of a joint in a mechanism, for rounding. */
+constexpr double largest_closing = 1e-12;
+
 /**
  * The reference force of each connected group, by its lowest member: the
  * largest load on one of its cells, since groups do not feel each other, nor
@@ -92,6 +95,12 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
         std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
   return certificate;
+}
+
+bool proves_collapse(const MechanismCertificate &certificate)
+{
+  return certificate.closing_violation <= largest_closing &&
+         certificate.work_over_dissipation > 1.;
 }
 
 MechanismCertificate certify_mechanism(const Scene &scene,

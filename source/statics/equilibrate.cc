@@ -25,9 +25,7 @@ constexpr unsigned int n_refinements = 2;
 /** The distance from its limit, as a stress, at which a force moves freely. */
 constexpr double ample_slack = 0.1;
 
-/** See JointSystem; what it costs in balance the refinements bring back. */
-constexpr double least_shift = 1e-13;
-constexpr double factor_of_shift = 100.;
+/** What a shift costs in balance the refinements bring back, up to this one. */
 constexpr double largest_shift = 1.;
 
 /** The sum of all forces on each body, n_dofs() numbers. */

@@ -103,8 +103,7 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Equilibrate", common.equilibrate,
                     "Whether the forces are then corrected, as little as "
                     "possible, until every cell balances to rounding. It costs "
-                    "as much as a few iterations of Newton's method, and pays "
-                    "after a loose 'Tolerance'.",
+                    "as much as a few iterations of Newton's method.",
                     Bool());
   for (const auto &formulation : formulations)
   {

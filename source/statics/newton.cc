@@ -16,12 +16,6 @@ using Jump = DiscreteProblem::Jump;
 
 namespace
 {
-/**
- * A factorisation that fails is tried again with a larger shift, up to the
- * largest coefficient.
- */
-constexpr double factor_of_shift = 100.;
-
 /** The slope at the end of a line search, relative to that at its beginning. */
 constexpr double slope_reduction = 0.1;
 /** How close to the end of the energy's domain a step may go. */
@@ -123,7 +117,7 @@ std::vector<double> Newton::direction(double shift,
                       "strength is too far above the load. Lower "
                       "'Friction/Strength', or take another 'Formulation'.");
   // Rounding can cost the matrix its definiteness; then the step would not lead
-  // downhill.
+  // downhill, and a larger shift is tried, up to the largest coefficient.
   for (; shift <= stiffest; shift *= factor_of_shift)
     if (system.prepare(second, shift))
     {

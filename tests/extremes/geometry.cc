@@ -3,7 +3,6 @@
 // Geometry at its extremes: edges down to 1e-14 of the longest, generators
 // closer than rounding, many cells at one point, slender bricks, courses of
 // very different heights, cells of 3 and of 1,000 sides, one to three cells.
-// And the numbering: no order of cells or vertices changes a force.
 
 #include <voussoir/base/text.h>
 #include <voussoir/packing/geometry.h>
@@ -14,8 +13,6 @@
 #include "judgement.h"
 #include <array>
 #include <map>
-#include <numeric>
-#include <random>
 
 using namespace Voussoir;
 using dealii::Point;
@@ -303,100 +300,6 @@ void try_few_cells()
   }
 }
 
-// --------------------------------------------------------------- numbering
-
-/** The forces between two cells, by their old numbers. */
-using Forces =
-    std::map<std::pair<unsigned int, unsigned int>, std::array<double, 2>>;
-
-/**
- * Cells in the order @p old_number, each loop begun at a vertex of its own, and
- * vertices turned by @p turn.
- */
-CellLoops renumbered(const CellLoops &cells,
-                     const std::vector<unsigned int> &old_number,
-                     const unsigned int turn)
-{
-  CellLoops result;
-  const unsigned int n_vertices = cells.vertices.size();
-  for (unsigned int v = 0; v < n_vertices; ++v)
-    result.vertices.push_back(cells.vertices[(v + turn) % n_vertices]);
-  const auto new_vertex = [&](const unsigned int v) {
-    return (v + n_vertices - turn % n_vertices) % n_vertices;
-  };
-  for (const unsigned int c : old_number)
-  {
-    const unsigned int n = cells.first[c + 1] - cells.first[c];
-    for (unsigned int i = 0; i < n; ++i)
-      result.loops.push_back(
-          new_vertex(cells.loops[cells.first[c] + (i + turn * (c + 1)) % n]));
-    result.first.push_back(result.loops.size());
-    result.centres.push_back(cells.centres[c]);
-  }
-  return result;
-}
-
-Forces forces_by_pair(const CellLoops &cells,
-                      const std::vector<unsigned int> &old_number,
-                      const unsigned int turn,
-                      const Way &way)
-{
-  const Scene scene =
-      scene_under_stress(Packing(renumbered(cells, old_number, turn)), 0.35,
-                         tensor(-1.2, 0.1, 0.1, -0.8));
-  const Judgement found = judge(scene, way);
-  Forces forces;
-  for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
-  {
-    const auto &i = scene.packing.interfaces()[e];
-    const unsigned int a = old_number[i.cell_minus];
-    const unsigned int b = old_number[i.cell_plus];
-    // Both components are the same seen from the other side.
-    forces[{std::min(a, b), std::max(a, b)}] = {
-        {found.forces.normal[e], found.forces.tangential[e]}};
-  }
-  if (found.verdict != Verdict::carried)
-    forces.clear();
-  return forces;
-}
-
-double difference(const Forces &a, const Forces &b)
-{
-  if (a.size() != b.size() || a.empty())
-    return 1e300;
-  Worst worst;
-  for (const auto &[pair, force] : a)
-    for (unsigned int k = 0; k < 2; ++k)
-      worst.add(b.count(pair) == 0 ? 1e300
-                                   : std::abs(force[k] - b.at(pair)[k]));
-  return worst.error;
-}
-
-void try_orders(const unsigned int n_cells, const unsigned int n_orders)
-{
-  const CellLoops cells = voronoi_cells(random_points(n_cells, 4), unit);
-  std::vector<unsigned int> identity(n_cells);
-  std::iota(identity.begin(), identity.end(), 0);
-  for (const Way &way : all_ways)
-  {
-    const Forces reference = forces_by_pair(cells, identity, 0, way);
-    Worst worst;
-    std::vector<unsigned int> order = identity;
-    std::mt19937 random(1);
-    for (unsigned int k = 1; k < n_orders; ++k)
-    {
-      if (n_cells == 5)
-        std::next_permutation(order.begin(), order.end());
-      else
-        std::shuffle(order.begin(), order.end(), random);
-      worst.add(difference(reference, forces_by_pair(cells, order, k, way)));
-    }
-    check_error(std::to_string(n_orders) + " orders of " +
-                    std::to_string(n_cells) + " cells, " + way.name,
-                worst.error, 1e-8);
-  }
-}
-
 int main()
 {
   try_short_edges();
@@ -426,6 +329,4 @@ int main()
   carry_pressure("a triangle in a ring", ring_around(3));
   carry_pressure("a cell of 1,000 sides", ring_around(1000));
   try_few_cells();
-  try_orders(5, 120);
-  try_orders(300, 4);
 }

@@ -10,18 +10,6 @@
 
 using namespace Voussoir;
 
-/** Some 1,000 squares, the points of a lattice turned by 45 degrees. */
-Packing turned_squares()
-{
-  const int n = 46;
-  PointList list;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      if ((i + j) % 2 == 0)
-        list.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
-  return Packing(voronoi_cells(list, {{0, 0}, {1, 1}}));
-}
-
 void try_load(const Way &way, const Packing &packing, const double d)
 {
   const Scene scene =
@@ -53,7 +41,7 @@ void try_load(const Way &way, const Packing &packing, const double d)
 
 int main()
 {
-  const Packing squares = turned_squares();
+  const Packing squares = turned_squares(46);
   std::cout << squares.n_cells() << " turned squares" << std::endl;
   for (const Way &way : all_ways)
     for (const double d : {0.2999, 0.31, 2.})

@@ -31,6 +31,12 @@ struct Certificate
   double max_torque = 0.;
 };
 
+/**
+ * The largest residual or violation in a certificate with which a state counts
+ * as solved; more only if the user asked for a looser tolerance.
+ */
+constexpr double largest_accepted_error = 1e-6;
+
 Certificate certify(const Scene &scene, const InterfaceForces &forces);
 
 /**
@@ -44,6 +50,12 @@ struct MechanismCertificate
   /** Work of the load over the dissipation of friction; infinite if none. */
   double work_over_dissipation = 0.;
 };
+
+/**
+ * Whether the load does more work than friction can dissipate, and joints close
+ * by rounding only.
+ */
+bool proves_collapse(const MechanismCertificate &certificate);
 
 MechanismCertificate
 certify_mechanism(const Scene &scene,

@@ -9,6 +9,15 @@
 
 namespace Voussoir
 {
+/**
+ * The shift with which a system is meant to have none, for matrices with
+ * entries of order one: far below what the forces could show, far enough above
+ * rounding for a factorisation.
+ */
+constexpr double least_shift = 1e-13;
+/** How much larger the next shift is when a factorisation fails. */
+constexpr double factor_of_shift = 100.;
+
 /** What solves the linear systems; see JointSystem. */
 enum class LinearSolver
 {

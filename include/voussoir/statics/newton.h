@@ -127,13 +127,6 @@ Solution minimise(const DiscreteProblem &problem,
                   const std::function<std::optional<Mechanism>()> &advance,
                   double displacement_unit,
                   Terminal &terminal);
-
-/**
- * The shift of a step that is to be Newton's own, for matrices with entries of
- * order one: far below what the forces could show, far enough above rounding
- * for a factorisation.
- */
-constexpr double least_shift = 1e-13;
 } // namespace Voussoir
 
 #endif
