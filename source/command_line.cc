@@ -95,10 +95,10 @@ Arguments parse(const std::vector<std::string> &words)
   return arguments;
 }
 
-void run(const Arguments &arguments, std::ostream &out)
+void run(const Arguments &arguments, std::ostream &out, const Team &team)
 {
   Terminal terminal(out);
-  Simulation simulation(terminal);
+  Simulation simulation(terminal, team);
   dealii::ParameterHandler prm;
   simulation.add_parameters(prm);
   if (!arguments.file.empty())
@@ -138,7 +138,8 @@ int fail(std::ostream &error,
 
 int run_command_line(const std::vector<std::string> &words,
                      std::ostream &out,
-                     std::ostream &error)
+                     std::ostream &error,
+                     const Team &team)
 {
   try
   {
@@ -158,7 +159,7 @@ int run_command_line(const std::vector<std::string> &words,
       out << "voussoir " << VOUSSOIR_VERSION << '\n';
       return 0;
     }
-    run(arguments, out);
+    run(arguments, out, team);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/floating_point.h>
+#include <voussoir/assist.h>
 #include <voussoir/command_line.h>
 
 #include <deal.II/base/mpi.h>
@@ -10,11 +11,17 @@ int main(int argc, char **argv)
 {
   using namespace dealii;
   Voussoir::trap_invalid_operations();
-  // Trilinos needs MPI even on one process. All the work is the root's.
+  // Trilinos needs MPI even on one process.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  const Voussoir::Team team(MPI_COMM_WORLD);
   int status = 0;
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (team.is_root())
+  {
     status = Voussoir::run_command_line({argv + 1, argv + argc}, std::cout,
-                                        std::cerr);
-  return Utilities::MPI::max(status, MPI_COMM_WORLD);
+                                        std::cerr, team);
+    team.call(Voussoir::Team::Task::none);
+  }
+  else
+    Voussoir::assist(team);
+  return team.max(status);
 }

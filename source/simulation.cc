@@ -79,10 +79,11 @@ std::string message_of(const Collapse &collapse, const std::string &files)
 }
 } // namespace
 
-Simulation::Simulation(Terminal &terminal)
+Simulation::Simulation(Terminal &terminal, const Team &team)
     : terminal(terminal), timer(std::cout,
                                 dealii::TimerOutput::never,
-                                dealii::TimerOutput::wall_times)
+                                dealii::TimerOutput::wall_times),
+      solver(team)
 {
 }
 

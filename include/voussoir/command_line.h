@@ -2,6 +2,8 @@
 #ifndef voussoir_command_line_h
 #define voussoir_command_line_h
 
+#include <voussoir/base/team.h>
+
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -14,12 +16,14 @@ namespace Voussoir
  * @param arguments those after the name of the program.
  * @param out takes the stages and the summary.
  * @param error takes the one message of a run that did not solve its scene.
+ * @param team the processes that help; this one is the root.
  * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
  *   the solver failed. Never throws.
  */
 int run_command_line(const std::vector<std::string> &arguments,
                      std::ostream &out,
-                     std::ostream &error);
+                     std::ostream &error,
+                     const Team &team = Team());
 } // namespace Voussoir
 
 #endif

@@ -26,7 +26,8 @@ namespace Voussoir
 class Simulation
 {
 public:
-  explicit Simulation(Terminal &terminal);
+  /** @param team the processes that help, beside this one, its root. */
+  explicit Simulation(Terminal &terminal, const Team &team = Team());
 
   /** Declare all parameters and bind them to the parts of the simulation. */
   void add_parameters(dealii::ParameterHandler &prm);

@@ -11,7 +11,7 @@
 
 namespace Voussoir
 {
-using Jump = DiscreteProblem::Jump;
+using Jump = Structure::Jump;
 
 namespace
 {
@@ -52,22 +52,27 @@ constexpr double least_resistance = 1e-10;
  * The multiple of the problem's opening that has the least energy. Where the
  * load does not resist it any will do.
  */
-std::vector<double> start(const DiscreteProblem &problem,
-                          const BarrierJoint &law)
+std::vector<double> start(const SharedProblem &problem, const BarrierJoint &law)
 {
+  const Structure &structure = problem.structure();
   std::vector<double> u = problem.opening();
 
   double sum_of_weights = 0.;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    sum_of_weights += law.weight(e);
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+    if (structure.is_own(structure.joints()[e]))
+      sum_of_weights += law.weight(e);
   double size_of_terms = 0.;
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+  for (unsigned int b = 0; b < structure.n_own_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms += std::abs(problem.loads()[b][i] * u[problem.dof(b, i)]);
-  const double resistance = -problem.work(u.data());
-  if (resistance > least_resistance * size_of_terms)
+      size_of_terms +=
+          std::abs(structure.loads()[b][i] * u[structure.dof(b, i)]);
+  const double resistance = -structure.work(u.data());
+  if (resistance > least_resistance * structure.team().sum(size_of_terms))
+  {
+    const double factor = structure.team().sum(sum_of_weights) / resistance;
     for (double &component : u)
-      component *= sum_of_weights / resistance;
+      component *= factor;
+  }
   return u;
 }
 
@@ -123,14 +128,14 @@ fixed_joints(const DiscreteProblem &problem,
   return fixed;
 }
 
-Solution minimise_barrier(const DiscreteProblem &problem,
+Solution minimise_barrier(const SharedProblem &problem,
                           const BarrierJoint &law,
                           JointSystem &system,
                           const double tolerance,
                           const unsigned int n_max_iterations,
                           Terminal &terminal)
 {
-  Newton newton(problem, law, system, start(problem, law));
+  Newton newton(problem.structure(), law, system, start(problem, law));
   const auto advance = [&]() -> std::optional<Mechanism> {
     newton.step(least_shift, newton.u());
     return {};
@@ -197,12 +202,13 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
                                      const SolverControls &controls,
                                      Terminal &terminal) const
 {
+  const SharedProblem whole(problem);
   BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::automatic);
   unsigned int n_iterations = 0, n_evaluations = 0;
   const auto solve = [&]() {
     Solution found =
-        minimise_barrier(problem, law, system, controls.tolerance,
+        minimise_barrier(whole, law, system, controls.tolerance,
                          controls.n_max_iterations - n_iterations, terminal);
     n_iterations += found.n_iterations;
     n_evaluations += found.n_evaluations;
@@ -216,7 +222,7 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
         n_iterations >= controls.n_max_iterations)
       break;
     law = BarrierJoint(problem, weights);
-    Newton newton(problem, law, system, start(problem, law));
+    Newton newton(problem, law, system, start(whole, law));
     const auto fixed =
         fixed_joints(problem, law, last_shift,
                      controls.n_max_iterations - n_iterations, newton);
@@ -243,11 +249,11 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
   return solution;
 }
 
-std::optional<Mechanism>
-find_collapse_by_barrier(const DiscreteProblem &problem, Terminal &terminal)
+std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
+                                                  Terminal &terminal)
 {
-  const BarrierJoint law(problem, BarrierWeights::equal);
-  JointSystem system(problem, LinearSolver::automatic);
+  const BarrierJoint law(problem.structure(), BarrierWeights::equal);
+  JointSystem system(problem.structure(), LinearSolver::automatic);
   return minimise_barrier(problem, law, system, SolverControls().tolerance,
                           n_max_newton_iterations, terminal)
       .mechanism;

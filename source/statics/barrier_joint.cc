@@ -6,28 +6,28 @@
 
 namespace Voussoir
 {
-BarrierJoint::BarrierJoint(const DiscreteProblem &problem,
+BarrierJoint::BarrierJoint(const Structure &structure,
                            const BarrierWeights weights)
-    : fixed(problem.joints().size()), problem(&problem), weights(weights)
+    : fixed(structure.joints().size()), structure(&structure), weights(weights)
 {
 }
 
 double BarrierJoint::weight(const unsigned int e) const
 {
-  const DiscreteProblem::Joint &joint = problem->joints()[e];
+  const Structure::Joint &joint = structure->joints()[e];
   return weights == BarrierWeights::equal ? 1. : joint.length * joint.distance;
 }
 
 double BarrierJoint::slack(const unsigned int e, const Jump &jump) const
 {
-  const double w = weight(e), b = problem->joints()[e].strength;
+  const double w = weight(e), b = structure->joints()[e].strength;
   const double x = b * std::abs(jump.tangential), r = std::hypot(w, x);
   return b * ((w + w * (w / (r + x))) / (w + r));
 }
 
 JointLaw::Jump BarrierJoint::force(const unsigned int e, const Jump &jump) const
 {
-  const double w = weight(e), b = problem->joints()[e].strength;
+  const double w = weight(e), b = structure->joints()[e].strength;
   Jump force = {0., 0.};
   if (!fixed[e].never_pressed)
     force.normal = jump.normal > 0. ? -w / jump.normal
@@ -43,7 +43,7 @@ JointLaw::Jump BarrierJoint::force(const unsigned int e, const Jump &jump) const
 JointLaw::Jump BarrierJoint::second_derivative(const unsigned int e,
                                                const Jump &jump) const
 {
-  const double w = weight(e), b = problem->joints()[e].strength;
+  const double w = weight(e), b = structure->joints()[e].strength;
   Jump second = {0., 0.};
   if (!fixed[e].never_pressed)
     second.normal = w / jump.normal / jump.normal;

@@ -136,26 +136,6 @@ unsigned int DiscreteProblem::n_cells() const
   return centre.size();
 }
 
-unsigned int DiscreteProblem::n_bodies() const
-{
-  return load.size();
-}
-
-unsigned int DiscreteProblem::n_dofs() const
-{
-  return 2 * n_bodies();
-}
-
-const std::vector<DiscreteProblem::Joint> &DiscreteProblem::joints() const
-{
-  return joint_list;
-}
-
-const std::vector<Tensor<1, 2>> &DiscreteProblem::loads() const
-{
-  return load;
-}
-
 bool DiscreteProblem::is_loaded() const
 {
   return has_load;
@@ -194,15 +174,6 @@ DiscreteProblem DiscreteProblem::without_loads() const
   DiscreteProblem problem(*this);
   problem.load.assign(n_bodies(), Tensor<1, 2>());
   return problem;
-}
-
-double DiscreteProblem::work(const double *u) const
-{
-  long double work = 0.;
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      work += load[b][i] * u[dof(b, i)];
-  return work;
 }
 
 double DiscreteProblem::length_scale() const

@@ -6,14 +6,13 @@
 
 namespace Voussoir
 {
-std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+std::optional<Mechanism> find_collapse(const SharedProblem &problem,
                                        Terminal &terminal)
 {
   try
   {
-    return problem.opening().empty()
-               ? find_collapse_by_springs(problem, terminal)
-               : find_collapse_by_barrier(problem, terminal);
+    return problem.has_opening() ? find_collapse_by_barrier(problem, terminal)
+                                 : find_collapse_by_springs(problem, terminal);
   }
   catch (const SolverError &)
   {

@@ -71,8 +71,9 @@ void require_interior(const DiscreteProblem &problem,
         "one.");
 }
 
-SolverParameters::SolverParameters()
+SolverParameters::SolverParameters(const Team &team)
 {
+  common.team = team;
   // The one place where a formulation is registered.
   formulations.push_back(std::make_unique<SmoothedFriction>());
   formulations.push_back(std::make_unique<LinearProgram>());

@@ -196,7 +196,7 @@ public:
       asked = true;
       try
       {
-        result.mechanism = find_collapse(problem, terminal);
+        result.mechanism = find_collapse(SharedProblem(problem), terminal);
       }
       catch (...)
       {
@@ -349,7 +349,7 @@ IpoptResult solve_with_ipopt(const DiscreteProblem &problem,
   result.outcome =
       adapter->stop_reason.empty() ? describe(status) : adapter->stop_reason;
   if (result.outcome != "converged" && !result.mechanism && !adapter->asked)
-    result.mechanism = find_collapse(problem, terminal);
+    result.mechanism = find_collapse(SharedProblem(problem), terminal);
   if (result.mechanism)
     result.outcome = "stopped by a proof of collapse";
   else if (result.x.empty())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
 #include <voussoir/statics/least_energy.h>
@@ -9,18 +10,22 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ostream>
 
 namespace Voussoir
 {
 namespace
 {
-using Joint = DiscreteProblem::Joint;
+using Joint = Structure::Joint;
 
 /**
  * After how many iterations the load may be one that is not carried; then the
  * barrier problem, whose iterates close no joint, finds the mechanism sooner.
  */
 constexpr unsigned int n_before_doubt = 20;
+
+/** With fewer cells a process has more to tell than to do. */
+constexpr unsigned int least_cells_per_process = 500;
 
 /** The shortest cut of Newton's own steps with which they are still good. */
 constexpr double shortest_good_step = 0.01;
@@ -97,39 +102,61 @@ private:
   double previous_imbalance = std::numeric_limits<double>::infinity();
 };
 
-Solution minimise_elastic(const DiscreteProblem &problem,
-                          const LinearSolver linear_solver,
-                          const SolverControls &controls,
+/** What all processes are told about how to solve. */
+struct Order
+{
+  LinearSolver linear_solver = LinearSolver::automatic;
+  double tolerance = SolverControls().tolerance;
+  unsigned int n_max_iterations = SolverControls().n_max_iterations;
+};
+
+Solution minimise_elastic(const SharedProblem &problem,
+                          const Order &order,
                           const double displacement_unit,
                           Terminal &terminal)
 {
-  const ElasticJoint law(problem);
-  JointSystem system(problem, linear_solver);
-  Newton newton(problem, law, system,
-                std::vector<double>(problem.n_dofs(), 0.));
+  const Structure &structure = problem.structure();
+  const ElasticJoint law(structure);
+  JointSystem system(structure, order.linear_solver);
+  Newton newton(structure, law, system,
+                std::vector<double>(structure.n_dofs(), 0.));
   ProximalSteps proximal(newton);
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
-    if (newton.n_iterations() == n_before_doubt && !problem.opening().empty())
+    if (newton.n_iterations() == n_before_doubt && problem.has_opening())
       mechanism = find_collapse(problem, terminal);
     if (!mechanism)
       proximal.advance();
     return mechanism;
   };
   NewtonControls until;
-  until.imbalance = controls.tolerance;
-  until.n_max_iterations = controls.n_max_iterations;
+  until.imbalance = order.tolerance;
+  until.n_max_iterations = order.n_max_iterations;
   return minimise(problem, newton, until, advance, displacement_unit, terminal);
+}
+
+/** The same by all processes; @p whole and @p order are the root's. */
+Solution minimise_together(const DiscreteProblem *whole,
+                           const Order &order,
+                           const double displacement_unit,
+                           const Team &team,
+                           Terminal &terminal)
+{
+  return team.together([&]() {
+    const Order of_root = team.broadcast(order);
+    const SharedProblem problem(whole, team);
+    return minimise_elastic(problem, of_root, displacement_unit, terminal);
+  });
 }
 } // namespace
 
-ElasticJoint::ElasticJoint(const DiscreteProblem &problem) : problem(problem)
+ElasticJoint::ElasticJoint(const Structure &structure) : structure(structure)
 {
 }
 
 JointLaw::Jump ElasticJoint::force(const unsigned int e, const Jump &jump) const
 {
-  const Joint &joint = problem.joints()[e];
+  const Joint &joint = structure.joints()[e];
   const double k = joint.stiffness();
   return {k * std::min(jump.normal, 0.),
           std::clamp(k * jump.tangential, -joint.strength, joint.strength)};
@@ -138,7 +165,7 @@ JointLaw::Jump ElasticJoint::force(const unsigned int e, const Jump &jump) const
 JointLaw::Jump ElasticJoint::second_derivative(const unsigned int e,
                                                const Jump &jump) const
 {
-  const Joint &joint = problem.joints()[e];
+  const Joint &joint = structure.joints()[e];
   const double k = joint.stiffness();
   const bool touches = jump.normal <= 0.;
   const bool sticks = k * std::abs(jump.tangential) < joint.strength;
@@ -184,19 +211,37 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                              const SolverControls &controls,
                              Terminal &terminal) const
 {
-  return settle(problem, controls,
-                minimise_elastic(problem, linear_solver, controls,
-                                 problem.stress_scale() *
-                                     problem.length_scale() / modulus,
-                                 terminal),
-                terminal);
+  const Order order = {linear_solver, controls.tolerance,
+                       controls.n_max_iterations};
+  const double displacement_unit =
+      problem.stress_scale() * problem.length_scale() / modulus;
+  const bool is_shared =
+      problem.n_cells() >= least_cells_per_process * controls.team.size();
+  const Team team = is_shared ? controls.team : Team();
+  team.call(Team::Task::least_energy);
+  return settle(
+      problem, controls,
+      minimise_together(&problem, order, displacement_unit, team, terminal),
+      terminal);
 }
 
-std::optional<Mechanism>
-find_collapse_by_springs(const DiscreteProblem &problem, Terminal &terminal)
+void assist_least_energy(const Team &team)
 {
-  return minimise_elastic(problem, LinearSolver::automatic, SolverControls(),
-                          0., terminal)
-      .mechanism;
+  std::ostream nowhere(nullptr);
+  Terminal silent(nowhere, 0);
+  try
+  {
+    minimise_together(nullptr, {}, 0., team, silent);
+  }
+  catch (const SolverError &)
+  {
+    // All processes have it; the root reports it.
+  }
+}
+
+std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
+                                                  Terminal &terminal)
+{
+  return minimise_elastic(problem, {}, 0., terminal).mechanism;
 }
 } // namespace Voussoir

@@ -12,7 +12,7 @@
 
 namespace Voussoir
 {
-using Jump = DiscreteProblem::Jump;
+using Jump = Structure::Jump;
 
 namespace
 {
@@ -37,12 +37,24 @@ constexpr double imbalance_near_rounding = 1e-7;
 /** What refine() may find of a right-hand side that was not solved for. */
 constexpr double little_left = 1e-3;
 
-double largest(const std::vector<double> &v)
+/** The largest component of an own body, on all processes. */
+double largest(const Structure &structure, const std::vector<double> &v)
 {
   double size = 0.;
-  for (const double component : v)
-    size = std::max(size, std::abs(component));
-  return size;
+  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+    size = std::max(size, std::abs(v[k]));
+  return structure.team().max(size);
+}
+
+/** The product over own bodies, on all processes. */
+double product(const Structure &structure,
+               const std::vector<double> &a,
+               const std::vector<double> &b)
+{
+  long double sum = 0.;
+  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+    sum += a[k] * b[k];
+  return static_cast<double>(structure.team().sum(sum));
 }
 
 double proximal_force(const double shift, const double u, const double centre)
@@ -51,11 +63,11 @@ double proximal_force(const double shift, const double u, const double centre)
 }
 } // namespace
 
-Newton::Newton(const DiscreteProblem &problem,
+Newton::Newton(const Structure &structure,
                const JointLaw &law,
                JointSystem &system,
                std::vector<double> u)
-    : problem(problem), law(law), system(system),
+    : structure(structure), law(law), system(system),
       last_decrement(std::numeric_limits<double>::infinity()),
       last_force_change(std::numeric_limits<double>::infinity())
 {
@@ -66,25 +78,25 @@ Newton::Newton(const DiscreteProblem &problem,
 
 std::vector<Jump> Newton::jumps_of(const std::vector<double> &u) const
 {
-  std::vector<Jump> jumps(problem.joints().size());
+  std::vector<Jump> jumps(structure.joints().size());
   for (unsigned int e = 0; e < jumps.size(); ++e)
-    jumps[e] = problem.jump(problem.joints()[e], u.data());
+    jumps[e] = structure.jump(structure.joints()[e], u.data());
   return jumps;
 }
 
 void Newton::evaluate(State &state)
 {
   ++evaluations;
-  const auto &joints = problem.joints();
+  const auto &joints = structure.joints();
   state.forces.resize(joints.size());
-  state.gradient.resize(problem.n_dofs());
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+  state.gradient.resize(structure.n_dofs());
+  for (unsigned int b = 0; b < structure.n_own_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      state.gradient[problem.dof(b, i)] = -problem.loads()[b][i];
+      state.gradient[structure.dof(b, i)] = -structure.loads()[b][i];
   for (unsigned int e = 0; e < joints.size(); ++e)
   {
     state.forces[e] = law.force(e, state.jumps[e]);
-    problem.add_jump_gradient(joints[e], state.forces[e],
+    structure.add_jump_gradient(joints[e], state.forces[e],
                               state.gradient.data());
   }
 }
@@ -112,7 +124,8 @@ std::vector<double> Newton::direction(double shift,
     stiffest = std::max({stiffest, second[e].normal, second[e].tangential});
     finite &= std::isfinite(second[e].normal + second[e].tangential);
   }
-  if (!finite)
+  stiffest = structure.team().max(stiffest);
+  if (!structure.team().all(finite))
     throw SolverError("The stiffness of a joint is beyond all numbers: its "
                       "strength is too far above the load. Lower "
                       "'Friction/Strength', or take another 'Formulation'.");
@@ -124,9 +137,7 @@ std::vector<double> Newton::direction(double shift,
       std::vector<double> d = system.solve(right);
       if (shift == least_shift && system.is_direct())
         refine(second, right, d);
-      long double descent = 0.;
-      for (unsigned int k = 0; k < d.size(); ++k)
-        descent += right[k] * d[k];
+      const double descent = product(structure, right, d);
       if (std::isfinite(descent) && descent >= 0.)
         return d;
     }
@@ -147,13 +158,13 @@ void Newton::refine(const std::vector<Jump> &second,
   std::vector<double> left(right);
   for (unsigned int e = 0; e < second.size(); ++e)
   {
-    const Jump jump = problem.jump(problem.joints()[e], d.data());
-    problem.add_jump_gradient(problem.joints()[e],
+    const Jump jump = structure.jump(structure.joints()[e], d.data());
+    structure.add_jump_gradient(structure.joints()[e],
                               {-second[e].normal * jump.normal,
                                -second[e].tangential * jump.tangential},
                               left.data());
   }
-  if (largest(left) > little_left * largest(right))
+  if (largest(structure, left) > little_left * largest(structure, right))
     return;
   const std::vector<double> correction = system.solve(left);
   for (unsigned int k = 0; k < d.size(); ++k)
@@ -166,11 +177,11 @@ double Newton::search(const std::vector<double> &direction,
 {
   const auto slope = [&](const State &state) {
     long double sum = 0.;
-    for (unsigned int k = 0; k < direction.size(); ++k)
+    for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
       sum +=
           (state.gradient[k] - proximal_force(shift, state.u[k], centre[k])) *
           direction[k];
-    return static_cast<double>(sum);
+    return static_cast<double>(structure.team().sum(sum));
   };
 
   const std::vector<Jump> step_jumps = jumps_of(direction);
@@ -178,7 +189,7 @@ double Newton::search(const std::vector<double> &direction,
   for (unsigned int e = 0; e < step_jumps.size(); ++e)
     longest =
         std::min(longest, law.longest_step(e, present.jumps[e], step_jumps[e]));
-  longest *= fraction_to_boundary;
+  longest = fraction_to_boundary * structure.team().min(longest);
 
   State trial;
   double t = 0.;
@@ -236,6 +247,7 @@ double Newton::search(const std::vector<double> &direction,
         {last_force_change,
          std::abs(trial.forces[e].normal - present.forces[e].normal),
          std::abs(trial.forces[e].tangential - present.forces[e].tangential)});
+  last_force_change = structure.team().max(last_force_change);
   present = std::move(trial);
   return t;
 }
@@ -264,11 +276,11 @@ double Newton::imbalance(const double shift,
                          const std::vector<double> &centre) const
 {
   double largest = 0.;
-  for (unsigned int k = 0; k < present.gradient.size(); ++k)
+  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     largest = std::max(largest,
                        std::abs(proximal_force(shift, present.u[k], centre[k]) -
                                 present.gradient[k]));
-  return largest;
+  return structure.team().max(largest);
 }
 
 double Newton::decrement() const
@@ -291,7 +303,7 @@ unsigned int Newton::n_evaluations() const
   return evaluations;
 }
 
-Solution minimise(const DiscreteProblem &problem,
+Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
                   const std::function<std::optional<Mechanism>()> &advance,
@@ -321,7 +333,7 @@ Solution minimise(const DiscreteProblem &problem,
 
     if (converged)
       solution.outcome = "converged";
-    else if ((solution.mechanism = find_mechanism(problem, newton.u())))
+    else if ((solution.mechanism = problem.find_mechanism(newton.u())))
       solution.outcome = "stopped by a proof of collapse";
     else if (n >= controls.n_max_iterations)
       solution.outcome = "reached 'Solver/Maximum iterations'";
@@ -343,14 +355,7 @@ Solution minimise(const DiscreteProblem &problem,
 
   solution.n_iterations = newton.n_iterations();
   solution.n_evaluations = newton.n_evaluations();
-  for (const Jump &force : best_forces)
-  {
-    solution.forces.normal.push_back(force.normal);
-    solution.forces.tangential.push_back(force.tangential);
-  }
-  problem.remove_translations(best_u);
-  solution.displacement =
-      problem.displacement_of_cells(best_u, displacement_unit);
+  problem.collect(best_u, best_forces, displacement_unit, solution);
   return solution;
 }
 } // namespace Voussoir

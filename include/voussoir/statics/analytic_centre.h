@@ -4,6 +4,7 @@
 
 #include <voussoir/statics/barrier_joint.h>
 #include <voussoir/statics/formulation.h>
+#include <voussoir/statics/shared_problem.h>
 
 #include <optional>
 #include <string>
@@ -51,7 +52,7 @@ private:
  * close to the limit and far beyond, and where there is none they converge.
  */
 std::optional<Mechanism>
-find_collapse_by_barrier(const DiscreteProblem &problem, Terminal &terminal);
+find_collapse_by_barrier(const SharedProblem &problem, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

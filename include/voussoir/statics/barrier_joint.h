@@ -43,7 +43,7 @@ public:
     int sliding = 0;
   };
 
-  BarrierJoint(const DiscreteProblem &problem, BarrierWeights weights);
+  BarrierJoint(const Structure &structure, BarrierWeights weights);
 
   Jump force(unsigned int e, const Jump &jump) const override;
   Jump second_derivative(unsigned int e, const Jump &jump) const override;
@@ -59,7 +59,7 @@ public:
   std::vector<Fixed> fixed;
 
 private:
-  const DiscreteProblem *problem;
+  const Structure *structure;
   BarrierWeights weights;
 };
 } // namespace Voussoir

@@ -3,7 +3,7 @@
 #define voussoir_statics_find_collapse_h
 
 #include <voussoir/base/terminal.h>
-#include <voussoir/statics/mechanism.h>
+#include <voussoir/statics/shared_problem.h>
 
 #include <optional>
 
@@ -12,9 +12,9 @@ namespace Voussoir
 /**
  * Look for a proof that the load is not carried, for a solver that has taken
  * many iterations without an answer: by the barrier problem, or if no motion
- * opens all joints by elastic ones.
+ * opens all joints by elastic ones. Collective.
  */
-std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+std::optional<Mechanism> find_collapse(const SharedProblem &problem,
                                        Terminal &terminal);
 } // namespace Voussoir
 

@@ -25,6 +25,11 @@ struct SolverControls
   unsigned int n_max_iterations = 300;
   /** Whether equilibrate() follows. */
   bool equilibrate = false;
+  /**
+   * The processes that can help; a formulation that cannot use them works on
+   * the root alone.
+   */
+  Team team = Team();
 };
 
 /**
@@ -73,7 +78,7 @@ void require_interior(const DiscreteProblem &problem,
 class SolverParameters
 {
 public:
-  SolverParameters();
+  explicit SolverParameters(const Team &team = Team());
 
   void add_parameters(dealii::ParameterHandler &prm);
 

@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_joint_law_h
 #define voussoir_statics_joint_law_h
 
-#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/structure.h>
 
 #include <limits>
 
@@ -17,7 +17,7 @@ namespace Voussoir
 class JointLaw
 {
 public:
-  using Jump = DiscreteProblem::Jump;
+  using Jump = Structure::Jump;
 
   virtual ~JointLaw() = default;
 

@@ -2,8 +2,9 @@
 #ifndef voussoir_statics_joint_system_h
 #define voussoir_statics_joint_system_h
 
-#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/linear_method.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -33,19 +34,20 @@ enum class LinearSolver
  *
  * where B_e u is the jump [u]_e, a_e^n and a_e^t are coefficients of the joints
  * that are not negative, and the shift is positive, so that the matrix is
- * symmetric and positive definite.
+ * symmetric and positive definite. If a_e^n = a_e^t in every joint, the two
+ * components of u come apart, and one matrix of half the size serves both.
  *
- * `direct` is the sparse Cholesky factorisation of CHOLMOD. If a_e^n = a_e^t in
- * every joint, the two components of u come apart, and one matrix of half the
- * size is factorised for both. `multigrid` is the method of conjugate gradients
- * with Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
- * `automatic` takes what is faster at the size of the problem.
+ * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
+ * factorise each its own part, and the root what couples them; see
+ * Substructures. `multigrid` is the method of conjugate gradients with
+ * Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
+ * `automatic` takes what is faster at the size of the problem. All functions
+ * are collective.
  */
 class JointSystem
 {
 public:
-  JointSystem(const DiscreteProblem &problem, LinearSolver kind);
-  ~JointSystem();
+  JointSystem(const Structure &structure, LinearSolver kind);
 
   /**
    * Prepare to solve with the given coefficients, one pair for each joint.
@@ -53,27 +55,25 @@ public:
    * @return false if a factorisation found that rounding has cost the matrix
    *   its positive definiteness; a larger shift helps then.
    */
-  bool prepare(const std::vector<DiscreteProblem::Jump> &coefficients,
-               double shift);
+  bool prepare(const std::vector<Structure::Jump> &coefficients, double shift);
 
-  /** The solution for the right-hand side @p r (n_dofs() numbers). */
+  /**
+   * The solution for the right-hand side @p r, of which that of own bodies
+   * counts; with the ghosts. n_dofs() numbers each.
+   */
   std::vector<double> solve(const std::vector<double> &r);
 
   /** Whether another solve() costs little after a prepare(). */
   bool is_direct() const;
 
 private:
-  /** One way to solve. */
-  class Method;
-  class Cholesky;
-  class Multigrid;
+  std::unique_ptr<LinearMethod> make(unsigned int n_components) const;
 
-  const DiscreteProblem &problem;
+  const Structure &structure;
   const LinearSolver kind;
-  std::unique_ptr<Cholesky> one_component;
-  std::unique_ptr<Cholesky> two_components;
-  std::unique_ptr<Multigrid> multigrid;
-  Method *current = nullptr;
+  /** For systems of one component and of two; made when first needed. */
+  std::array<std::unique_ptr<LinearMethod>, 2> methods;
+  LinearMethod *current = nullptr;
 };
 } // namespace Voussoir
 

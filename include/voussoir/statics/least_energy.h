@@ -3,6 +3,7 @@
 #define voussoir_statics_least_energy_h
 
 #include <voussoir/statics/formulation.h>
+#include <voussoir/statics/shared_problem.h>
 #include <voussoir/statics/joint_law.h>
 #include <voussoir/statics/joint_system.h>
 
@@ -22,13 +23,13 @@ namespace Voussoir
 class ElasticJoint : public JointLaw
 {
 public:
-  explicit ElasticJoint(const DiscreteProblem &problem);
+  explicit ElasticJoint(const Structure &structure);
 
   Jump force(unsigned int e, const Jump &jump) const override;
   Jump second_derivative(unsigned int e, const Jump &jump) const override;
 
 private:
-  const DiscreteProblem &problem;
+  const Structure &structure;
 };
 
 /**
@@ -60,12 +61,18 @@ private:
 };
 
 /**
+ * The part of another process than the root in LeastEnergy::solve(), once it is
+ * called to Team::Task::least_energy.
+ */
+void assist_least_energy(const Team &team);
+
+/**
  * Look for a proof that the load is not carried, in the displacements of the
  * elastic joints, which grow along a mechanism if there is one. Slower than
  * find_collapse_by_barrier(), but it needs no opening.
  */
 std::optional<Mechanism>
-find_collapse_by_springs(const DiscreteProblem &problem, Terminal &terminal);
+find_collapse_by_springs(const SharedProblem &problem, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

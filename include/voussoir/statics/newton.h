@@ -5,7 +5,7 @@
 #include <voussoir/base/terminal.h>
 #include <voussoir/statics/joint_law.h>
 #include <voussoir/statics/joint_system.h>
-#include <voussoir/statics/solution.h>
+#include <voussoir/statics/shared_problem.h>
 
 #include <functional>
 #include <limits>
@@ -24,14 +24,17 @@ namespace Voussoir
  * added, which bounds it where no joint holds a cell. A line search follows
  * until the slope of the energy has nearly vanished; it uses forces only, since
  * energies cancel.
+ *
+ * If several processes share the structure all take the same steps together;
+ * what is asked of all bodies or joints is that of all processes.
  */
 class Newton
 {
 public:
-  using Jump = DiscreteProblem::Jump;
+  using Jump = Structure::Jump;
 
   /** @param u where to begin; the energy must be finite there. */
-  Newton(const DiscreteProblem &problem,
+  Newton(const Structure &structure,
          const JointLaw &law,
          JointSystem &system,
          std::vector<double> u);
@@ -44,7 +47,7 @@ public:
    */
   double step(double shift, const std::vector<double> &centre);
 
-  /** n_dofs() numbers. */
+  /** n_dofs() numbers, with the ghosts. */
   const std::vector<double> &u() const;
   /** [u]_e */
   const std::vector<Jump> &jumps() const;
@@ -90,7 +93,7 @@ private:
                 double shift,
                 const std::vector<double> &centre);
 
-  const DiscreteProblem &problem;
+  const Structure &structure;
   const JointLaw &law;
   JointSystem &system;
   State present;
@@ -121,7 +124,7 @@ struct NewtonControls
  * @param displacement_unit of the nondimensional displacement, in the user's;
  *   zero to report none.
  */
-Solution minimise(const DiscreteProblem &problem,
+Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
                   const std::function<std::optional<Mechanism>()> &advance,

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_assist_h
+#define voussoir_assist_h
+
+#include <voussoir/base/team.h>
+
+namespace Voussoir
+{
+/**
+ * What another process than the root does: take part in each task that the root
+ * calls to, until there is none left.
+ */
+void assist(const Team &team);
+} // namespace Voussoir
+
+#endif

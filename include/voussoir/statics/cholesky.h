@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_cholesky_h
+#define voussoir_statics_cholesky_h
+
+#include <voussoir/statics/linear_method.h>
+#include <voussoir/statics/sparse_factor.h>
+
+namespace Voussoir
+{
+/**
+ * @p u, n_bodies times two components, as columns of @p n_components unknowns a
+ * body, and back; what a system of one component has to be solved for.
+ */
+std::vector<double> to_columns(const std::vector<double> &u,
+                               unsigned int n_components);
+std::vector<double> from_columns(const std::vector<double> &columns,
+                                 unsigned int n_components);
+
+/** CHOLMOD on the system of a whole structure. */
+class Cholesky : public LinearMethod
+{
+public:
+  Cholesky(const Structure &structure, unsigned int n_components);
+
+  bool prepare(const std::vector<Structure::Jump> &coefficients,
+               double shift) override;
+  std::vector<double> solve(const std::vector<double> &r) override;
+  bool is_direct() const override;
+
+private:
+  const unsigned int n_components;
+  SparseFactor factor;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_linear_method_h
+#define voussoir_statics_linear_method_h
+
+#include <voussoir/statics/structure.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * One way to solve the systems of JointSystem. There are two forms: of both
+ * components of the displacement, and of one, the same for both, where the two
+ * coefficients of each joint are equal.
+ */
+class LinearMethod
+{
+public:
+  virtual ~LinearMethod() = default;
+
+  /** See JointSystem::prepare(). */
+  virtual bool prepare(const std::vector<Structure::Jump> &coefficients,
+                       double shift) = 0;
+  /** See JointSystem::solve(); the ghosts of the result are not set. */
+  virtual std::vector<double> solve(const std::vector<double> &r) = 0;
+  /** Whether another solve() costs little after a prepare(). */
+  virtual bool is_direct() const = 0;
+};
+
+/** Entry (i, j) of the two-by-two block of a joint. */
+inline double block_of_joint(const Structure::Joint &joint,
+                             const Structure::Jump &a,
+                             const unsigned int i,
+                             const unsigned int j)
+{
+  return a.normal * joint.normal[i] * joint.normal[j] +
+         a.tangential * joint.tangent[i] * joint.tangent[j];
+}
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_shared_problem_h
+#define voussoir_statics_shared_problem_h
+
+#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/statics/mechanism.h>
+#include <voussoir/statics/solution.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A problem that the processes of a team solve together. The root has the whole
+ * and keeps it; each has a part: cells that follow each other along a Hilbert
+ * curve through the centres, as many as the others have; the ground is the
+ * last's. Questions on the whole are answered by the root.
+ *
+ * Alone, a process works on the whole itself.
+ */
+class SharedProblem
+{
+public:
+  /** For this process alone; @p whole must outlive this object. */
+  explicit SharedProblem(const DiscreteProblem &whole);
+
+  /**
+   * Share out what the root has; collective.
+   *
+   * @param whole on the root; none on the others.
+   */
+  SharedProblem(const DiscreteProblem *whole, const Team &team);
+
+  /** The part of this process. */
+  const Structure &structure() const;
+
+  /** This process' part of DiscreteProblem::opening(); collective. */
+  std::vector<double> opening() const;
+  bool has_opening() const;
+
+  /**
+   * See Voussoir::find_mechanism(); collective. There is one for all processes
+   * or for none; what it is, the root knows.
+   */
+  std::optional<Mechanism> find_mechanism(const std::vector<double> &u) const;
+
+  /**
+   * The parts of all processes put together, in the order of the whole, on the
+   * root, and nothing on the others; collective.
+   *
+   * @param displacement_unit of the nondimensional displacement, in the
+   *   user's; zero to report none.
+   */
+  void collect(const std::vector<double> &u,
+               const std::vector<Structure::Jump> &forces,
+               double displacement_unit,
+               Solution &solution) const;
+
+private:
+  void number_bodies();
+  Structure::Part make_part(unsigned int process,
+                            const std::vector<unsigned int> &first_joint,
+                            const std::vector<unsigned int> &joints_of_body);
+  std::vector<double> gather(const std::vector<double> &u) const;
+  std::vector<double> scatter(const std::vector<double> &u) const;
+
+  const DiscreteProblem *whole;
+  Team team;
+  /** None if this process is alone. */
+  std::unique_ptr<const Structure> part;
+
+  // On the root, if it is not alone:
+  /** The bodies in the order of the processes, and where each of them begins.*/
+  std::vector<unsigned int> bodies, first_body;
+  /** The place of each body in that order. */
+  std::vector<unsigned int> number;
+  /** The joints of each process. */
+  std::vector<std::vector<unsigned int>> joints_of;
+};
+} // namespace Voussoir
+
+#endif
