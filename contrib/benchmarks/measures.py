@@ -148,8 +148,7 @@ class MeanStress(Field):
 
 
 class StressField(Field):
-    """The sub-cells of a stress.vtu; single precision. The centroids are
-    `middle`, (n, 2)."""
+    """The sub-cells of a stress.vtu. The centroids are `middle`, (n, 2)."""
 
     def __init__(self, directory):
         reader = vtk.vtkXMLUnstructuredGridReader()
@@ -158,12 +157,11 @@ class StressField(Field):
         self.grid = reader.GetOutput()
         corners = vtk_to_numpy(
             self.grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
-        points = vtk_to_numpy(self.grid.GetPoints().GetData()).astype(float)
-        values = self.grid.GetPointData()
+        points = vtk_to_numpy(self.grid.GetPoints().GetData())
+        values = self.grid.GetCellData()
 
         def at(name):
-            array = vtk_to_numpy(values.GetArray(name))
-            return array[corners[:, 0]].astype(float)
+            return vtk_to_numpy(values.GetArray(name))
 
         self.middle, area = centroids(points[corners, :2])
         super().__init__(in_plane(at("stress")), area, at("cell").astype(int))
@@ -196,11 +194,11 @@ class StressField(Field):
     def located(self, finer):
         """Which of its sub-cells the middle of each one of another field is in,
         or -1 where rounding hides it, on the rim of a sliver."""
-        number = numpy_to_vtk(np.repeat(np.arange(float(len(self.area))), 4))
+        number = numpy_to_vtk(np.arange(float(len(self.area))))
         number.SetName("number")
         source = vtk.vtkUnstructuredGrid()
         source.CopyStructure(self.grid)
-        source.GetPointData().AddArray(number)
+        source.GetCellData().AddArray(number)
         points = vtk.vtkPoints()
         points.SetData(numpy_to_vtk(np.pad(finer.middle, ((0, 0), (0, 1)))))
         middles = vtk.vtkPolyData()

@@ -41,11 +41,11 @@ view.OrientationAxesVisibility = 0
 view.InteractionMode = "2D"
 
 colours = GetColorTransferFunction(array)
-low, high = blocks.PointData.GetArray(array).GetRange(index)
+low, high = blocks.CellData.GetArray(array).GetRange(index)
 extent = float(sys.argv[4]) if len(sys.argv) > 4 else max(abs(low), abs(high))
 extent = extent or 1.0
 shown = Show(blocks, view)
-ColorBy(shown, ("POINTS", array))
+ColorBy(shown, ("CELLS", array))
 if array in ("stress", "displacement"):
     colours.VectorMode, colours.VectorComponent = "Component", index
 colours.AutomaticRescaleRangeMode = "Never"
@@ -66,8 +66,8 @@ bar.Orientation = "Horizontal"
 bar.WindowLocation = "Lower Center"
 bar.ScalarBarLength = 0.5
 
-# Sides of blocks that meet merge, up to the rounding of single precision: lines
-# are where the packing ends, and where blocks of a mechanism part.
+# Sides of blocks that meet merge, up to what a picture shows: lines are where the
+# packing ends, and where blocks of a mechanism part.
 merged = CleantoGrid(Input=blocks, Tolerance=1e-5)
 outlines = [FeatureEdges(Input=ExtractSurface(Input=merged),
                          FeatureEdges=0, NonManifoldEdges=0)]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/text.h>
 #include <voussoir/output/packing_files.h>
+#include <voussoir/output/text_lines.h>
 
 #include <algorithm>
 #include <ostream>
@@ -19,15 +19,13 @@ std::pair<double, double> key(const dealii::Point<2> &p)
 
 void write_packing_wkt(std::ostream &out, const Packing &packing)
 {
-  use_all_digits(out);
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    out << "POLYGON (";
+  write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
+    line << "POLYGON (";
     for (unsigned int i = 0; i <= packing.n_sides(c); ++i)
-      out << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
-          << packing.vertex(c, i)[1];
-    out << "));" << packing.group_name(c) << '\n';
-  }
+      line << (i == 0 ? "(" : ", ") << packing.vertex(c, i)[0] << ' '
+           << packing.vertex(c, i)[1];
+    line << "));" << packing.group_name(c) << '\n';
+  });
 }
 
 void write_packing_off(std::ostream &out, const Packing &packing)
@@ -39,26 +37,25 @@ void write_packing_off(std::ostream &out, const Packing &packing)
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 
-  use_all_digits(out);
   out << "OFF\n" << vertices.size() << ' ' << packing.n_cells() << " 0\n";
-  for (const auto &[x, y] : vertices)
-    out << x << ' ' << y << " 0\n";
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    out << packing.n_sides(c);
+  write_lines(out, vertices.size(), [&](TextLines &line, unsigned int v) {
+    line << vertices[v].first << ' ' << vertices[v].second << " 0\n";
+  });
+  write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
+    line << packing.n_sides(c);
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-      out << ' '
-          << std::lower_bound(vertices.begin(), vertices.end(),
-                              key(packing.vertex(c, i))) -
-                 vertices.begin();
-    out << '\n';
-  }
+      line << ' '
+           << std::lower_bound(vertices.begin(), vertices.end(),
+                               key(packing.vertex(c, i))) -
+                  vertices.begin();
+    line << '\n';
+  });
 }
 
 void write_centres(std::ostream &out, const Packing &packing)
 {
-  use_all_digits(out);
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    out << packing.centre(c)[0] << ' ' << packing.centre(c)[1] << '\n';
+  write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
+    line << packing.centre(c)[0] << ' ' << packing.centre(c)[1] << '\n';
+  });
 }
 } // namespace Voussoir

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/vtu.h>
-
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/grid/reference_cell.h>
+#include <voussoir/output/vtu_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace Voussoir
 {
@@ -16,183 +18,376 @@ using dealii::Tensor;
 
 namespace
 {
-using dealii::DataComponentInterpretation::component_is_part_of_tensor;
-using dealii::DataComponentInterpretation::component_is_part_of_vector;
-using Interpretation =
-    dealii::DataComponentInterpretation::DataComponentInterpretation;
+template <typename Number>
+std::array<Number, 1> scalar(const Number value)
+{
+  return {{value}};
+}
+
+std::array<double, 3> vector(const Tensor<1, 2> &v)
+{
+  return {{v[0], v[1], 0.}};
+}
+
+std::array<double, 9> tensor(const Tensor<2, 2> &t)
+{
+  return {{t[0][0], t[0][1], 0., t[1][0], t[1][1], 0., 0., 0., 0.}};
+}
+
+/** The larger and the smaller principal stress, of the symmetric part. */
+std::pair<double, double> principal_stresses(const Tensor<2, 2> &s)
+{
+  const double mean = 0.5 * (s[0][0] + s[1][1]); // by Mohr's circle
+  const double radius =
+      std::hypot(0.5 * (s[0][0] - s[1][1]), 0.5 * (s[0][1] + s[1][0]));
+  return {mean + radius, mean - radius};
+}
 
 /**
- * A grid of patches, one per line or quadrilateral, with values that are
- * constant in each patch.
+ * The points of a cell's sub-cells: the centre, and triangle by triangle those
+ * that are its own: all but the centre and those on the spoke to its second
+ * vertex, which belong to the next triangle.
  */
-template <int dim>
-class ConstantPatches
+struct SubCellPoints
+{
+  explicit SubCellPoints(const SubTriangulation &cut);
+
+  /** A corner of a sub-cell: point @p number of the triangle @p later. */
+  struct Corner
+  {
+    bool is_centre;
+    unsigned int later, number;
+  };
+
+  std::vector<SubTriangulation::Vertex> own;
+  /** Around each sub-cell of a triangle. */
+  std::vector<std::array<Corner, 4>> corners;
+};
+
+SubCellPoints::SubCellPoints(const SubTriangulation &cut)
+{
+  const auto number = [this](const double a, const double b) {
+    const auto found = std::find_if(own.begin(), own.end(), [&](const auto &v) {
+      return v.a == a && v.b == b;
+    });
+    const unsigned int n = found - own.begin();
+    if (found == own.end())
+      own.push_back({a, b});
+    return n;
+  };
+  for (const SubTriangulation::Quadrilateral &sub_cell : cut.of_triangle())
+  {
+    std::array<Corner, 4> around;
+    const std::array<unsigned int, 4> lexicographic = {{0, 1, 3, 2}};
+    for (unsigned int v = 0; v < 4; ++v)
+    {
+      const auto [a, b] = sub_cell[lexicographic[v]];
+      if (a == 0. && b == 0.)
+        around[v] = {true, 0, 0};
+      else if (a == 0.)
+        around[v] = {false, 1, number(b, 0.)};
+      else
+        around[v] = {false, 0, number(a, b)};
+    }
+    corners.push_back(around);
+  }
+}
+
+/**
+ * The sub-cells of a range of cells as a grid of quadrilaterals. Those of one
+ * cell share their points, and those of different cells do not: cells are
+ * bodies of their own, which may part, and look the same in any range.
+ */
+class SubCellGrid
 {
 public:
-  explicit ConstantPatches(const unsigned int n_patches) : patches(n_patches)
-  {
-  }
+  using Shift = std::function<Tensor<1, 2>(unsigned int cell)>;
 
-  void add_scalar(const std::string &name)
-  {
-    names.push_back(name);
-  }
-
-  void add_vector(const std::string &name)
-  {
-    add_range(name, 2, component_is_part_of_vector);
-  }
-
-  void add_tensor(const std::string &name)
-  {
-    add_range(name, 4, component_is_part_of_tensor);
-  }
-
-  /** Set patch @p i; the values in the order in which they were added. */
-  template <typename Corners>
-  void set(const unsigned int i,
-           const Corners &corners,
-           const std::vector<double> &values)
-  {
-    AssertDimension(values.size(), names.size());
-    auto &patch = patches[i];
-    std::copy(std::begin(corners), std::end(corners), patch.vertices);
-    patch.patch_index = i;
-    patch.n_subdivisions = 1;
-    patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-    const unsigned int n_points = dealii::GeometryInfo<dim>::vertices_per_cell;
-    patch.data.reinit(values.size(), n_points);
-    for (unsigned int v = 0; v < values.size(); ++v)
-      for (unsigned int p = 0; p < n_points; ++p)
-        patch.data(v, p) = values[v];
-  }
+  /** @param shift how far each cell is moved; nullptr: not at all. */
+  SubCellGrid(const Packing &packing,
+              const SubTriangulation &cut,
+              const CellRange &range,
+              const Shift &shift = nullptr);
+  SubCellGrid(const SubCellGrid &) = delete; // file asks this object
 
   void write(std::ostream &out) const
   {
-    dealii::DataOutBase::VtkFlags flags;
-    flags.print_date_and_time = false; // the same run gives the same file
-    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-    dealii::DataOutBase::write_vtu(patches, names, ranges, flags, out);
+    file.write(out);
   }
+
+  void write_record(std::ostream &out,
+                    const std::vector<std::string> &pieces) const
+  {
+    file.write_record(out, pieces);
+  }
+
+  /**
+   * Add a field from @p values(cell, k), the array of its components in
+   * sub-cell k, which are counted through all cells of the packing.
+   */
+  template <typename Values>
+  void add(const std::string &name, const Values &values);
 
 private:
-  void add_range(const std::string &name,
-                 const unsigned int n_components,
-                 const Interpretation interpretation)
-  {
-    const unsigned int first = names.size();
-    names.insert(names.end(), n_components, name);
-    ranges.emplace_back(first, first + n_components - 1, name, interpretation);
-  }
+  std::size_t first_point(unsigned int cell) const;
+  std::size_t first_sub_cell(unsigned int cell) const;
+  template <typename First>
+  unsigned int cell_of(std::size_t i, const First &first) const;
+  void fill_points(std::size_t begin, std::size_t end, double *place) const;
+  void
+  fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
 
-  std::vector<dealii::DataOutBase::Patch<dim, 2>> patches;
-  std::vector<std::string> names;
-  std::vector<
-      std::tuple<unsigned int, unsigned int, std::string, Interpretation>>
-      ranges;
+  const Packing &packing;
+  const CellRange range;
+  const Shift shift;
+  const SubCellPoints points;
+  VtuFile file;
 };
+
+SubCellGrid::SubCellGrid(const Packing &packing,
+                         const SubTriangulation &cut,
+                         const CellRange &range,
+                         const Shift &shift)
+    : packing(packing), range(range), shift(shift), points(cut),
+      file(
+          VtuFile::Shape::quadrilateral,
+          first_point(range.end),
+          [this](auto... arguments) { fill_points(arguments...); },
+          first_sub_cell(range.end),
+          [this](auto... arguments) { fill_corners(arguments...); })
+{
+}
+
+/** Counted from the first of the range. */
+std::size_t SubCellGrid::first_point(const unsigned int cell) const
+{
+  const std::size_t n_sides =
+      packing.first_side(cell) - packing.first_side(range.begin);
+  return cell - range.begin + points.own.size() * n_sides;
+}
+
+/** Counted from the first of the range. */
+std::size_t SubCellGrid::first_sub_cell(const unsigned int cell) const
+{
+  const std::size_t n_sides =
+      packing.first_side(cell) - packing.first_side(range.begin);
+  return points.corners.size() * n_sides;
+}
+
+/** The cell of the item @p i, the first item of each cell being given. */
+template <typename First>
+unsigned int SubCellGrid::cell_of(const std::size_t i, const First &first) const
+{
+  unsigned int begin = range.begin, end = range.end;
+  while (begin + 1 < end)
+  {
+    const unsigned int middle = begin + (end - begin) / 2;
+    (first(middle) <= i ? begin : end) = middle;
+  }
+  return begin;
+}
+
+void SubCellGrid::fill_points(const std::size_t begin,
+                              const std::size_t end,
+                              double *place) const
+{
+  const auto first = [this](const unsigned int c) {
+    return first_point(c);
+  };
+  unsigned int c = cell_of(begin, first);
+  for (std::size_t p = begin; p < end; ++p)
+  {
+    c += (p == first(c + 1));
+    const Point<2> &centre = packing.centre(c);
+    Point<2> x = centre;
+    if (p > first(c))
+    {
+      const unsigned int k = p - first(c) - 1;
+      const unsigned int side = k / points.own.size();
+      const auto [a, b] = points.own[k % points.own.size()];
+      // In this form vertices, and the middles of sides, are the same to the
+      // last bit from both cells.
+      x = (1. - a - b) * centre + a * packing.vertex(c, side) +
+          b * packing.vertex(c, side + 1);
+    }
+    const auto components = vector(shift ? x + shift(c) : x);
+    place = std::copy(components.begin(), components.end(), place);
+  }
+}
+
+void SubCellGrid::fill_corners(const std::size_t begin,
+                               const std::size_t end,
+                               std::int64_t *place) const
+{
+  const auto first = [this](const unsigned int c) {
+    return first_sub_cell(c);
+  };
+  unsigned int c = cell_of(begin, first);
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    c += (k == first(c + 1));
+    const unsigned int side = (k - first(c)) / points.corners.size();
+    for (const auto &corner : points.corners[k % points.corners.size()])
+      *place++ = first_point(c) +
+                 (corner.is_centre
+                      ? 0
+                      : 1 + corner.number +
+                            points.own.size() *
+                                ((side + corner.later) % packing.n_sides(c)));
+  }
+}
+
+template <typename Values>
+void SubCellGrid::add(const std::string &name, const Values &values)
+{
+  using Components = decltype(values(0, std::size_t()));
+  using Number = typename Components::value_type;
+  const std::size_t before =
+      points.corners.size() * packing.first_side(range.begin);
+  file.add_field<Number>(
+      name, std::tuple_size<Components>::value,
+      [=](std::size_t k, const std::size_t end, Number *place) {
+        const auto first = [this](unsigned int c) {
+          return first_sub_cell(c);
+        };
+        unsigned int c = cell_of(k, first);
+        for (; k < end; ++k)
+        {
+          c += (k == first(c + 1));
+          const Components components = values(c, before + k);
+          place = std::copy(components.begin(), components.end(), place);
+        }
+      });
+}
+
+/** The grid of stress.vtu with its fields. */
+class StressGrid : public SubCellGrid
+{
+public:
+  StressGrid(const Results &results, const CellRange &range);
+};
+
+StressGrid::StressGrid(const Results &results, const CellRange &range)
+    : SubCellGrid(results.scene.packing, results.stress.cut, range)
+{
+  using Cell = unsigned int;
+  const Packing &packing = results.scene.packing;
+  const auto &sub_cells = results.stress.sub_cells;
+  const auto &undetermined = results.stress.undetermined;
+  add("stress", [&](Cell, auto k) { return tensor(sub_cells[k].stress); });
+  add("principal_stress_1", [&](Cell, auto k) {
+    return scalar(principal_stresses(sub_cells[k].stress).first);
+  });
+  add("principal_stress_2", [&](Cell, auto k) {
+    return scalar(principal_stresses(sub_cells[k].stress).second);
+  });
+  add("von_mises", [&](Cell, auto k) {
+    const auto [s1, s2] = principal_stresses(sub_cells[k].stress);
+    return scalar(std::sqrt(s1 * s1 - s1 * s2 + s2 * s2));
+  });
+  add("skew", [&](Cell, auto k) { return scalar(sub_cells[k].skew); });
+  add("div", [&](Cell, auto k) { return vector(sub_cells[k].divergence); });
+  add("cell", [](Cell c, auto) { return scalar(std::int32_t(c)); });
+  add("group",
+      [&](Cell c, auto) { return scalar(std::int32_t(packing.group(c))); });
+  add("displacement",
+      [&](Cell c, auto) { return vector(results.displacement[c]); });
+  add("reconstructed", [&](Cell c, auto) {
+    return scalar(std::uint8_t(
+        !std::binary_search(undetermined.begin(), undetermined.end(), c)));
+  });
+}
+
+CellRange all_cells(const Packing &packing)
+{
+  return {0, packing.n_cells()};
+}
 } // namespace
 
 void write_stress_vtu(std::ostream &out, const Results &results)
 {
-  const Packing &packing = results.scene.packing;
-  const SubTriangulation &cut = results.stress.cut;
-  ConstantPatches<2> grid(results.stress.sub_cells.size());
-  grid.add_tensor("stress");
-  grid.add_scalar("principal_stress_1");
-  grid.add_scalar("principal_stress_2");
-  grid.add_scalar("von_mises");
-  grid.add_scalar("skew");
-  grid.add_vector("div");
-  grid.add_scalar("cell");
-  grid.add_scalar("group");
-  grid.add_vector("displacement");
-  grid.add_scalar("reconstructed");
+  write_stress_piece(out, results, all_cells(results.scene.packing));
+}
 
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    const Tensor<1, 2> &u = results.displacement[c];
-    const bool reconstructed =
-        !std::binary_search(results.stress.undetermined.begin(),
-                            results.stress.undetermined.end(), c);
-    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-      for (unsigned int k = 0; k < cut.of_triangle().size(); ++k)
-      {
-        const unsigned int number = results.stress.first(packing, c, i) + k;
-        const SubCellStress &sub_cell = results.stress.sub_cells[number];
-        const Tensor<2, 2> &s = sub_cell.stress;
+void write_stress_piece(std::ostream &out,
+                        const Results &results,
+                        const CellRange &range)
+{
+  StressGrid(results, range).write(out);
+}
 
-        // Principal stresses of the symmetric part, by Mohr's circle.
-        const double mean = 0.5 * (s[0][0] + s[1][1]);
-        const double radius =
-            std::hypot(0.5 * (s[0][0] - s[1][1]), 0.5 * (s[0][1] + s[1][0]));
-        grid.set(number,
-                 cut.corners(k, packing.centre(c), packing.vertex(c, i),
-                             packing.vertex(c, i + 1)),
-                 {s[0][0], s[0][1], s[1][0], s[1][1], mean + radius,
-                  mean - radius, std::sqrt(mean * mean + 3. * radius * radius),
-                  sub_cell.skew, sub_cell.divergence[0], sub_cell.divergence[1],
-                  double(c), double(packing.group(c)), u[0], u[1],
-                  double(reconstructed)});
-      }
-  }
-  grid.write(out);
+void write_stress_pvtu(std::ostream &out,
+                       const Results &results,
+                       const std::vector<std::string> &pieces)
+{
+  StressGrid(results, {0, 0}).write_record(out, pieces);
 }
 
 void write_interfaces_vtu(std::ostream &out, const Results &results)
 {
   const Scene &scene = results.scene;
+  const InterfaceForces &forces = results.forces;
   const auto &interfaces = scene.packing.interfaces();
-  const bool marked = !results.never_pressed.empty();
-  ConstantPatches<1> grid(interfaces.size());
-  for (const char *name : {"normal_force", "tangential_force", "normal_stress",
-                           "tangential_stress", "strength", "utilisation",
-                           "cell_minus", "cell_plus"})
-    grid.add_scalar(name);
-  if (marked)
-    for (const char *name : {"never_pressed", "always_sliding"})
-      grid.add_scalar(name);
-
-  for (unsigned int e = 0; e < interfaces.size(); ++e)
+  const auto fill_points = [&](std::size_t p, std::size_t end, double *place) {
+    for (; p < end; ++p)
+    {
+      const Packing::Interface &i = interfaces[p / 2];
+      const auto x = vector(p % 2 == 0 ? i.start : i.end);
+      place = std::copy(x.begin(), x.end(), place);
+    }
+  };
+  const auto fill_ends = [](std::size_t e, std::size_t end, auto *place) {
+    std::iota(place, place + 2 * (end - e), 2 * e);
+  };
+  VtuFile file(VtuFile::Shape::line, 2 * interfaces.size(), fill_points,
+               interfaces.size(), fill_ends);
+  const auto add = [&](const std::string &name, const auto &value) {
+    using Number = decltype(value(0));
+    file.add_field<Number>(name, 1,
+                           [value](std::size_t e, std::size_t end, Number *to) {
+                             for (; e < end; ++e)
+                               *to++ = value(e);
+                           });
+  };
+  add("normal_force", [&](std::size_t e) { return forces.normal[e]; });
+  add("tangential_force", [&](std::size_t e) { return forces.tangential[e]; });
+  add("normal_stress",
+      [&](std::size_t e) { return forces.normal[e] / interfaces[e].length; });
+  add("tangential_stress", [&](std::size_t e) {
+    return forces.tangential[e] / interfaces[e].length;
+  });
+  add("strength", [&](std::size_t e) { return scene.strength[e]; });
+  add("utilisation",
+      [&](std::size_t e) { return utilisation(scene, forces, e); });
+  add("cell_minus",
+      [&](std::size_t e) { return std::int32_t(interfaces[e].cell_minus); });
+  add("cell_plus", [&](std::size_t e) {
+    const unsigned int plus = interfaces[e].cell_plus;
+    return plus == scene.packing.ground() ? -1 : std::int32_t(plus);
+  });
+  if (!results.never_pressed.empty())
   {
-    const Packing::Interface &i = interfaces[e];
-    const bool is_support = i.cell_plus == scene.packing.ground();
-    const double normal = results.forces.normal[e];
-    const double tangential = results.forces.tangential[e];
-    std::vector<double> values = {normal,
-                                  tangential,
-                                  normal / i.length,
-                                  tangential / i.length,
-                                  scene.strength[e],
-                                  utilisation(scene, results.forces, e),
-                                  double(i.cell_minus),
-                                  is_support ? -1. : double(i.cell_plus)};
-    if (marked)
-      values.insert(values.end(), {double(results.never_pressed[e]),
-                                   double(results.always_sliding[e])});
-    grid.set(e, std::array<Point<2>, 2>{{i.start, i.end}}, values);
+    add("never_pressed",
+        [&](std::size_t e) { return std::uint8_t(results.never_pressed[e]); });
+    add("always_sliding",
+        [&](std::size_t e) { return std::uint8_t(results.always_sliding[e]); });
   }
-  grid.write(out);
+  file.write(out);
 }
 
 void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
 {
   const Packing &packing = collapse.scene.packing;
-  ConstantPatches<2> grid(packing.first_side(packing.n_cells()));
-  grid.add_vector("displacement");
-  grid.add_scalar("cell");
-
-  const SubTriangulation fan = SubTriangulation::fan();
   const double largest = std::sqrt(packing.area() / packing.n_cells());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    const Tensor<1, 2> u = largest * collapse.displacement[c];
-    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-      grid.set(packing.first_side(c) + i,
-               fan.corners(0, packing.centre(c) + u, packing.vertex(c, i) + u,
-                           packing.vertex(c, i + 1) + u),
-               {u[0], u[1], double(c)});
-  }
+  const auto movement = [&](const unsigned int c) {
+    return largest * collapse.displacement[c];
+  };
+  SubCellGrid grid(packing, SubTriangulation::fan(), all_cells(packing),
+                   movement);
+  grid.add("displacement",
+           [&](unsigned int c, auto) { return vector(movement(c)); });
+  grid.add("cell",
+           [](unsigned int c, auto) { return scalar(std::int32_t(c)); });
   grid.write(out);
 }
 } // namespace Voussoir

@@ -135,6 +135,7 @@ CellLoops VoronoiBuilder::build()
   insert_guards();
   make_vertices();
   make_loops();
+  triangulation.clear(); // the larger part of the memory
   return number_vertices();
 }
 
@@ -196,6 +197,8 @@ void VoronoiBuilder::insert_guards()
 
 void VoronoiBuilder::make_vertices()
 {
+  vertices.reserve(triangulation.number_of_faces());
+  outside.reserve(triangulation.number_of_faces());
   for (const auto face : triangulation.finite_face_handles())
   {
     face->info() = vertices.size();
@@ -245,6 +248,8 @@ VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
 void VoronoiBuilder::make_loops()
 {
   CellCutter cutter(polygon, generators.points, vertices.size());
+  loops.reserve(3 * vertices.size()); // each in three cells, but at the sides
+  first.reserve(site_of_cell.size() + 1);
   for (unsigned int c = 0; c < site_of_cell.size(); ++c)
   {
     if (reaches_outside(site_of_cell[c]))
@@ -305,6 +310,9 @@ CellLoops VoronoiBuilder::number_vertices() const
   const std::vector<unsigned int> merged_into = merge_close_vertices();
   CellLoops cells;
   cells.centres = generators.points;
+  cells.vertices.reserve(vertices.size());
+  cells.loops.reserve(loops.size());
+  cells.first.reserve(first.size());
   std::vector<unsigned int> number(vertices.size(), none);
   for (unsigned int c = 0; c + 1 < first.size(); ++c)
   {

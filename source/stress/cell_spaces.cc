@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/geometry.h>
 #include <voussoir/stress/cell_spaces.h>
 
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/tria.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 #include <deal.II/lac/full_matrix.h>
@@ -45,18 +49,18 @@ CellSpaces::CellSpaces(const SubTriangulation &cut,
                        const unsigned int n_sides,
                        const unsigned int degree)
     : cut(cut), element(degree), multiplier(degree), gauss(degree + 2),
-      fe_values(element,
-                with_middle(gauss),
-                dealii::update_values | dealii::update_JxW_values)
+      points(with_middle(gauss))
 {
   multipliers.reinit(multiplier.dofs_per_cell, gauss.size());
   for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
     for (unsigned int q = 0; q < gauss.size(); ++q)
       multipliers(j, q) = multiplier.shape_value(j, gauss.point(q));
-  make_triangulation(n_sides);
-  dof_handler.reinit(triangulation);
-  dof_handler.distribute_dofs(element);
-  number_fluxes(n_sides);
+  reference_values.reinit(points.size(), element.dofs_per_cell);
+  for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
+      for (unsigned int d = 0; d < 2; ++d)
+        reference_values(q, k)[d] =
+            element.shape_value_component(k, points.point(q), d);
 
   Integrals sample;
   sample.mean.resize(multiplier.dofs_per_cell);
@@ -67,12 +71,19 @@ CellSpaces::CellSpaces(const SubTriangulation &cut,
   sample.in_the_middle.resize(element.dofs_per_cell);
   sample.at_points.reinit(gauss.size(), element.dofs_per_cell);
   sample.weights.resize(gauss.size());
-  all_integrals.assign(n_sub_cells(), sample);
+  all_integrals.assign(n_sides * cut.of_triangle().size(), sample);
+
+  dealii::Triangulation<2> triangulation;
+  make_triangulation(triangulation, n_sides);
+  dealii::DoFHandler<2> dof_handler(triangulation);
+  dof_handler.distribute_dofs(element);
+  number_fluxes(dof_handler, n_sides);
+  find_orientations(dof_handler, n_sides);
 }
 
 unsigned int CellSpaces::n_sub_cells() const
 {
-  return triangulation.n_active_cells();
+  return all_integrals.size();
 }
 
 unsigned int CellSpaces::n_fluxes_per_sub_cell() const
@@ -94,7 +105,8 @@ unsigned int CellSpaces::n_unknown_fluxes() const
  * Vertices on a spoke belong to the triangles on both of its sides, and the
  * centre to all.
  */
-void CellSpaces::make_triangulation(const unsigned int n_sides)
+void CellSpaces::make_triangulation(dealii::Triangulation<2> &triangulation,
+                                    const unsigned int n_sides) const
 {
   using Key = std::pair<unsigned int, std::pair<double, double>>;
   std::map<Key, unsigned int> numbers;
@@ -125,7 +137,8 @@ void CellSpaces::make_triangulation(const unsigned int n_sides)
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
-void CellSpaces::number_fluxes(const unsigned int n_sides)
+void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler,
+                               const unsigned int n_sides)
 {
   const unsigned int degree = multiplier.degree;
   dealii::FEValues<2> inside(
@@ -200,60 +213,95 @@ void CellSpaces::number_fluxes(const unsigned int n_sides)
   }
 }
 
-void CellSpaces::move(const std::vector<Point<2>> &vertices)
+/**
+ * The basis functions of neighbours must agree on the direction of a common
+ * flux: deal.II turns those of one of them around. Seen on the regular polygon,
+ * by the side.
+ */
+void CellSpaces::find_orientations(const dealii::DoFHandler<2> &dof_handler,
+                                   const unsigned int n_sides)
 {
-  unsigned int sub_cell = 0;
-  const unsigned int per_side = cut.of_triangle().size();
-  for (const auto &cell : triangulation.active_cell_iterators())
+  orientations.assign(n_sub_cells() * element.dofs_per_cell, 1.);
+  place(regular_polygon(n_sides), false);
+  dealii::FEValues<2> inside(element, gauss, dealii::update_values);
+  const dealii::FEValuesExtractors::Vector row(0);
+  for (const auto &cell : dof_handler.active_cell_iterators())
   {
-    const unsigned int i = sub_cell / per_side;
-    const auto corners = cut.corners(sub_cell % per_side, {}, vertices[i],
-                                     vertices[(i + 1) % vertices.size()]);
-    for (unsigned int v = 0; v < corners.size(); ++v)
-      cell->vertex(v) = corners[v];
-    ++sub_cell;
+    const unsigned int s = cell->active_cell_index();
+    inside.reinit(cell);
+    for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
+    {
+      double product = 0.;
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        product += integrals(s).at_points(q, k) * inside[row].value(k, q);
+      if (product < 0.)
+        orientations[s * element.dofs_per_cell + k] = -1.;
+    }
   }
-  // FEValues must not take the moved cells for those it has seen.
-  triangulation.signals.mesh_movement();
 }
 
 void CellSpaces::place(const std::vector<Point<2>> &vertices,
                        const bool with_flux_mass)
 {
-  move(vertices);
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  const unsigned int per_side = cut.of_triangle().size();
+  for (unsigned int s = 0; s < n_sub_cells(); ++s)
   {
-    fe_values.reinit(cell);
-    Integrals &result = all_integrals[cell->active_cell_index()];
-    integrate(result, with_flux_mass);
+    const unsigned int i = s / per_side;
+    const auto corners = cut.corners(s % per_side, {}, vertices[i],
+                                     vertices[(i + 1) % vertices.size()]);
+    map(s, corners);
+    integrate(all_integrals[s], with_flux_mass);
     for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
     {
       const Point<2> &node = multiplier.get_unit_support_points()[j];
-      result.nodes[j] = Point<2>();
+      Point<2> &x = all_integrals[s].nodes[j];
+      x = Point<2>();
       for (unsigned int v = 0; v < 4; ++v)
-        result.nodes[j] +=
-            dealii::GeometryInfo<2>::d_linear_shape_function(node, v) *
-            cell->vertex(v);
+        x += dealii::GeometryInfo<2>::d_linear_shape_function(node, v) *
+             corners[v];
+    }
+  }
+}
+
+/**
+ * Carry phi_k from the reference square to a sub-cell, by the bilinear map F
+ * and Piola's transform DF phi / det DF. FEValues would do the same, and many
+ * other things, in most of the time that a cell takes.
+ */
+void CellSpaces::map(const unsigned int sub_cell,
+                     const std::array<Point<2>, 4> &corners)
+{
+  Integrals &result = all_integrals[sub_cell];
+  const unsigned int n_fluxes = element.dofs_per_cell;
+  const double *const orientation = &orientations[sub_cell * n_fluxes];
+  for (unsigned int q = 0; q < points.size(); ++q)
+  {
+    const Point<2> &p = points.point(q);
+    const Tensor<1, 2> along_x = (1. - p[1]) * (corners[1] - corners[0]) +
+                                 p[1] * (corners[3] - corners[2]);
+    const Tensor<1, 2> along_y = (1. - p[0]) * (corners[2] - corners[0]) +
+                                 p[0] * (corners[3] - corners[1]);
+    const double det = cross(along_x, along_y);
+    const bool in_the_middle = q == gauss.size();
+    if (!in_the_middle)
+      result.weights[q] = gauss.weight(q) * det;
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+    {
+      const Tensor<1, 2> &phi = reference_values(q, k);
+      Tensor<1, 2> &value =
+          in_the_middle ? result.in_the_middle[k] : result.at_points(q, k);
+      value = orientation[k] / det * (phi[0] * along_x + phi[1] * along_y);
     }
   }
 }
 
 void CellSpaces::integrate(Integrals &result, const bool with_flux_mass) const
 {
-  const dealii::FEValuesExtractors::Vector row(0);
   const unsigned int n_fluxes = element.dofs_per_cell;
   const unsigned int n_multipliers = multiplier.dofs_per_cell;
   result.area = 0.;
-  for (unsigned int q = 0; q < gauss.size(); ++q)
-  {
-    result.weights[q] = fe_values.JxW(q);
-    result.area += fe_values.JxW(q);
-    for (unsigned int k = 0; k < n_fluxes; ++k)
-      result.at_points(q, k) = fe_values[row].value(k, q);
-  }
-  for (unsigned int k = 0; k < n_fluxes; ++k)
-    result.in_the_middle[k] = fe_values[row].value(k, gauss.size());
-
+  for (const double weight : result.weights)
+    result.area += weight;
   for (unsigned int j = 0; j < n_multipliers; ++j)
   {
     result.mean[j] = 0.;

@@ -50,8 +50,7 @@ Fan::Fan(const unsigned int n_sides)
       system(couplings(spaces))
 {
   unknowns.reinit(2 * spaces.n_unknown_fluxes() + n_sides);
-  gram.reinit(n_sides);
-  gram.set_property(dealii::LAPACKSupport::symmetric);
+  gram.reinit(n_sides, n_sides);
   first_of_flux.resize(2 * spaces.n_unknown_fluxes());
 }
 
@@ -110,7 +109,7 @@ bool Fan::find_fluxes()
  */
 bool Fan::is_determined()
 {
-  gram = 0.; // also forgets the factorisation of the cell before
+  gram = 0.;
   std::fill(first_of_flux.begin(), first_of_flux.end(),
             std::make_pair(none, 0.));
   for (unsigned int s = 0; s < n_sides; ++s)
@@ -125,28 +124,25 @@ bool Fan::is_determined()
         auto &[other, its_moment] =
             first_of_flux[row * spaces.n_unknown_fluxes() + flux];
         if (other != none)
-        {
-          gram(s, other) += moment * its_moment;
-          gram(other, s) += moment * its_moment;
-        }
+          gram(s, other) += moment * its_moment; // s > other
         other = s;
         its_moment = moment;
       }
-  try
-  {
-    gram.compute_cholesky_factorization();
-  }
-  catch (const dealii::LACExceptions::ExcSingular &)
-  {
-    return false;
-  }
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
-  for (unsigned int i = 0; i < n_sides; ++i)
+  for (unsigned int k = 0; k < n_sides; ++k)
   {
-    const double pivot = gram(i, i) * gram(i, i);
+    const double pivot = gram(k, k);
     smallest = std::min(smallest, pivot);
     largest = std::max(largest, pivot);
+    if (!(smallest > smallest_pivot_ratio * largest))
+      return false;
+    for (unsigned int i = k + 1; i < n_sides; ++i)
+    {
+      const double factor = gram(i, k) / pivot;
+      for (unsigned int j = k + 1; j <= i; ++j)
+        gram(i, j) -= factor * gram(j, k);
+    }
   }
-  return smallest > smallest_pivot_ratio * largest;
+  return true;
 }
 } // namespace Voussoir

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/stress/local_system.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-/**
- * Up to this size LAPACK is faster, by half for the systems of Fan; up to 400
- * the two differ little (measured with Debian's reference BLAS).
- */
+/** Up to this size elimination without a sparse ordering is faster. */
 constexpr unsigned int largest_small_system = 80;
 } // namespace
 
@@ -18,7 +17,7 @@ LocalSystem::LocalSystem(const dealii::DynamicSparsityPattern &entries)
     : is_small(entries.n_rows() <= largest_small_system)
 {
   if (is_small)
-    dense.reinit(entries.n_rows());
+    dense.reinit(entries.n_rows(), entries.n_rows());
   else
   {
     pattern.copy_from(entries);
@@ -34,14 +33,56 @@ void LocalSystem::clear()
     sparse = 0.;
 }
 
+/**
+ * Gaussian elimination with partial pivoting, which passes over the many zeros
+ * of these matrices. For 18 unknowns, those of a hexagon, calling LAPACK takes
+ * longer than the work.
+ */
+bool LocalSystem::eliminate(dealii::Vector<double> &x)
+{
+  const unsigned int n = x.size();
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    unsigned int pivot = k;
+    for (unsigned int i = k + 1; i < n; ++i)
+      if (std::abs(dense(i, k)) > std::abs(dense(pivot, k)))
+        pivot = i;
+    double *const row = &dense(k, 0);
+    if (pivot != k)
+    {
+      std::swap_ranges(row + k, row + n, &dense(pivot, k));
+      std::swap(x[k], x[pivot]);
+    }
+    if (row[k] == 0.)
+      return false;
+    for (unsigned int i = k + 1; i < n; ++i)
+    {
+      double *const other = &dense(i, 0);
+      if (other[k] == 0.)
+        continue;
+      const double factor = other[k] / row[k];
+      for (unsigned int j = k + 1; j < n; ++j)
+        other[j] -= factor * row[j];
+      x[i] -= factor * x[k];
+    }
+  }
+  for (unsigned int k = n; k-- > 0;)
+  {
+    for (unsigned int j = k + 1; j < n; ++j)
+      x[k] -= dense(k, j) * x[j];
+    x[k] /= dense(k, k);
+  }
+  return true;
+}
+
 bool LocalSystem::solve(dealii::Vector<double> &x)
 {
   try
   {
     if (is_small)
     {
-      dense.compute_lu_factorization();
-      dense.solve(x);
+      if (!eliminate(x))
+        return false;
     }
     else
     {
@@ -49,10 +90,6 @@ bool LocalSystem::solve(dealii::Vector<double> &x)
       factor.factorize(sparse);
       factor.solve(x);
     }
-  }
-  catch (const dealii::LACExceptions::ExcSingular &)
-  {
-    return false;
   }
   catch (const dealii::SparseDirectUMFPACK::ExcUMFPACKError &)
   {

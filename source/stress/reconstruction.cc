@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace Voussoir
 {
@@ -34,6 +33,8 @@ struct Scratch
 
   CellStress &cell_stress(const unsigned int n_sides)
   {
+    if (n_sides >= by_sides.size())
+      by_sides.resize(n_sides + 1);
     std::unique_ptr<CellStress> &with_n_sides = by_sides[n_sides];
     if (!with_n_sides)
       with_n_sides = how.cell_stress(n_sides);
@@ -41,7 +42,7 @@ struct Scratch
   }
 
   const Reconstruction &how;
-  std::map<unsigned int, std::unique_ptr<CellStress>> by_sides;
+  std::vector<std::unique_ptr<CellStress>> by_sides;
   std::vector<Point<2>> vertices;
   std::vector<Tensor<1, 2>> forces, body_forces;
 };

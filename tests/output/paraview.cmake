@@ -36,9 +36,14 @@ execute_process(
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "voussoir ended with status ${status}")
 endif()
+# All values, and pieces.
+execute_process(COMMAND ${WRITE_PIECES} paraview_pieces RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "write_pieces ended with status ${status}")
+endif()
 execute_process(
   COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/read_with_paraview.py
-    paraview paraview_collapse paraview_uniform paraview_arch
+    paraview paraview_collapse paraview_uniform paraview_arch paraview_pieces
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the files are not as they should be")

@@ -6,13 +6,17 @@ interface of a bed carries the tangential stress 1 and no normal stress.
 import csv
 import sys
 
-from paraview.simple import XMLUnstructuredGridReader
+import numpy as np
+from paraview.servermanager import Fetch
+from paraview.simple import (XMLPartitionedUnstructuredGridReader,
+                             XMLUnstructuredGridReader)
+from vtk.util.numpy_support import vtk_to_numpy
 
-directory, collapse, uniform, arch = sys.argv[1:]
+directory, collapse, uniform, arch, pieces = sys.argv[1:]
 
 
-def read(name, directory=directory):
-    reader = XMLUnstructuredGridReader(FileName=[f"{directory}/{name}"])
+def read(name, directory=directory, reader=XMLUnstructuredGridReader):
+    reader = reader(FileName=[f"{directory}/{name}"])
     reader.UpdatePipeline()
     return reader
 
@@ -23,15 +27,45 @@ def expect(what, found, expected):
 
 
 def expect_range(reader, name, component, low, high):
-    found = reader.PointData.GetArray(name).GetRange(component)
+    found = reader.CellData.GetArray(name).GetRange(component)
     if abs(found[0] - low) > 1e-6 or abs(found[1] - high) > 1e-6:
         sys.exit(f"{name}: {found} found, [{low}, {high}] expected")
 
 
+def expect_equal(what, found, expected):
+    if not np.array_equal(found, expected):
+        sys.exit(f"{what}: not as expected, to the last bit")
+
+
+def columns(name, *chosen):
+    """Columns of a .csv file, (n, number of columns)."""
+    rows = csv.DictReader(open(f"{directory}/{name}"))
+    return np.array([[float(row[column]) for column in chosen]
+                     for row in rows])
+
+
+class Grid:
+    """All values of a grid."""
+
+    def __init__(self, reader):
+        grid = Fetch(reader)
+        self.points = vtk_to_numpy(grid.GetPoints().GetData())
+        self.corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+        data = grid.GetCellData()
+        arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
+        self.fields = {array.GetName(): vtk_to_numpy(array)
+                       for array in arrays}
+
+    def expect_types(self, integers):
+        for name, values in self.fields.items():
+            expect(f"type of {name}", str(values.dtype),
+                   integers.get(name, "float64"))
+
+
 def components(reader):
-    return {reader.PointData.GetArray(i).Name:
-            reader.PointData.GetArray(i).GetNumberOfComponents()
-            for i in range(reader.PointData.GetNumberOfArrays())}
+    return {reader.CellData.GetArray(i).Name:
+            reader.CellData.GetArray(i).GetNumberOfComponents()
+            for i in range(reader.CellData.GetNumberOfArrays())}
 
 
 rows = list(csv.DictReader(open(f"{directory}/interfaces.csv")))
@@ -50,6 +84,16 @@ expect_range(interfaces, "normal_stress", 0, 0, 0)
 expect_range(interfaces, "tangential_stress", 0, -1, 0)
 expect_range(interfaces, "utilisation", 0, 0, 0.1)
 
+# The numbers in the .vtu are those in the .csv file.
+grid = Grid(interfaces)
+grid.expect_types({"cell_minus": "int32", "cell_plus": "int32"})
+for name in ("normal_force", "tangential_force", "strength", "utilisation",
+             "cell_minus", "cell_plus"):
+    expect_equal(name, grid.fields[name],
+                 columns("interfaces.csv", name)[:, 0])
+expect_equal("ends", grid.points[grid.corners].reshape(-1, 6)[:, [0, 1, 3, 4]],
+             columns("interfaces.csv", "x0", "y0", "x1", "y1"))
+
 stress = read("stress.vtu")
 expect("fields of stress.vtu", components(stress),
        {"stress": 9, "principal_stress_1": 1, "principal_stress_2": 1,
@@ -64,6 +108,23 @@ expect_range(stress, "reconstructed", 0, 1, 1)
 bounds = stress.GetDataInformation().GetBounds()
 expect("bounds", [round(b, 6) for b in bounds], [0, 1, 0, 1, 0, 0])
 
+grid = Grid(stress)
+grid.expect_types({"cell": "int32", "group": "int32",
+                   "reconstructed": "uint8"})
+expect_equal("displacement", grid.fields["displacement"][:, :2],
+             columns("cells.csv", "ux", "uy")[grid.fields["cell"]])
+
+# The sub-cells of a cell, whose areas add up to its own, share the centre.
+quads = grid.points[grid.corners.reshape(-1, 4)][:, :, :2]
+diagonals = quads[:, 2:] - quads[:, :2]
+areas = 0.5 * (diagonals[:, 0, 0] * diagonals[:, 1, 1] -
+               diagonals[:, 0, 1] * diagonals[:, 1, 0])
+if not np.allclose(np.bincount(grid.fields["cell"], areas),
+                   columns("cells.csv", "area")[:, 0], rtol=1e-12):
+    sys.exit("the areas of sub-cells do not add up")
+expect_equal("centres", quads[:, 0],
+             columns("cells.csv", "x", "y")[grid.fields["cell"]])
+
 # The courses slide on each other: the top one moves by one mean block, the
 # root of 1/78, to the right and the bottom one to the left.
 mechanism = read("mechanism.vtu", collapse)
@@ -74,7 +135,7 @@ expect("sub-cells of mechanism.vtu",
        2 * len(rows) + 6 + 7 + 24)
 block = 78 ** -0.5
 expect_range(mechanism, "displacement", 1, 0, 0)
-low, high = mechanism.PointData.GetArray("displacement").GetRange(0)
+low, high = mechanism.CellData.GetArray("displacement").GetRange(0)
 expect("largest displacement", round(max(-low, high), 6), round(block, 6))
 bounds = mechanism.GetDataInformation().GetBounds()
 expect("bounds of the moved blocks", [round(b, 5) for b in bounds],
@@ -86,7 +147,6 @@ for component, value in {0: -1, 1: 0.3, 3: 0.3, 4: -2, 2: 0, 8: 0}.items():
     expect_range(stress, "stress", component, value, value)
 expect_range(stress, "principal_stress_1", 0, -1.5 + 0.34 ** 0.5,
              -1.5 + 0.34 ** 0.5)
-print("ParaView reads the files")
 
 # The arch: its supports are lines to the cell -1, its keystone the second group.
 interfaces = read("interfaces.vtu", arch)
@@ -94,3 +154,28 @@ expect_range(interfaces, "cell_plus", 0, -1, 20)
 expect("lines of the arch",
        interfaces.GetDataInformation().GetNumberOfCells(), 22)
 expect_range(read("stress.vtu", arch), "group", 0, 0, 1)
+
+# Values made up of the numbers of cell and sub-cell, whole and from pieces.
+whole = Grid(read("stress.vtu", pieces))
+cell = whole.fields["cell"].astype(float)
+first = np.searchsorted(cell, cell)
+side = np.arange(len(cell)) - first
+zero = np.zeros(len(cell))
+expect("cells of the pieces", len(np.unique(cell)), 30000)
+expect_equal("stress", whole.fields["stress"].T,
+             [1. / 3. + cell, side, zero, -1. * cell, 0.1 * side, zero,
+              zero, zero, zero])
+expect_equal("div", whole.fields["div"].T, [side, -0.1 * cell, zero])
+expect_equal("skew", whole.fields["skew"], 0.7 * cell)
+expect_equal("displacement", whole.fields["displacement"].T,
+             [1. / 3. + cell, 1. / 7. - cell, zero])
+expect_equal("reconstructed", whole.fields["reconstructed"],
+             (cell != 1) & (cell != 29999))
+joined = Grid(read("stress.pvtu", pieces,
+                   XMLPartitionedUnstructuredGridReader))
+expect("fields of the pieces", list(joined.fields), list(whole.fields))
+for name, values in whole.fields.items():
+    expect_equal(f"{name} of the pieces", joined.fields[name], values)
+expect_equal("points of the pieces", joined.points, whole.points)
+expect_equal("corners of the pieces", joined.corners, whole.corners)
+print("ParaView reads the files")

@@ -8,23 +8,25 @@
 
 namespace Voussoir
 {
+// The tables. Numbers are read back as the same doubles; see TextLines.
+
 /**
- * One line per interface, in the order of Packing::interfaces(), with 17
- * digits: the cells, with -1 for the ground, the ends, the normal from c- to
- * c+, the length, f_e^n and f_e^t (forces per unit thickness on c-, f_e^n
- * negative in compression), s_e (a stress) and |f_e^t| / (s_e |e|); and, if the
- * formulation finds out, 1 where every admissible and balanced state has f_e^n
- * = 0, and |f_e^t| = s_e |e|.
+ * One line per interface, in the order of Packing::interfaces(): the cells,
+ * with -1 for the ground, the ends, the normal from c- to c+, the length, f_e^n
+ * and f_e^t (forces per unit thickness on c-, f_e^n negative in compression),
+ * s_e (a stress) and |f_e^t| / (s_e |e|); and, if the formulation finds out, 1
+ * where every admissible and balanced state has f_e^n = 0, and |f_e^t| = s_e
+ * |e|.
  */
 void write_interfaces_csv(std::ostream &out, const Results &results);
 
 /**
- * One line per cell with 17 digits: its number, centre and area, the load F_c
- * (a force per unit thickness), the displacement, the residual torque about the
- * centre (a force), the mean stress and the name of its group.
+ * One line per cell: its number, centre and area, the load F_c (a force per
+ * unit thickness), the displacement, the residual torque about the centre (a
+ * force), the mean stress and the name of its group.
  */
-
 void write_cells_csv(std::ostream &out, const Results &results);
+
 /**
  * One line per cell: its number, centre, load F_c, displacement along the
  * mechanism, and the name of its group.

@@ -11,7 +11,7 @@ namespace Voussoir
 /**
  * The files from which the generator "polygons" makes the same packing again:
  * the same cells, interfaces and boundary edges in the same order, with the
- * same coordinates to the last bit (17 digits).
+ * same coordinates to the last bit.
  */
 
 /**

@@ -5,22 +5,41 @@
 #include <voussoir/output/results.h>
 
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 namespace Voussoir
 {
+/** The cells from @p begin to @p end - 1. */
+struct CellRange
+{
+  unsigned int begin, end;
+};
+
 /**
- * The stress as a VTK unstructured grid of the sub-cells, with values that are
- * constant in each: the tensor stress, principal_stress_1 >=
+ * The stress as a VTK unstructured grid of the sub-cells, with cell data: the
+ * tensor stress (nine components, row by row), principal_stress_1 >=
  * principal_stress_2, von_mises (of plane stress), skew = (sigma_xy -
  * sigma_yx)/2, div, cell, group (its number in summary.json), displacement, and
- * reconstructed, which is 0 where the
- * cell's mean stress had to stand in.
+ * reconstructed, which is 0 where the cell's mean stress had to stand in. All
+ * in double precision, but for numbers and marks, which are integers.
  */
 void write_stress_vtu(std::ostream &out, const Results &results);
 
+/** The same for some of the cells: one piece of the grid. */
+void write_stress_piece(std::ostream &out,
+                        const Results &results,
+                        const CellRange &range);
+
+/** The .pvtu that makes one grid of @p pieces, by their names beside it. */
+void write_stress_pvtu(std::ostream &out,
+                       const Results &results,
+                       const std::vector<std::string> &pieces);
+
 /**
  * The interfaces as lines, with the normal and tangential force and stress, the
- * strength, the utilisation and the numbers of the cells, -1 for the ground;
+ * strength, the utilisation and the numbers of the cells, -1 for the ground, as
+ * cell data;
  * and never_pressed and always_sliding, if the formulation finds out (see
  * Results).
  */

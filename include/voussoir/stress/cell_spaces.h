@@ -9,9 +9,8 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_raviart_thomas.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/tria.h>
 
+#include <array>
 #include <vector>
 
 namespace Voussoir
@@ -98,23 +97,31 @@ public:
              bool with_flux_mass);
 
 private:
-  void make_triangulation(unsigned int n_sides);
-  void number_fluxes(unsigned int n_sides);
-  void move(const std::vector<dealii::Point<2>> &vertices);
+  void make_triangulation(dealii::Triangulation<2> &triangulation,
+                          unsigned int n_sides) const;
+  void number_fluxes(const dealii::DoFHandler<2> &dof_handler,
+                     unsigned int n_sides);
+  void find_orientations(const dealii::DoFHandler<2> &dof_handler,
+                         unsigned int n_sides);
+  void map(unsigned int sub_cell,
+           const std::array<dealii::Point<2>, 4> &corners);
   void integrate(Integrals &result, bool with_flux_mass) const;
 
   const SubTriangulation cut;
   const dealii::FE_RaviartThomas<2> element;
   const dealii::FE_DGQ<2> multiplier;
   const dealii::QGauss<2> gauss;
-  dealii::Triangulation<2> triangulation;
-  dealii::DoFHandler<2> dof_handler;
-  dealii::FEValues<2> fe_values;
+  /** Those of gauss, and last the middle. */
+  const dealii::Quadrature<2> points;
 
   std::vector<Flux> fluxes;
   dealii::Table<2, double> divergences;
   /** w_j at the Gauss points. */
   dealii::Table<2, double> multipliers;
+  /** phi_k on the reference square, at all points. */
+  dealii::Table<2, dealii::Tensor<1, 2>> reference_values;
+  /** By which phi_k of a sub-cell is multiplied, 1 or -1. */
+  std::vector<double> orientations;
   unsigned int unknown_fluxes = 0;
   std::vector<Integrals> all_integrals;
 };

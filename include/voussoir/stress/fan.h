@@ -5,7 +5,7 @@
 #include <voussoir/stress/cell_stress.h>
 #include <voussoir/stress/local_system.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <vector>
 
@@ -37,7 +37,8 @@ private:
 
   const unsigned int n_sides;
   LocalSystem system;
-  dealii::LAPACKFullMatrix<double> gram;
+  /** The lower half of B B^T; see is_determined(). */
+  dealii::FullMatrix<double> gram;
   /** The last sub-cell, and its integral of tau : j(1), for each unknown. */
   std::vector<std::pair<unsigned int, double>> first_of_flux;
 };

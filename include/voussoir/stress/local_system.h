@@ -3,7 +3,7 @@
 #define voussoir_stress_local_system_h
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -11,8 +11,8 @@
 namespace Voussoir
 {
 /**
- * The linear system of one cell, symmetric and indefinite: by LAPACK's LU
- * factorisation where it is small, by UMFPACK's where it is not.
+ * The linear system of one cell, symmetric and indefinite: by dense
+ * elimination where it is small, by UMFPACK where it is not.
  */
 class LocalSystem
 {
@@ -39,8 +39,10 @@ public:
   bool solve(dealii::Vector<double> &x);
 
 private:
+  bool eliminate(dealii::Vector<double> &x);
+
   const bool is_small;
-  dealii::LAPACKFullMatrix<double> dense;
+  dealii::FullMatrix<double> dense;
   dealii::SparsityPattern pattern;
   dealii::SparseMatrix<double> sparse;
 };

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_vtu_file_h
+#define voussoir_output_vtu_file_h
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Writes an unstructured grid of cells of one shape, with values that are
+ * constant in each, as VTK's XML: a .vtu file, or a .pvtu file that lists
+ * several of these as the pieces of one grid.
+ *
+ * Numbers are binary, appended to the XML in blocks that LZ4 compresses. No
+ * array is ever kept: a block is asked for when its turn comes, by all threads
+ * at a time, so that a grid costs hardly more memory than its description.
+ */
+class VtuFile
+{
+public:
+  /** VTK's number for the shape of the cells. */
+  enum class Shape : std::uint8_t
+  {
+    line = 3,
+    quadrilateral = 9
+  };
+
+  /**
+   * Puts the values of the items from @p begin to @p end - 1, all components
+   * of one and then of the next, where the pointer says. Called by several
+   * threads at a time.
+   */
+  template <typename Number>
+  using Fill =
+      std::function<void(std::size_t begin, std::size_t end, Number *values)>;
+
+  /**
+   * @param points gives three coordinates of each point; lengths.
+   * @param corners gives the points of each cell: two, or four around it.
+   */
+  VtuFile(Shape shape,
+          std::size_t n_points,
+          const Fill<double> &points,
+          std::size_t n_cells,
+          const Fill<std::int64_t> &corners);
+
+  /**
+   * Give every cell @p n_components values: three make a vector and nine a
+   * tensor, row by row. Number is double, int32_t or uint8_t.
+   */
+  template <typename Number>
+  void add_field(const std::string &name,
+                 unsigned int n_components,
+                 const Fill<Number> &values);
+
+  /** Write the .vtu; @p out must be able to go back. */
+  void write(std::ostream &out) const;
+
+  /** Write the .pvtu for @p pieces, files written with the same fields. */
+  void write_record(std::ostream &out,
+                    const std::vector<std::string> &pieces) const;
+
+private:
+  struct Array
+  {
+    std::string name, type;
+    unsigned int n_components;
+    std::size_t n_items, item_size;
+    Fill<char> fill;
+  };
+
+  template <typename Number>
+  static Array make_array(const std::string &name,
+                          unsigned int n_components,
+                          std::size_t n_items,
+                          const Fill<Number> &values);
+  static void write_data(std::ostream &out, const Array &array);
+
+  Array points;
+  /** connectivity, offsets and types. */
+  std::vector<Array> cells;
+  std::vector<Array> fields;
+};
+} // namespace Voussoir
+
+#endif

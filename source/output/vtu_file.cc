@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/vtu_file.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
+#include <deal.II/base/parallel.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <lz4.h>
+#include <ostream>
+
+namespace Voussoir
+{
+namespace
+{
+/** Bytes of a block before compression: enough for LZ4 to find repetitions. */
+constexpr std::size_t block_size = 1 << 19;
+
+template <typename Number>
+const char *name_of_type();
+template <>
+const char *name_of_type<double>()
+{
+  return "Float64";
+}
+template <>
+const char *name_of_type<std::int64_t>()
+{
+  return "Int64";
+}
+template <>
+const char *name_of_type<std::int32_t>()
+{
+  return "Int32";
+}
+template <>
+const char *name_of_type<std::uint8_t>()
+{
+  return "UInt8";
+}
+
+void write_binary(std::ostream &out, const std::vector<std::uint64_t> &numbers)
+{
+  out.write(reinterpret_cast<const char *>(numbers.data()),
+            numbers.size() * sizeof(std::uint64_t));
+}
+
+/** A number that is known later, in as many digits as it may need. */
+void write_padded(std::ostream &out, const std::uint64_t number)
+{
+  out << std::setw(20) << std::setfill('0') << number;
+}
+
+void write_begin(std::ostream &out, const char *type)
+{
+  const std::uint16_t one = 1;
+  const bool little = *reinterpret_cast<const char *>(&one) == 1;
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
+      << "\" version=\"1.0\" byte_order=\""
+      << (little ? "LittleEndian" : "BigEndian")
+      << "\" header_type=\"UInt64\" compressor=\"vtkLZ4DataCompressor\">\n<"
+      << type;
+}
+
+/** All of a DataArray but its end. */
+template <typename Array>
+void write_head(std::ostream &out, const Array &array, const char *element)
+{
+  out << '<' << element << " type=\"" << array.type << "\" Name=\""
+      << array.name << "\" NumberOfComponents=\"" << array.n_components << '"';
+}
+} // namespace
+
+VtuFile::VtuFile(const Shape shape,
+                 const std::size_t n_points,
+                 const Fill<double> &coordinates,
+                 const std::size_t n_cells,
+                 const Fill<std::int64_t> &corners)
+    : points(make_array("Points", 3, n_points, coordinates))
+{
+  const unsigned int n_corners = shape == Shape::line ? 2 : 4;
+  Array connectivity = make_array("connectivity", n_corners, n_cells, corners);
+  connectivity.n_components = 1; // as VTK has it; an item is still a cell
+  const Fill<std::int64_t> offsets = [n_corners](auto begin, auto end,
+                                                 std::int64_t *values) {
+    for (std::size_t i = begin; i < end; ++i)
+      *values++ = n_corners * (i + 1);
+  };
+  const Fill<std::uint8_t> types = [shape](auto begin, auto end,
+                                           std::uint8_t *values) {
+    std::fill_n(values, end - begin, static_cast<std::uint8_t>(shape));
+  };
+  cells = {connectivity, make_array("offsets", 1, n_cells, offsets),
+           make_array("types", 1, n_cells, types)};
+}
+
+template <typename Number>
+VtuFile::Array VtuFile::make_array(const std::string &name,
+                                   const unsigned int n_components,
+                                   const std::size_t n_items,
+                                   const Fill<Number> &values)
+{
+  return {
+      name,
+      name_of_type<Number>(),
+      n_components,
+      n_items,
+      n_components * sizeof(Number),
+      [values](const std::size_t begin, const std::size_t end, char *bytes) {
+        values(begin, end, reinterpret_cast<Number *>(bytes));
+      }};
+}
+
+template <typename Number>
+void VtuFile::add_field(const std::string &name,
+                        const unsigned int n_components,
+                        const Fill<Number> &values)
+{
+  const std::size_t n_cells = cells.front().n_items;
+  fields.push_back(make_array(name, n_components, n_cells, values));
+}
+template void
+VtuFile::add_field(const std::string &, unsigned int, const Fill<double> &);
+template void VtuFile::add_field(const std::string &,
+                                 unsigned int,
+                                 const Fill<std::int32_t> &);
+template void VtuFile::add_field(const std::string &,
+                                 unsigned int,
+                                 const Fill<std::uint8_t> &);
+
+void VtuFile::write(std::ostream &out) const
+{
+  // Where in the file the offset of each array stands, and what it is.
+  std::vector<std::streampos> places;
+  std::vector<const Array *> arrays;
+  const auto announce = [&](const Array &array) {
+    write_head(out, array, "DataArray");
+    out << " format=\"appended\" offset=\"";
+    places.push_back(out.tellp());
+    arrays.push_back(&array);
+    write_padded(out, 0);
+    out << "\"/>\n";
+  };
+  write_begin(out, "UnstructuredGrid");
+  out << ">\n<Piece NumberOfPoints=\"" << points.n_items
+      << "\" NumberOfCells=\"" << cells.front().n_items << "\">\n<Points>\n";
+  announce(points);
+  out << "</Points>\n<Cells>\n";
+  std::for_each(cells.begin(), cells.end(), announce);
+  out << "</Cells>\n<CellData>\n";
+  std::for_each(fields.begin(), fields.end(), announce);
+  out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n"
+         "<AppendedData encoding=\"raw\">\n_";
+
+  const std::streampos begin = out.tellp();
+  for (unsigned int i = 0; i < arrays.size(); ++i)
+  {
+    const std::streampos here = out.tellp();
+    out.seekp(places[i]);
+    write_padded(out, here - begin);
+    out.seekp(here);
+    write_data(out, *arrays[i]);
+  }
+  out << "\n</AppendedData>\n</VTKFile>\n";
+}
+
+void VtuFile::write_record(std::ostream &out,
+                           const std::vector<std::string> &pieces) const
+{
+  write_begin(out, "PUnstructuredGrid");
+  out << " GhostLevel=\"0\">\n<PPoints>\n";
+  write_head(out, points, "PDataArray");
+  out << "/>\n</PPoints>\n<PCellData>\n";
+  for (const Array &field : fields)
+  {
+    write_head(out, field, "PDataArray");
+    out << "/>\n";
+  }
+  out << "</PCellData>\n";
+  for (const std::string &piece : pieces)
+    out << "<Piece Source=\"" << piece << "\"/>\n";
+  out << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
+
+/**
+ * The number of blocks, their size, that of the last if it is a smaller one,
+ * the compressed size of each, and the compressed blocks.
+ */
+void VtuFile::write_data(std::ostream &out, const Array &array)
+{
+  const std::size_t n = array.n_items;
+  const std::size_t per_block = block_size / array.item_size;
+  const std::size_t n_blocks = (n + per_block - 1) / per_block;
+  std::vector<std::uint64_t> head(3 + n_blocks);
+  head[0] = n_blocks;
+  head[1] = per_block * array.item_size;
+  head[2] = n % per_block * array.item_size;
+  const std::streampos place = out.tellp();
+  write_binary(out, head); // the sizes follow when they are known
+
+  std::vector<std::vector<char>> compressed(
+      4 * dealii::MultithreadInfo::n_threads());
+  for (std::size_t first = 0; first < n_blocks; first += compressed.size())
+  {
+    const std::size_t n_now = std::min(compressed.size(), n_blocks - first);
+    const auto compress = [&](const std::size_t begin, const std::size_t end) {
+      std::vector<char> plain(head[1]);
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t from = (first + k) * per_block;
+        const std::size_t to = std::min(from + per_block, n);
+        array.fill(from, to, plain.data());
+        const int size = (to - from) * array.item_size;
+        compressed[k].resize(LZ4_compressBound(size));
+        head[3 + first + k] = LZ4_compress_default(
+            plain.data(), compressed[k].data(), size, compressed[k].size());
+        Assert(head[3 + first + k] > 0, dealii::ExcInternalError());
+      }
+    };
+    dealii::parallel::apply_to_subranges(std::size_t(0), n_now, compress, 1);
+    for (std::size_t k = 0; k < n_now; ++k)
+      out.write(compressed[k].data(), head[3 + first + k]);
+  }
+  const std::streampos end = out.tellp();
+  out.seekp(place);
+  write_binary(out, head);
+  out.seekp(end);
+}
+} // namespace Voussoir
