@@ -151,7 +151,9 @@ int run_command_line(const std::vector<std::string> &words,
              "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
           << visible_options()
           << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
-             "4 the solver failed.\n";
+             "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
+             "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
+             "results are complete.\n";
       return 0;
     }
     if (arguments.version)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/floating_point.h>
 #include <voussoir/assist.h>
+#include <voussoir/base/interruption.h>
 #include <voussoir/command_line.h>
 
 #include <deal.II/base/mpi.h>
@@ -11,6 +12,7 @@ int main(int argc, char **argv)
 {
   using namespace dealii;
   Voussoir::trap_invalid_operations();
+  Voussoir::Interruption interruption;
   // Trilinos needs MPI even on one process.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   const Voussoir::Team team(MPI_COMM_WORLD);
@@ -22,6 +24,9 @@ int main(int argc, char **argv)
     team.call(Voussoir::Team::Task::none);
   }
   else
+  {
+    interruption.be_quiet();
     Voussoir::assist(team);
+  }
   return team.max(status);
 }

@@ -17,7 +17,9 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace Voussoir
@@ -95,6 +97,17 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
                     "Where the results go; created if need be. A relative path "
                     "starts at the directory that the program is run in.",
                     Anything());
+  prm.add_parameter(
+      "Forces from", forces_from,
+      "The output directory of an earlier run of the same packing, supports, "
+      "loads and strengths, of which the forces are used again: only what "
+      "follows from them is computed, such as the stress by another "
+      "'Accuracy'. "
+      "It needs the .csv files there. 'Formulation' and 'Solver' then change "
+      "nothing, but for 'Equilibrate'. It may be 'Output directory' itself. A "
+      "relative path starts at the directory that the program is run in. "
+      "Empty: solve.",
+      Anything());
   solver.add_parameters(prm);
   packing.add_parameters(prm);
   supports.add_parameters(prm);
@@ -136,6 +149,9 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   const ResultDirectory check_early(output_directory);
   for (const std::filesystem::path &file : packing.input_files(directory))
     check_early.spare(file);
+  std::optional<EarlierRun> earlier;
+  if (!forces_from.empty())
+    earlier.emplace(forces_from);
 
   timer.enter_subsection("packing");
   const Scene scene = make_scene(directory);
@@ -149,6 +165,8 @@ void Simulation::run(const dealii::ParameterHandler &prm,
     terminal.warning(warning);
   show_supports(scene);
   timer.leave_subsection();
+  if (earlier)
+    return finish(read_forces(*earlier, scene), prm);
 
   timer.enter_subsection("statics");
   const Formulation &formulation = solver.formulation();
@@ -194,9 +212,35 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
   return {std::move(blocks), std::move(strengths), std::move(on_blocks)};
 }
 
+Results Simulation::read_forces(EarlierRun &earlier, const Scene &scene)
+{
+  timer.enter_subsection("statics");
+  Results results = earlier.results(scene);
+  results.title = title;
+  if (solver.controls().equilibrate && !results.correction)
+  {
+    const DiscreteProblem problem(scene);
+    Solution solution;
+    solution.forces = nondimensional_forces(problem, results.forces);
+    equilibrate_solution(problem, solution);
+    results.forces = dimensional_forces(problem, solution);
+    results.correction = solution.correction;
+  }
+  terminal.stage("Statics", text(results.formulation, ": ", results.outcome));
+  timer.leave_subsection();
+  return results;
+}
+
 bool Simulation::writes(const ResultFiles kind) const
 {
-  return result_files == ResultFiles::all || result_files == kind;
+  // Forces from the directory of the results are not lost there, whatever
+  // 'Files' says: publish() removes what is not written.
+  std::error_code not_there;
+  const bool keeps_forces =
+      kind == ResultFiles::csv && !forces_from.empty() &&
+      std::filesystem::equivalent(forces_from, output_directory, not_there);
+  return result_files == ResultFiles::all || result_files == kind ||
+         keeps_forces;
 }
 
 void Simulation::show_supports(const Scene &scene) const
@@ -300,6 +344,17 @@ void Simulation::check_certificate(const Results &results) const
                tolerance_allowance * solver.controls().tolerance);
   if (!(certificate.equilibrium_residual <= limit) ||
       !(certificate.admissibility_violation <= limit))
+  {
+    if (!results.earlier_outcome.empty())
+      throw InputError(text(
+          "The forces ", results.outcome,
+          " do not carry the load of this run: "
+          "the certificate finds a residual of ",
+          certificate.equilibrium_residual, " and a violation of ",
+          certificate.admissibility_violation,
+          " of the largest load on a cell. The loads must be those of the run "
+          "that the forces are from, and 'Solver/Tolerance' must not be less; "
+          "or leave 'Forces from' empty to solve."));
     throw SolverError(text(
         "The solver ", results.outcome, " after ", results.n_iterations,
         " iterations, without forces that balance the load: the certificate "
@@ -310,9 +365,13 @@ void Simulation::check_certificate(const Results &results) const
         "packing can carry, or beyond without a proof: try 'Formulation = "
         "least energy', a larger 'Solver/Maximum iterations', or a smaller "
         "load."));
-  if (results.outcome != "converged" && results.outcome != nothing_to_balance)
+  }
+  const std::string &outcome = results.earlier_outcome.empty()
+                                   ? results.outcome
+                                   : results.earlier_outcome;
+  if (outcome != "converged" && outcome != nothing_to_balance)
     terminal.warning(text(
-        "the solver ", results.outcome,
+        "the solver ", outcome,
         ". The forces are balanced and admissible to what is said below, but "
         "may differ from those of the named selection."));
 }

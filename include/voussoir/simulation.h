@@ -3,6 +3,7 @@
 #define voussoir_simulation_h
 
 #include <voussoir/base/terminal.h>
+#include <voussoir/output/earlier_run.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
 #include <voussoir/packing/generator.h>
@@ -60,6 +61,9 @@ private:
     off
   };
 
+  /** The forces of an earlier run, balanced to rounding if that is asked for.
+   */
+  Results read_forces(EarlierRun &earlier, const Scene &scene);
   Scene make_scene(const std::filesystem::path &directory) const;
   void show_supports(const Scene &scene) const;
   /** Whether results of that kind are to be written. */
@@ -79,6 +83,8 @@ private:
   dealii::TimerOutput timer;
   std::string title;
   std::string output_directory = "output";
+  /** Of results of which the forces are used; empty to solve. */
+  std::string forces_from;
   unsigned int verbosity = 1;
   ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/interruption.h>
 #include <voussoir/output/result_directory.h>
 
 #include <algorithm>
@@ -37,6 +38,8 @@ ResultDirectory::ResultDirectory(fs::path directory_in)
     refuse("'" + existing.string() + "' is not a directory");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(std::strerror(errno));
+  Uninterrupted().state("nothing was written, and '" + directory.string() +
+                        "' is as it was.");
 }
 
 void ResultDirectory::spare(const fs::path &input) const
@@ -52,28 +55,53 @@ void ResultDirectory::spare(const fs::path &input) const
 
 ResultDirectory::~ResultDirectory()
 {
+  if (staging.empty() && created.empty())
+    return;
+  Uninterrupted whole;
+  discard();
+  whole.on_interruption({});
+}
+
+void ResultDirectory::make_staging(Uninterrupted &whole)
+{
+  std::error_code error;
+  for (fs::path missing = fs::absolute(directory); !fs::exists(missing, error);
+       missing = missing.parent_path())
+    created.push_back(missing);
+  fs::create_directories(directory, error);
+  if (error)
+    refuse(error.message());
+  std::string path = fs::absolute(directory / ".voussoir-XXXXXX").string();
+  if (mkdtemp(path.data()) == nullptr)
+    refuse(std::strerror(errno));
+  staging = path;
+  whole.on_interruption([this] { discard(); });
+}
+
+void ResultDirectory::discard()
+{
   std::error_code ignored;
   if (!staging.empty())
     fs::remove_all(staging, ignored);
+  staging.clear();
+  // Innermost first; what is not empty by now stays.
+  for (const fs::path &path : created)
+    fs::remove(path, ignored);
+  created.clear();
 }
 
 void ResultDirectory::write(const std::string &name,
                             const std::function<void(std::ostream &)> &writer)
 {
-  if (staging.empty())
+  std::ofstream out;
   {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-      refuse(error.message());
-    std::string path = (directory / ".voussoir-XXXXXX").string();
-    if (mkdtemp(path.data()) == nullptr)
-      refuse(std::strerror(errno));
-    staging = path;
+    // No file may appear where an interruption is removing all of them.
+    Uninterrupted whole;
+    if (staging.empty())
+      make_staging(whole);
+    errno = 0;
+    out.open(staging / name);
   }
-
-  errno = 0;
-  std::ofstream out(staging / name);
   writer(out);
   out.close();
   if (!out)
@@ -84,6 +112,7 @@ void ResultDirectory::write(const std::string &name,
 
 void ResultDirectory::publish()
 {
+  Uninterrupted whole;
   std::error_code error;
   for (const std::string &name : written)
     if (fs::is_directory(directory / name, error))
@@ -98,6 +127,10 @@ void ResultDirectory::publish()
     if (std::find(written.begin(), written.end(), name) == written.end())
       fs::remove(directory / name, error);
   written.clear();
+  created.clear();
+  discard();
+  whole.on_interruption({});
+  whole.state("the results in '" + directory.string() + "' are complete.");
 }
 
 void ResultDirectory::refuse(const std::string &reason) const

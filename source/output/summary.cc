@@ -49,6 +49,8 @@ Json summary_of(const RunRecord &run, const std::string &status)
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};
+  if (!run.earlier_outcome.empty())
+    summary["solver"]["earlier_outcome"] = run.earlier_outcome;
   return summary;
 }
 
@@ -140,6 +142,8 @@ void show_summary(Terminal &terminal, const Results &results)
 
   terminal.summary("Status", "solved");
   terminal.summary("Selection", results.selection);
+  if (!results.earlier_outcome.empty())
+    terminal.summary("Forces", results.outcome);
   if (results.correction)
     terminal.summary("Equilibrated", text("by at most ", *results.correction,
                                           " of the largest force"));

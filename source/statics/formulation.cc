@@ -32,6 +32,21 @@ double relative_change(const InterfaceForces &a, const InterfaceForces &b)
   compare(a.tangential, b.tangential);
   return largest > 0. ? change / largest : 0.;
 }
+
+InterfaceForces times(const double factor, InterfaceForces forces)
+{
+  for (double &f : forces.normal)
+    f *= factor;
+  for (double &f : forces.tangential)
+    f *= factor;
+  return forces;
+}
+
+/** The unit of a force per unit thickness. */
+double force_scale(const DiscreteProblem &problem)
+{
+  return problem.stress_scale() * problem.length_scale();
+}
 } // namespace
 
 Solution Formulation::solve(const DiscreteProblem &problem,
@@ -42,11 +57,7 @@ Solution Formulation::solve(const DiscreteProblem &problem,
   {
     Solution solution = select(problem, controls, terminal);
     if (controls.equilibrate && !solution.mechanism)
-    {
-      InterfaceForces balanced = equilibrate(problem, solution.forces);
-      solution.correction = relative_change(solution.forces, balanced);
-      solution.forces = std::move(balanced);
-    }
+      equilibrate_solution(problem, solution);
     return solution;
   }
 
@@ -56,6 +67,13 @@ Solution Formulation::solve(const DiscreteProblem &problem,
   nothing.displacement.resize(problem.n_cells());
   nothing.outcome = nothing_to_balance;
   return nothing;
+}
+
+void equilibrate_solution(const DiscreteProblem &problem, Solution &solution)
+{
+  InterfaceForces balanced = equilibrate(problem, solution.forces);
+  solution.correction = relative_change(solution.forces, balanced);
+  solution.forces = std::move(balanced);
 }
 
 void require_interior(const DiscreteProblem &problem,
@@ -128,12 +146,12 @@ const SolverControls &SolverParameters::controls() const
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution)
 {
-  const double unit = problem.stress_scale() * problem.length_scale();
-  InterfaceForces forces = solution.forces;
-  for (double &f : forces.normal)
-    f *= unit;
-  for (double &f : forces.tangential)
-    f *= unit;
-  return forces;
+  return times(force_scale(problem), solution.forces);
+}
+
+InterfaceForces nondimensional_forces(const DiscreteProblem &problem,
+                                      InterfaceForces forces)
+{
+  return times(1. / force_scale(problem), std::move(forces));
 }
 } // namespace Voussoir

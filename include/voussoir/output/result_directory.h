@@ -2,6 +2,8 @@
 #ifndef voussoir_output_result_directory_h
 #define voussoir_output_result_directory_h
 
+#include <voussoir/base/interruption.h>
+
 #include <filesystem>
 #include <functional>
 #include <ostream>
@@ -13,8 +15,9 @@ namespace Voussoir
 /**
  * The directory that takes the results of a run, complete or not at all: files
  * are written into a hidden directory beside their final place, and publish()
- * renames them, over those of an earlier run. Whatever ends the run before that
- * leaves the earlier results untouched.
+ * renames them, over those of an earlier run. Whatever ends the run before
+ * that, an exception or an Interruption, leaves the earlier results untouched
+ * and nothing else behind; publish() itself is not interrupted.
  */
 class ResultDirectory
 {
@@ -30,7 +33,8 @@ public:
    */
   void spare(const std::filesystem::path &input) const;
 
-  /** Remove what was written and not published. */
+  /** Remove what was written and not published, with directories made for it.
+   */
   ~ResultDirectory();
   ResultDirectory(const ResultDirectory &) = delete;
   ResultDirectory &operator=(const ResultDirectory &) = delete;
@@ -53,9 +57,13 @@ public:
 
 private:
   [[noreturn]] void refuse(const std::string &reason) const;
+  void make_staging(Uninterrupted &whole);
+  void discard();
 
   std::filesystem::path directory;
   std::filesystem::path staging;
+  /** The directories that were made for the results, the innermost first. */
+  std::vector<std::filesystem::path> created;
   std::vector<std::string> written;
 };
 } // namespace Voussoir

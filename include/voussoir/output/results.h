@@ -30,6 +30,8 @@ struct RunRecord
   std::string selection;
   /** Why the solver stopped. */
   std::string outcome;
+  /** Of forces that were read, why the solver that found them stopped. */
+  std::string earlier_outcome;
   unsigned int n_iterations = 0;
   unsigned int n_evaluations = 0;
 

@@ -91,9 +91,15 @@ private:
   SolverControls common;
 };
 
+/** Correct the forces of @p solution by equilibrate(), and say by how much. */
+void equilibrate_solution(const DiscreteProblem &problem, Solution &solution);
+
 /** The forces of @p solution in the units of the user. */
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution);
+/** The other way round. */
+InterfaceForces nondimensional_forces(const DiscreteProblem &problem,
+                                      InterfaceForces forces);
 } // namespace Voussoir
 
 #endif
