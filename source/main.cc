@@ -14,6 +14,7 @@ int main(int argc, char **argv)
   Voussoir::Interruption interruption;
   // Trilinos needs MPI even on one process. All the work is the root's.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  interruption.listen();
   int status = 0;
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     interruption.be_quiet();
