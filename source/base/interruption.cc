@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <fcntl.h>
@@ -23,6 +24,13 @@ constexpr unsigned char no_signal = 0;
 
 /** How long a message waits for a terminal or pipe that takes nothing; ms. */
 constexpr int patience_with_terminal = 1000;
+
+/**
+ * How long the processes wait that have nothing to undo and nothing to say.
+ * Open MPI kills the others within milliseconds when the first one has ended,
+ * although it means to wait for a second.
+ */
+constexpr auto head_start = std::chrono::seconds(2);
 
 struct Signal
 {
@@ -95,7 +103,9 @@ void say(const int number)
   {
     if (shared().undo)
       shared().undo();
-    if (!shared().quiet)
+    if (shared().quiet)
+      std::this_thread::sleep_for(head_start);
+    else
       say(signal);
   }
   catch (...) // no memory: then at least end
@@ -129,17 +139,9 @@ Interruption::Interruption()
   write_end = ends[1];
   waiting = std::thread(wait_for_signals, read_end);
 
-  struct sigaction action = {};
-  action.sa_handler = wake_on_signal;
-  // What the signal comes in between goes on until the thread ends it all.
-  action.sa_flags = SA_RESTART;
-  sigfillset(&action.sa_mask);
   for (std::size_t i = 0; i < n_signals; ++i)
-  {
     sigaction(signals[i].number, nullptr, &previous[i]);
-    if (signals[i].number != SIGHUP || previous[i].sa_handler != SIG_IGN)
-      sigaction(signals[i].number, &action, nullptr);
-  }
+  listen();
 }
 
 Interruption::~Interruption()
@@ -150,6 +152,22 @@ Interruption::~Interruption()
   waiting.join();
   close(read_end);
   close(write_end.exchange(-1));
+}
+
+void Interruption::listen()
+{
+  struct sigaction action = {};
+  action.sa_handler = wake_on_signal;
+  // What the signal comes in between goes on until the thread ends it all.
+  action.sa_flags = SA_RESTART;
+  sigfillset(&action.sa_mask);
+  for (std::size_t i = 0; i < n_signals; ++i)
+  {
+    const bool stays_ignored =
+        signals[i].number == SIGHUP && previous[i].sa_handler == SIG_IGN;
+    sigaction(signals[i].number, stays_ignored ? &previous[i] : &action,
+              nullptr);
+  }
 }
 
 void Interruption::be_quiet()

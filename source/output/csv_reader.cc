@@ -21,7 +21,9 @@ CsvReader::CsvReader(std::filesystem::path file_in)
     : file(std::move(file_in)), in(file)
 {
   if (!in || std::filesystem::is_directory(file))
-    throw InputError("The file '" + file.string() + "' cannot be read.");
+    throw InputError("The file '" + file.string() +
+                     "' cannot be read; it must be as an earlier run "
+                     "has written it.");
   std::getline(in, content);
   split();
   columns.assign(fields.begin(), fields.end());
@@ -83,8 +85,9 @@ void CsvReader::parse(const std::size_t column, const std::size_t choice)
   const auto [parsed, error] =
       std::from_chars(field.data(), end, values[choice]);
   if (parsed != end || error != std::errc() || !std::isfinite(values[choice]))
-    refuse(text("has '", field.substr(0, quotation_length), "' in the column '",
-                columns[column],
+    refuse(text("has '", field.substr(0, quotation_length),
+                field.size() > quotation_length ? "..." : "",
+                "' in the column '", columns[column],
                 "', where a finite number is expected; the file must be as an "
                 "earlier run has written it."));
 }

@@ -25,6 +25,10 @@ constexpr double rounding_of_coordinates = 1e-10;
 /** The same of a strength, over itself. */
 constexpr double rounding_of_strengths = 1e-10;
 
+constexpr const char *same_scene =
+    ". The packing, supports and strengths must be those of the run that the "
+    "forces are from; leave 'Forces from' empty to solve.";
+
 /** Enough digits to see the difference. */
 std::string all_of(const double x)
 {
@@ -69,9 +73,7 @@ struct Comparison
 [[noreturn]] void
 differ(const CsvReader &line, const std::string &there, const std::string &here)
 {
-  line.refuse("has " + there + "; in this run it is " + here +
-              ". The packing, supports and strengths must be those of the run "
-              "that the forces are from.");
+  line.refuse("has " + there + "; in this run it is " + here + same_scene);
 }
 
 std::string between(const double cell_minus, const double cell_plus)
@@ -109,6 +111,8 @@ void EarlierRun::refuse(const std::string &fault) const
 
 EarlierRun::Origin EarlierRun::read_summary() const
 {
+  if (!fs::is_directory(directory))
+    refuse("there is no such directory.");
   const fs::path file = directory / "summary.json";
   std::ifstream in(file);
   if (!in || fs::is_directory(file))
@@ -154,10 +158,9 @@ void EarlierRun::check_size(const Packing &packing) const
   const auto check = [&](const std::string &things, const std::size_t there,
                          const std::size_t here) {
     if (there != here)
-      refuse(text("that run had ", counted(there, things), ", this one has ",
-                  here,
-                  "; packing and supports must be those of the run that the "
-                  "forces are from."));
+      throw InputError(text("The run in '", directory.string(), "' had ",
+                            counted(there, things), ", this one has ", here,
+                            same_scene));
   };
   check("cell", origin.n_cells, packing.n_cells());
   check("interface", origin.n_interfaces, packing.interfaces().size());

@@ -62,6 +62,8 @@ public:
     for (const std::string &word : words)
       arguments.push_back(const_cast<char *>(word.c_str()));
     arguments.push_back(nullptr);
+    for (const char *name : {"out", "error"})
+      fs::remove(name);
     pid = fork();
     if (pid != 0)
       return;
@@ -94,8 +96,8 @@ public:
     return WIFEXITED(result) ? WEXITSTATUS(result) : 1000 + WTERMSIG(result);
   }
 
-  /** Wait until it, or if it has children one of them, handles @p signal. */
-  bool handles(const int signal)
+  /** Whether it has a handler of @p signal. */
+  bool handles(const int signal) const
   {
     std::ifstream in("/proc/" + std::to_string(pid) + "/status");
     for (std::string line; std::getline(in, line);)
@@ -105,6 +107,19 @@ public:
     return false;
   }
 
+  /** For how long it has computed, in seconds. */
+  double computed() const
+  {
+    const std::string stat = read("/proc/" + std::to_string(pid) + "/stat");
+    std::istringstream rest(stat.substr(stat.rfind(')') + 1));
+    std::string skipped;
+    for (int field = 3; field < 14; ++field)
+      rest >> skipped;
+    double ticks = 0.;
+    rest >> ticks;
+    return ticks / sysconf(_SC_CLK_TCK);
+  }
+
   /** Its children that run, and theirs. */
   std::vector<pid_t> children() const
   {
@@ -112,6 +127,9 @@ public:
     for (unsigned int i = 0; i < found.size(); ++i)
       for (const auto &entry : fs::directory_iterator("/proc"))
       {
+        const std::string name = entry.path().filename();
+        if (name.find_first_not_of("0123456789") != std::string::npos)
+          continue; // not a process
         const std::string stat = read(entry.path() / "stat");
         const std::size_t name_end = stat.rfind(')');
         if (name_end == std::string::npos)
@@ -121,7 +139,7 @@ public:
         pid_t parent = 0;
         rest >> state >> parent;
         if (parent == found[i])
-          found.push_back(std::stoi(entry.path().filename()));
+          found.push_back(std::stoi(name));
       }
     found.erase(found.begin());
     return found;
@@ -172,14 +190,14 @@ bool has_said(const std::string &words)
 void interrupt(const std::string &name,
                const int signal,
                const Words &settings,
-               const std::function<bool()> &moment,
+               const std::function<bool(const Process &)> &moment,
                const std::string &directory = "output")
 {
   std::cout << names.at(signal) << " " << name << std::endl;
   const auto before = contents(directory);
   Process process(program(settings));
   bool came = wait_for([&] { return process.handles(signal); });
-  came = came && wait_for([&] { return moment() || process.ended(); });
+  came = came && wait_for([&] { return moment(process) || process.ended(); });
   check("  the moment comes", came && !process.ended());
   const std::vector<pid_t> children = process.children();
   kill(process.pid, signal);
@@ -191,17 +209,6 @@ void interrupt(const std::string &name,
         }));
 }
 
-std::function<bool()> after(const std::function<bool()> &condition,
-                            const int milliseconds)
-{
-  return [=] {
-    if (!condition())
-      return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    return true;
-  };
-}
-
 /** Under mpirun the root alone speaks, and no process stays. */
 void interrupt_parallel()
 {
@@ -211,16 +218,19 @@ void interrupt_parallel()
   std::istringstream launcher(VOUSSOIR_MPIRUN);
   for (std::string word; launcher >> word;)
     words.push_back(word);
-  const Words rest = program({"Output directory=output"});
+  // Large, for mpirun takes its time to pass the signal on.
+  const Words rest = program({"Packing/Voronoi/Number of points=40000"});
   words.insert(words.end(), rest.begin(), rest.end());
   Process process(words);
-  check("  the moment comes", wait_for([&] {
-                                return process.ended() ||
-                                       is_being_written("output", "cells.csv");
-                              }) &&
-                                  !process.ended());
+  wait_for([&] { return process.ended() || has_said("Packing"); });
   const std::vector<pid_t> children = process.children();
   check("  there are two processes", children.size() >= 2);
+  check("  the moment comes", wait_for([&] {
+                                return process.ended() ||
+                                       is_being_written("output",
+                                                        "interfaces.csv");
+                              }) &&
+                                  !process.ended());
   const auto start = Clock::now();
   kill(process.pid, SIGTERM);
   check("  it fails", process.status() != 0);
@@ -290,34 +300,46 @@ int main()
          "subsection Friction\n set Strength = 0.5\nend\n";
 
   // Where nothing is yet, in CGAL, MUMPS and CHOLMOD
-  const auto at_once = [] {
+  const auto at_once = [](const Process &) {
     return true;
   };
-  const auto packed = [] {
-    return has_said("Packing");
+  const auto computing = [](const Process &process) {
+    return process.computed() > 3.;
+  };
+  const auto packed = [](const int milliseconds) {
+    return [milliseconds](const Process &) {
+      const bool is_packed = has_said("Packing");
+      if (is_packed)
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+      return is_packed;
+    };
   };
   const Words slow = {"Packing/Voronoi/Lloyd steps=1000"};
   const Words ipopt = {"Formulation=smoothed friction"};
   const Words sliding = {"Friction/Strength=0.06"};
   interrupt("at the start", SIGINT, slow, at_once);
-  interrupt("in the packing", SIGTERM, slow, after(at_once, 1000));
-  interrupt("in the solver", SIGINT, ipopt, packed);
-  interrupt("in the solver", SIGTERM, ipopt, after(packed, 300));
-  interrupt("in the solver", SIGHUP, sliding, after(packed, 50));
+  interrupt("in the packing", SIGTERM, slow, computing);
+  interrupt("in the solver", SIGINT, ipopt, packed(0));
+  interrupt("in the solver", SIGTERM, ipopt, packed(300));
+  interrupt("in the solver", SIGHUP, sliding, packed(50));
   check("no directory", !fs::exists("output"));
 
   // With results of an earlier run, and a file of the user's own
   Process earlier(program({"Packing/Voronoi/Number of points=20"}));
   check("An earlier run", earlier.status() == 0);
   std::ofstream("output/notes.txt") << "the user's own\n";
-  interrupt("in the solver", SIGINT, ipopt, after(packed, 500));
+  interrupt("in the solver", SIGINT, ipopt, packed(500));
   for (const char *file :
        {"interfaces.csv", "cells.csv", "interfaces.vtu", "stress.vtu"})
-    interrupt(std::string("in ") + file, SIGTERM, {},
-              [file] { return is_being_written("output", file); });
+    interrupt(std::string("in ") + file, SIGTERM, {}, [file](const Process &) {
+      return is_being_written("output", file);
+    });
   interrupt(
       "in a new directory", SIGINT, {"Output directory=a/b/c"},
-      [] { return is_being_written("a/b/c", "interfaces.vtu"); }, "a");
+      [](const Process &) {
+        return is_being_written("a/b/c", "interfaces.vtu");
+      },
+      "a");
   check("no directory", !fs::exists("a"));
   interrupt_parallel();
 

@@ -31,6 +31,7 @@ void show(const std::string &when)
 int main()
 {
   fs::remove_all("results");
+  fs::remove_all("new");
   const auto writer = [](const std::string &content) {
     return [content](std::ostream &out) {
       out << content << '\n';
@@ -67,6 +68,14 @@ int main()
     files.publish();
   }
   show("a run without stress.vtu");
+
+  show_refusal([] {
+    ResultDirectory files("new/below");
+    files.write("summary.json",
+                [](std::ostream &out) { out.setstate(std::ios::badbit); });
+  });
+  check("no directory stays for results that are not there",
+        !fs::exists("new"));
 
   std::ofstream("file") << "in the way\n";
   try

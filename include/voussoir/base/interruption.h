@@ -39,7 +39,16 @@ public:
   Interruption(const Interruption &) = delete;
   Interruption &operator=(const Interruption &) = delete;
 
-  /** Give no message: one process speaks for all of a run. */
+  /**
+   * Handle the signals again, after a library has taken their handlers away:
+   * PETSc does, which deal.II starts with MPI.
+   */
+  void listen();
+
+  /**
+   * Give no message, and end after the process that does: one speaks for all of
+   * a run.
+   */
   void be_quiet();
 
 private:
