@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace Voussoir
 {
@@ -182,6 +185,61 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
     }
   return {};
 }
+
+/** Cells along a side of the grid in which order_along_curve() finds points. */
+constexpr std::uint32_t curve_grid = 1 << 16;
+
+/** Where the Hilbert curve through the grid meets its cell (x, y). */
+std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
+{
+  std::uint32_t place = 0;
+  for (std::uint32_t half = curve_grid / 2; half > 0; half /= 2)
+  {
+    const bool right = (x & half) != 0, upper = (y & half) != 0;
+    place += half * half * (right ? (upper ? 2 : 3) : (upper ? 1 : 0));
+    if (!upper) // the lower quarters are turned
+    {
+      if (right)
+      {
+        x = curve_grid - 1 - x;
+        y = curve_grid - 1 - y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return place;
+}
+
+/**
+ * Put the points in the order in which a Hilbert curve through the rectangle
+ * around them meets them. Cells that touch then mostly have numbers close to
+ * each other, and their data lies close in memory; in the order of drawing, a
+ * million cells take twice as long in all that looks at neighbours.
+ */
+void order_along_curve(std::vector<Point<2>> &points)
+{
+  Point<2> low = points.front(), high = low;
+  for (const Point<2> &p : points)
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      low[d] = std::min(low[d], p[d]);
+      high[d] = std::max(high[d], p[d]);
+    }
+  const double size = std::max(
+      {high[0] - low[0], high[1] - low[1], std::numeric_limits<double>::min()});
+  std::vector<std::pair<std::uint32_t, Point<2>>> placed;
+  placed.reserve(points.size());
+  for (const Point<2> &p : points)
+    placed.emplace_back(
+        place_on_curve((p[0] - low[0]) / size * (curve_grid - 1),
+                       (p[1] - low[1]) / size * (curve_grid - 1)),
+        p);
+  std::stable_sort(
+      placed.begin(), placed.end(),
+      [](const auto &a, const auto &b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = placed[i].second;
+}
 } // namespace
 
 PointList random_points(const unsigned int n,
@@ -195,6 +253,7 @@ PointList random_points(const unsigned int n,
     for (unsigned int i = 0; i < 2; ++i)
       p[i] = rectangle.lower_left[i] +
              random() * (rectangle.upper_right[i] - rectangle.lower_left[i]);
+  order_along_curve(list.points);
   return list;
 }
 
@@ -205,6 +264,7 @@ PointList random_points(const unsigned int n,
 {
   PointList list;
   list.points = PointSource(polygon, size).draw(n, seed);
+  order_along_curve(list.points);
   return list;
 }
 } // namespace Voussoir

@@ -6,9 +6,8 @@
 #include <voussoir/stress/least_norm.h>
 #include <voussoir/stress/reconstruction.h>
 
-#include <deal.II/base/work_stream.h>
-
-#include <boost/iterator/counting_iterator.hpp>
+#include <deal.II/base/parallel.h>
+#include <deal.II/base/thread_local_storage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +25,6 @@ struct Scratch
   explicit Scratch(const Reconstruction &how) : how(how)
   {
   }
-  // WorkStream copies a sample for each thread, and each makes its own.
-  Scratch(const Scratch &other) : Scratch(other.how)
-  {
-  }
-
   CellStress &cell_stress(const unsigned int n_sides)
   {
     if (n_sides >= by_sides.size())
@@ -47,18 +41,13 @@ struct Scratch
   std::vector<Tensor<1, 2>> forces, body_forces;
 };
 
-/** Each cell writes to a place of its own: there is nothing to copy. */
-struct NoCopyData
-{
-};
-
 double skew_part(const Tensor<2, 2> &stress)
 {
   return 0.5 * std::abs(stress[0][1] - stress[1][0]);
 }
 
-/** Cells per task: a few milliseconds of work. */
-constexpr unsigned int chunk_size = 64;
+/** Cells per task: a millisecond of work, or more. */
+constexpr unsigned int chunk_size = 256;
 } // namespace
 
 std::vector<std::string> undetermined_cells(const Scene &scene,
@@ -163,18 +152,21 @@ StressField reconstruct_stress(const Scene &scene,
   };
 
   // In blocks, for a progress line between them.
+  dealii::Threads::ThreadLocalStorage<std::unique_ptr<Scratch>> scratches;
   const unsigned int block = std::max(1024U, n_cells / 20);
   for (unsigned int begin = 0; begin < n_cells; begin += block)
   {
     terminal.progress("Stress", text("cell ", begin, " of ", n_cells));
-    using Iterator = boost::counting_iterator<unsigned int>;
-    dealii::WorkStream::run(
-        Iterator(begin), Iterator(std::min(n_cells, begin + block)),
-        [&](const Iterator &c, Scratch &scratch, NoCopyData &) {
-          reconstruct_cell(*c, scratch);
-        },
-        std::function<void(const NoCopyData &)>(), Scratch(how), NoCopyData(),
-        2 * dealii::MultithreadInfo::n_threads(), chunk_size);
+    const auto reconstruct_cells = [&](const unsigned int b,
+                                       const unsigned int e) {
+      std::unique_ptr<Scratch> &scratch = scratches.get();
+      if (!scratch)
+        scratch = std::make_unique<Scratch>(how);
+      for (unsigned int c = b; c < e; ++c)
+        reconstruct_cell(c, *scratch);
+    };
+    dealii::parallel::apply_to_subranges(
+        begin, std::min(n_cells, begin + block), reconstruct_cells, chunk_size);
   }
 
   for (unsigned int c = 0; c < n_cells; ++c)

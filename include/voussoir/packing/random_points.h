@@ -8,7 +8,10 @@
 
 namespace Voussoir
 {
-/** @p n points drawn uniformly over @p rectangle; a seed gives the same ones.
+/**
+ * @p n points drawn uniformly over @p rectangle; a seed gives the same ones.
+ * They are in the order in which a Hilbert curve meets them, so that points
+ * close to each other mostly have numbers close to each other.
  */
 PointList random_points(unsigned int n,
                         unsigned int seed,
@@ -17,7 +20,7 @@ PointList random_points(unsigned int n,
 /**
  * @p n independent points in @p polygon whose density is proportional to
  * 1/h(x, y)^2, so that their Voronoi cells have sizes in proportion to the
- * @p size h; a seed gives the same points.
+ * @p size h; a seed gives the same points, in the order of a Hilbert curve.
  *
  * The polygon is cut into triangles with a bound of the density in each, from
  * its values at the corners and in the middle. A point is drawn from a triangle
