@@ -58,16 +58,17 @@ class Study:
                          "with contrib/run")
         return options
 
-    def measure(self, options, bench, extra=""):
+    def measure(self, options, bench, extra="", programs=()):
         """Write the tables of the chosen experiments; `extra` are further
-        options of the command."""
+        options of the command, and `programs` what else was measured."""
+        programs = ", ".join([f"voussoir {bench.version}", *programs])
         directory = options.output / self.tables
         for name in options.only:
             tables.write(directory / f"{name}.csv",
                          self.experiments[name](bench))
-            self.note(directory, name, options, bench.version, extra)
+            self.note(directory, name, options, extra, programs)
 
-    def note(self, directory, name, options, version, extra):
+    def note(self, directory, name, options, extra, programs):
         """Put how an experiment was measured in measured.csv."""
         path = directory / "measured.csv"
         others = [row for row in tables.read(path) if row["experiment"] != name]
@@ -79,7 +80,7 @@ class Study:
         tables.write(path, others + [{
             "experiment": name, "repeats": options.repeats, "command": command,
             "processor": processor(), "cores": os.cpu_count(),
-            "program": f"voussoir {version}"}])
+            "program": programs}])
 
 
 def processor():

@@ -40,7 +40,7 @@ def main():
     if not options.page_only:
         with Bench(options.program.resolve(), options.repeats, options.quick,
                    limit, options.largest) as bench:
-            STUDY.measure(options, bench, extra)
+            STUDY.measure(options, bench, extra, peers.versions())
     print(f"The page is {cost_page.write(options.output)}")
 
 

@@ -1,10 +1,10 @@
 /* Times and counts what the program asks of CHOLMOD, Epetra and ML.
 
    A shared library to be loaded before these, by LD_PRELOAD. Each function here
-   hides the one of its name, and calls it. At the end a line for each kernel
-   goes to the file $KERNEL_PROBE: its name, calls, seconds, bytes and
-   operations. The bytes are those that must at least be moved once the operands
-   do not fit into the cache:
+   hides the one of its name, and calls it. At the end, if any was called, a line
+   for each kernel goes to the file $KERNEL_PROBE: its name, calls, seconds, bytes
+   and operations. The bytes are those that must at least be moved once the
+   operands do not fit into the cache:
 
    - factorisation: each entry of the factor is allocated in the cache, written,
      and read once for the columns to its right;
@@ -147,8 +147,11 @@ double ML_Cycle_MG(void *level,
 
 __attribute__((destructor)) static void report(void)
 {
+  long n_calls = 0;
+  for (int k = 0; k < n_kernels; ++k)
+    n_calls += kernels[k].calls;
   const char *path = getenv("KERNEL_PROBE");
-  FILE *file = path ? fopen(path, "w") : NULL;
+  FILE *file = path && n_calls ? fopen(path, "w") : NULL;
   if (!file)
     return;
   for (int k = 0; k < n_kernels; ++k)

@@ -4,9 +4,11 @@ of the memory.
 Those of the libraries are timed and counted by kernel_probe.c inside the
 program. The others are stages, with the bytes of a model:
 
-- forces of the joints: for each joint its record of 64 bytes, its jump and
-  force of 16 (the force also allocated), and of its two cells the forces read
-  and written; the loads and forces of each cell once more.
+- rest of statics, all but the kernels of the direct solver: the records of the
+  joints, 64 bytes, are allocated and written; in each evaluation of the forces
+  a joint has its record and jump read and its force of 16 bytes allocated and
+  written, and each of its cells the forces read and written; a cell has its
+  load read and its forces allocated and written.
 - stress: for each joint the record and force, for each sub-cell 56 bytes of
   results, allocated and written.
 - output: the bytes of the files, written to the buffer of the system from one
@@ -77,7 +79,7 @@ def kernels(bench):
                       f"{solver}: {run.outcome}, {run.elapsed:.2f} s",
                       flush=True)
                 if run.status == SOLVED:
-                    counted |= modelled(run, solver)
+                    counted |= modelled(run, counted)
                     for name, kernel in counted.items():
                         found.setdefault((name, solver), []).append(kernel)
         rows += [row(cells, name, solver, samples, limit)
@@ -98,28 +100,29 @@ def row(cells, name, solver, samples, limit):
             "fraction": bandwidth / limit if bandwidth else ""}
 
 
-def modelled(run, solver):
-    """The kernels that are stages or have a timing of their own in the
-    summary."""
+def modelled(run, counted):
+    """The stages as kernels, given those counted inside the program, those of
+    the stress and the files if there are such files."""
     joints = run.summary["packing"]["interfaces"]
     cells = run.summary["packing"]["cells"]
-    evaluations = run.summary["solver"]["evaluations"]
     sub_cells = run.summary["stress"]["sub_cells"]
     files = sum(path.stat().st_size for path in run.directory.iterdir())
-    found = {
-        "statics, all": (1, "statics", 0),
-        "forces of the joints": (
-            evaluations, "forces of the joints",
-            evaluations * (joints * (JOINT + 3 * PAIR + 4 * PAIR) +
-                           cells * 3 * PAIR))}
-    if solver == "direct":
-        found |= {
-            "packing": (1, "packing", 0),
-            "stress": (1, "stress", joints * (JOINT + PAIR) +
-                       2 * SUB_CELL * sub_cells),
-            "output": (1, "output", 3 * files + joints * (JOINT + PAIR) +
-                       SUB_CELL * sub_cells)}
-    return {name: {"calls": calls, "seconds": run.stages[stage],
-                   "bytes": moved, "operations": 0}
-            for name, (calls, stage, moved) in found.items()
-            if stage in run.stages}
+
+    def whole(stage, moved):
+        return {"calls": 1, "seconds": run.stages[stage], "bytes": moved,
+                "operations": 0}
+
+    found = {"statics, all": whole("statics", 0)}
+    if not sub_cells:
+        return found
+    evaluation = (joints * (JOINT + PAIR + 2 * PAIR + 2 * 2 * PAIR) +
+                  cells * 3 * PAIR)
+    rest = whole("statics", 2 * JOINT * joints +
+                 run.summary["solver"]["evaluations"] * evaluation)
+    rest["seconds"] -= sum(counted[name]["seconds"] for name in
+                           ("analysis", "factorisation", "solution"))
+    return {"rest of statics": rest, **found, "packing": whole("packing", 0),
+            "stress": whole("stress", joints * (JOINT + PAIR) +
+                            2 * SUB_CELL * sub_cells),
+            "output": whole("output", 3 * files + joints * (JOINT + PAIR) +
+                            SUB_CELL * sub_cells)}

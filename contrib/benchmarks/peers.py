@@ -8,8 +8,12 @@ measures of the program's own results, from the forces alone.
 """
 import dataclasses
 import functools
+import importlib.metadata
 import pathlib
+import platform
+import re
 import shutil
+import subprocess
 import sys
 
 import numpy as np
@@ -30,6 +34,18 @@ DENSE = "cvxopt, dense"
 SIZES = (100, 300, 1000, 3000, 10000, 30000, 100000, 300000, 1000000)
 SHORT = 30  # seconds up to which a run is repeated
 PEER = pathlib.Path(__file__).with_name("peer.py")
+
+
+def versions():
+    """The names and versions of the other solvers and of the library for dense
+    matrices, which CHOLMOD and cvxopt use."""
+    clp = subprocess.run(["clp", "-exit"], capture_output=True, text=True,
+                         check=True).stdout
+    blas = pathlib.Path(f"/usr/lib/{platform.machine()}-linux-gnu/libblas.so.3")
+    return [*(f"{name} {importlib.metadata.version(name)}"
+              for name in ("cvxopt", "scipy")),
+            "Clp " + re.search(r"version (\S+),", clp)[1],
+            blas.resolve().parent.name]
 
 
 @dataclasses.dataclass
