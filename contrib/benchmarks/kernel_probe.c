@@ -1,10 +1,10 @@
 /* Times and counts what the program asks of CHOLMOD, Epetra and ML.
 
    A shared library to be loaded before these, by LD_PRELOAD. Each function here
-   hides the one of its name, and calls it. At the end, if any was called, a line
-   for each kernel goes to the file $KERNEL_PROBE: its name, calls, seconds, bytes
-   and operations. The bytes are those that must at least be moved once the
-   operands do not fit into the cache:
+   hides the one of its name, and calls it. At the end, if any was called, a
+   line for each kernel goes to the file $KERNEL_PROBE: its name, calls,
+   seconds, bytes and operations. The bytes are those that must at least be
+   moved once the operands do not fit into the cache:
 
    - factorisation: each entry of the factor is allocated in the cache, written,
      and read once for the columns to its right;
@@ -22,7 +22,15 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum Kernel { analysis, factorisation, solution, product, cycle, n_kernels };
+enum Kernel
+{
+  analysis,
+  factorisation,
+  solution,
+  product,
+  cycle,
+  n_kernels
+};
 
 static const char *const names[n_kernels] = {"analysis", "factorisation",
                                              "solution", "product", "cycle"};
@@ -99,8 +107,7 @@ cholmod_dense *cholmod_solve(int what,
                              cholmod_common *) = hidden("cholmod_solve");
   enter(solution);
   cholmod_dense *u = original(what, factor, right, common);
-  leave(solution, 2. * size_of(factor),
-        size_of(factor) / 2. * right->ncol);
+  leave(solution, 2. * size_of(factor), size_of(factor) / 2. * right->ncol);
   return u;
 }
 
@@ -139,8 +146,7 @@ double ML_Cycle_MG(void *level,
   if (!original)
     original = hidden("ML_Cycle_MG");
   enter(cycle);
-  const double norm =
-      original(level, u, right, from_zero, comm, with_norm, ml);
+  const double norm = original(level, u, right, from_zero, comm, with_norm, ml);
   leave(cycle, 0., 0.);
   return norm;
 }

@@ -174,12 +174,14 @@ def forms(bench):
 
 
 def best_forms(rows):
-    """The form in which each solver is fastest."""
+    """The form in which each solver is fastest; of those that solve any."""
     best = {}
     for row in sorted((row for row in rows if row["outcome"] == "solved"),
                       key=lambda row: row["seconds"]):
         best.setdefault(row["solver"], row["form"])
-    return best | {DENSE: best["cvxopt"]}
+    if "cvxopt" in best:
+        best[DENSE] = best["cvxopt"]
+    return {solver: best[solver] for solver in SOLVERS if solver in best}
 
 
 def peers(bench):
