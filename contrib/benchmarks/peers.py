@@ -135,8 +135,9 @@ def theirs(bench, state, solver, form):
 
 
 def in_turn(bench, cells, solvers):
-    """The Attempts of functions that make one, by name: all are tried once
-    before any is repeated, which only those are that are solved and short."""
+    """The Attempts of functions that make one, by solver and form: all are
+    tried once before any is repeated, which only those are that are solved and
+    short."""
     attempts = {}
     for repeat in range(bench.repeats):
         for name, solve in solvers.items():
@@ -146,7 +147,8 @@ def in_turn(bench, cells, solvers):
                 attempts[name].add(solve())
             else:
                 continue
-            print(f"{cells} cells, {repeat + 1}/{bench.repeats}, {name}: "
+            print(f"{repeat + 1}/{bench.repeats}, {cells} cells, "
+                  f"{' by '.join(filter(None, name))}: "
                   f"{attempts[name].outcome}, "
                   f"{attempts[name].processes[-1].elapsed:.2f} s", flush=True)
     return attempts
