@@ -183,7 +183,7 @@ def growth(rows):
         "On two processes on the same machine: what one process takes over "
         "what two take, above 1 where two are faster; memory is that of the "
         "largest process. "
-        + (f"At the largest size {best} gains most, by a factor of "
+        + (f"At the largest size the ratio is largest for {best}, "
            f"{number(gains[best])}." if best else ""),
         markdown(["cells", *measures], both)]
 
@@ -243,7 +243,8 @@ def projection(growth_rows, kernel_rows):
     lines = projected(growth_rows, kernel_rows)
     largest = rows[-1]
     ranks = TARGET / largest["cells"]
-    per_cell = largest["memory"] * 2**20 / largest["cells"]
+    per_cell = ((largest["memory"] - rows[-2]["memory"]) * 2**20 /
+                (largest["cells"] - rows[-2]["cells"]))
     serial = [line["stage"] for line in lines if not line["distributed"]]
     counts = cycles(kernel_rows)
     growth_of_cycles = (
@@ -268,8 +269,8 @@ def projection(growth_rows, kernel_rows):
         "measured with two. "
         + (f"Not distributed: {', '.join(serial)}. " if serial else "")
         + "The cost of messages between more than two is left out.\n"
-        f"- Memory grows in proportion: {number(per_cell)} bytes a cell at the "
-        f"largest size, {number(per_cell * TARGET / 2**30)} GiB in all, which "
+        f"- Memory grows by {number(per_cell)} bytes a cell, as between the two "
+        f"largest sizes: {number(per_cell * TARGET / 2**30)} GiB in all, which "
         "the first process must hold as long as any stage stays on it, and "
         f"{number(largest['memory'] / 1024)} GiB a process once none does.\n"
         "- No joint slides; where many do, the time of statics is that times "
