@@ -116,8 +116,8 @@ def answer(directory, form, text):
     the iterations; `text` is what it printed. None if it has found nothing."""
     found = dict(np.load(directory / "answer.npz"))
     if "x" not in found:
-        ended = re.search(r"Optimal objective \S+ - (\d+) iterations time ([\d.]+)",
-                          text)
+        ended = re.search(
+            r"Optimal objective \S+ - (\d+) iterations time ([\d.]+)", text)
         if not ended:
             return None
         found |= {"iterations": int(ended[1]), "solving": float(ended[2]),
