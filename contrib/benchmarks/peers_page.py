@@ -133,9 +133,10 @@ def peers(rows):
         "call that solves, or what Clp reports, in steps of 0.01; of this "
         "program the stage `statics`. *Building* is the time to state the "
         "problem: the linear program from the joints, for Clp also its file; "
-        "for this program the stage `packing`. *Process* is the time from start to end, which for "
-        "other solvers includes reading the joints, and for this program "
-        "making the packing and writing .csv files, except in "
+        "for this program the stage `packing`. *Process* is the time from "
+        "start to end, which for other solvers includes reading the joints, "
+        "and for this program making the packing and writing .csv files, "
+        "except in "
         f"`{NO_FILES}`. " + starred(rows),
         listed(rows, {
             "cells": "cells", "solver": "solver", "form": lambda row:

@@ -52,9 +52,9 @@ def cycles(kernels):
 
 
 def projected(growth, kernels):
-    """For each stage the seconds at TARGET cells: alone, on one process; now, on
-    a cluster where what is not distributed stays on one; and shared, with all
-    distributed, where only the cycles of multigrid grow in number. The statics
+    """For each stage the seconds at TARGET cells: alone, on one process; now,
+    on a cluster where what is not distributed stays on one; and shared, with
+    all distributed, where only the cycles of multigrid grow in number. The statics
     is that of multigrid, if that was measured, since the factorisation is not
     distributed."""
     rows = solved(growth)
