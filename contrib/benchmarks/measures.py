@@ -4,6 +4,8 @@ stress.vtu alone.
 Arrays have a line per interface, cell or sub-cell; vectors have the shape
 (n, 2) and stresses (n, 2, 2).
 """
+import copy
+
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -40,6 +42,13 @@ class State:
         self.area = c["area"]
         self.mean_stress = np.stack(
             [c["sxx"], c["sxy"], c["syx"], c["syy"]], axis=1).reshape(-1, 2, 2)
+
+    def with_forces(self, normal_force, tangential_force):
+        """The same packing and loads with other forces."""
+        other = copy.copy(self)
+        other.normal_force = normal_force
+        other.tangential_force = tangential_force
+        return other
 
     @property
     def force(self):

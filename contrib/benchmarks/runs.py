@@ -6,7 +6,10 @@ Parameters are a dictionary from the path of an entry, such as
 """
 import dataclasses
 import json
+import math
+import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -14,28 +17,50 @@ import sys
 import tempfile
 
 TIME_LIMIT = 600  # seconds a run
+MEMORY_LIMIT = 16  # GiB a process
 LAUNCH = pathlib.Path(__file__).with_name("launch.py")
 SOLVED, BAD_INPUT, COLLAPSE, NO_ANSWER = 0, 2, 3, 4
 STATUS = {SOLVED: "solved", COLLAPSE: "not carried", NO_ANSWER: "no answer",
-          -signal.SIGALRM: "time limit"}
+          -signal.SIGALRM: "time limit", -signal.SIGKILL: "out of memory"}
+NO_MEMORY = re.compile("bad_alloc|not enough memory|out of memory|"
+                       "cannot allocate memory", re.I)
 
 
 @dataclasses.dataclass
-class Run:
-    """One run: its exit status (negative: the signal that ended it), the
-    seconds of its stages (empty if it wrote no summary), the seconds from start
-    to end, the largest memory in MiB, and its summary and directory."""
+class Process:
+    """How a process ended: its exit status (negative: the signal that ended
+    it), the seconds from start to end, the largest memory in MiB, and what it
+    printed."""
     status: int
-    stages: dict
     elapsed: float
     memory: float
-    summary: dict
-    directory: pathlib.Path
+    text: str
 
     @property
     def outcome(self):
         """The exit status in words."""
+        if self.status != SOLVED and NO_MEMORY.search(self.text):
+            return "out of memory"
         return STATUS.get(self.status, "crash")
+
+
+def launch(command, time_limit):
+    """Run a command, alone in its own memory."""
+    launcher = subprocess.run(
+        [sys.executable, "-I", "-S", LAUNCH, str(time_limit),
+         str(MEMORY_LIMIT), *command], capture_output=True, text=True,
+        check=True)
+    status, elapsed, memory = map(float, launcher.stdout.split())
+    return Process(int(status), elapsed, memory / 1024, launcher.stderr)
+
+
+@dataclasses.dataclass
+class Run(Process):
+    """One run of the program: also the seconds of its stages (empty if it wrote
+    no summary), its summary and directory."""
+    stages: dict
+    summary: dict
+    directory: pathlib.Path
 
 
 @dataclasses.dataclass
@@ -63,13 +88,25 @@ def prm_text(parameters):
     return "\n".join(lines) + "\n"
 
 
-class Bench:
-    """A program, a directory for its results, and how often to repeat."""
+def on_ranks(ranks):
+    """The beginning of a command that runs on a number of processes."""
+    if ranks == 1:
+        return []
+    as_root = ["--allow-run-as-root"] * (os.geteuid() == 0)
+    return ["mpirun", "-np", str(ranks), *as_root]
 
-    def __init__(self, program, repeats, quick):
+
+class Bench:
+    """A program, a directory for its results, how often to repeat, how many
+    seconds a run may take, and how many cells there may be."""
+
+    def __init__(self, program, repeats, quick, time_limit=TIME_LIMIT,
+                 largest=math.inf):
         self.program = str(program)
         self.repeats = repeats
         self.quick = quick
+        self.time_limit = time_limit
+        self.largest = largest
         self.version = subprocess.run(
             [self.program, "--version"], capture_output=True, text=True,
             check=True).stdout.split()[-1]
@@ -85,25 +122,29 @@ class Bench:
         """The size for the full study, or that for a quick one."""
         return quick if self.quick else full
 
-    def run(self, parameters):
-        """One run; its results are lost at the next."""
+    def sizes(self, full, quick):
+        """The numbers of cells for the full study, or those for a quick one."""
+        return [cells for cells in self.sized(full, quick)
+                if cells <= self.largest]
+
+    def run(self, parameters, ranks=1):
+        """One run, on a number of processes; its results are lost at the
+        next."""
         directory = self.scratch / "results"
         shutil.rmtree(directory, ignore_errors=True)
         scene = self.scratch / "scene.prm"
         scene.write_text(
             prm_text({"Output directory": directory, **parameters}))
-        process = subprocess.run(
-            [sys.executable, "-I", "-S", LAUNCH, str(TIME_LIMIT), self.program,
-             scene], capture_output=True, text=True, check=True)
-        status, elapsed, memory = map(float, process.stdout.split())
-        if status in (1, BAD_INPUT):
-            sys.exit(f"{self.program} ended with status {int(status)}:\n"
-                     f"{process.stderr}\nThe parameters were\n"
+        process = launch([*on_ranks(ranks), self.program, scene],
+                         self.time_limit)
+        if process.status in (1, BAD_INPUT):
+            sys.exit(f"{self.program} ended with status {process.status}:\n"
+                     f"{process.text}\nThe parameters were\n"
                      f"{scene.read_text()}")
         summary = directory / "summary.json"
         summary = json.loads(summary.read_text()) if summary.exists() else {}
-        return Run(int(status), summary.get("timings", {}), elapsed,
-                   memory / 1024, summary, directory)
+        return Run(**vars(process), stages=summary.get("timings", {}),
+                   summary=summary, directory=directory)
 
     def series(self, name, settings, see=None, repeats=None):
         """An Outcome for each of the settings, pairs of labels and parameters,
