@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/assist.h>
+#include <voussoir/output/stress_pieces.h>
 #include <voussoir/statics/least_energy.h>
+
+#include <optional>
 
 namespace Voussoir
 {
 void assist(const Team &team)
 {
+  std::optional<StressPart> stress;
   for (;;)
     switch (team.wait())
     {
@@ -15,6 +19,10 @@ void assist(const Team &team)
         assist_least_energy(team);
         break;
       case Team::Task::stress:
+        stress.emplace(assist_stress(team));
+        break;
+      case Team::Task::writing:
+        write_stress_piece(*stress, team);
         break;
     }
 }

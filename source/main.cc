@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/assist.h>
+#include <voussoir/base/blas.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/interruption.h>
 #include <voussoir/command_line.h>
@@ -15,6 +16,7 @@ int main(int argc, char **argv)
   Voussoir::Interruption interruption;
   // Trilinos needs MPI even on one process.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
+  Voussoir::prepare_blas();
   interruption.listen();
   const Voussoir::Team team(MPI_COMM_WORLD);
   int status = 0;

@@ -5,6 +5,7 @@
 #include <voussoir/output/csv.h>
 #include <voussoir/output/packing_files.h>
 #include <voussoir/output/result_directory.h>
+#include <voussoir/output/stress_pieces.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/output/vtu.h>
 #include <voussoir/simulation.h>
@@ -82,9 +83,10 @@ std::string message_of(const Collapse &collapse, const std::string &files)
 } // namespace
 
 Simulation::Simulation(Terminal &terminal, const Team &team)
-    : terminal(terminal), timer(std::cout,
-                                dealii::TimerOutput::never,
-                                dealii::TimerOutput::wall_times),
+    : terminal(terminal), team(team),
+      timer(std::cout,
+            dealii::TimerOutput::never,
+            dealii::TimerOutput::wall_times),
       solver(team)
 {
 }
@@ -153,6 +155,8 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   if (!forces_from.empty())
     earlier.emplace(forces_from);
 
+  if (team.size() > 1)
+    terminal.stage("Processes", std::to_string(team.size()));
   timer.enter_subsection("packing");
   const Scene scene = make_scene(directory);
   terminal.stage(
@@ -257,8 +261,10 @@ void Simulation::show_supports(const Scene &scene) const
 void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
 {
   const Scene &scene = results.scene;
+  timer.enter_subsection("certificate");
   results.certificate = certify(scene, results.forces);
   check_certificate(results);
+  timer.leave_subsection();
 
   timer.enter_subsection("stress");
   results.reactions = reactions(scene, results.forces);
@@ -268,12 +274,21 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
     results.mean_stresses = cell_mean_stresses(scene, results.forces);
   }
   const bool reconstruct = stress.reconstruct() && writes(ResultFiles::vtu);
+  std::optional<StressPart> own_part;
   if (reconstruct)
   {
-    results.stress = reconstruct_stress(scene, results.forces,
-                                        stress.reconstruction(), terminal);
-    terminal.stage("Stress",
-                   text(results.stress.sub_cells.size(), " sub-cells"));
+    const Reconstruction how = stress.reconstruction();
+    if (team.size() == 1)
+      results.stress =
+          reconstruct_stress(scene, results.forces, how, terminal);
+    else
+    {
+      own_part.emplace(reconstruct_on_root(
+          scene, results.forces, results.displacement, how, team, terminal));
+      results.stress.n_sub_cells = own_part->stress.n_sub_cells;
+      results.stress.undetermined = own_part->stress.undetermined;
+    }
+    terminal.stage("Stress", text(results.stress.n_sub_cells, " sub-cells"));
     for (const std::string &warning : undetermined_cells(scene, results.stress))
       terminal.warning(warning);
   }
@@ -291,8 +306,13 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   }
   if (writes(ResultFiles::vtu))
     add("interfaces.vtu", write_interfaces_vtu);
-  if (reconstruct)
-    add("stress.vtu", write_stress_vtu);
+  if (own_part)
+    write_stress_pieces(files, *own_part, team);
+  else if (reconstruct)
+    files.write("stress.vtu", [&](std::ostream &out) {
+      write_stress_vtu(out,
+                       {scene.packing, results.stress, results.displacement});
+    });
   publish(files, results, prm);
   show_summary(terminal, results);
 }

@@ -170,8 +170,9 @@ struct Solver
 {
   explicit Solver(const Way &way,
                   const double tolerance = 1e-10,
-                  const std::string &settings = "")
-      : quiet(nowhere, 0)
+                  const std::string &settings = "",
+                  const Voussoir::Team &team = Voussoir::Team())
+      : parameters(team), quiet(nowhere, 0)
   {
     parameters.add_parameters(prm);
     std::ostringstream input;

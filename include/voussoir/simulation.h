@@ -80,6 +80,7 @@ private:
                const dealii::ParameterHandler &prm);
 
   Terminal &terminal;
+  const Team team;
   dealii::TimerOutput timer;
   std::string title;
   std::string output_directory = "output";

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <regex>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -20,10 +21,17 @@ namespace
 /** Every file that any run may write: its results, and the packing. */
 const std::vector<std::string> all_result_files = {
     "interfaces.csv",       "cells.csv",      "interfaces.vtu",
-    "stress.vtu",           "mechanism.csv",  "mechanism.vtu",
+    "stress.vtu",           "stress.pvtu",    "mechanism.csv",  "mechanism.vtu",
     "mechanism_joints.csv", "parameters.prm", "summary.json"};
 const std::vector<std::string> all_packing_files = {
     "packing.wkt", "packing.off", "packing_centres.txt"};
+
+/** Whether a file is what a process has written of the stress. */
+bool is_piece(const std::string &name)
+{
+  static const std::regex pattern("stress_[0-9]+\\.vtu");
+  return std::regex_match(name, pattern);
+}
 } // namespace
 
 ResultDirectory::ResultDirectory(fs::path directory_in)
@@ -110,6 +118,15 @@ void ResultDirectory::write(const std::string &name,
   written.push_back(name);
 }
 
+fs::path ResultDirectory::place_for(const std::string &name)
+{
+  Uninterrupted whole;
+  if (staging.empty())
+    make_staging(whole);
+  written.push_back(name);
+  return staging / name;
+}
+
 void ResultDirectory::publish()
 {
   Uninterrupted whole;
@@ -123,7 +140,11 @@ void ResultDirectory::publish()
     if (error)
       refuse(error.message());
   }
-  for (const std::string &name : all_result_files)
+  std::vector<std::string> earlier = all_result_files;
+  for (const fs::directory_entry &entry : fs::directory_iterator(directory))
+    if (is_piece(entry.path().filename().string()))
+      earlier.push_back(entry.path().filename().string());
+  for (const std::string &name : earlier)
     if (std::find(written.begin(), written.end(), name) == written.end())
       fs::remove(directory / name, error);
   written.clear();

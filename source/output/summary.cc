@@ -112,7 +112,7 @@ void write_summary_json(std::ostream &out, const Results &results)
                                      results.never_pressed.end(), true)},
         {"always_sliding", std::count(results.always_sliding.begin(),
                                       results.always_sliding.end(), true)}};
-  summary["stress"] = {{"sub_cells", results.stress.sub_cells.size()},
+  summary["stress"] = {{"sub_cells", results.stress.n_sub_cells},
                        {"undetermined_cells", results.stress.undetermined}};
   write(out, std::move(summary), results);
 }

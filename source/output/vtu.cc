@@ -94,9 +94,9 @@ SubCellPoints::SubCellPoints(const SubTriangulation &cut)
 }
 
 /**
- * The sub-cells of a range of cells as a grid of quadrilaterals. Those of one
+ * The sub-cells of a packing as a grid of quadrilaterals. Those of one
  * cell share their points, and those of different cells do not: cells are
- * bodies of their own, which may part, and look the same in any range.
+ * bodies of their own, which may part.
  */
 class SubCellGrid
 {
@@ -106,7 +106,6 @@ public:
   /** @param shift how far each cell is moved; nullptr: not at all. */
   SubCellGrid(const Packing &packing,
               const SubTriangulation &cut,
-              const CellRange &range,
               const Shift &shift = nullptr);
   SubCellGrid(const SubCellGrid &) = delete; // file asks this object
 
@@ -138,7 +137,6 @@ private:
   fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
 
   const Packing &packing;
-  const CellRange range;
   const Shift shift;
   const SubCellPoints points;
   VtuFile file;
@@ -146,39 +144,32 @@ private:
 
 SubCellGrid::SubCellGrid(const Packing &packing,
                          const SubTriangulation &cut,
-                         const CellRange &range,
                          const Shift &shift)
-    : packing(packing), range(range), shift(shift), points(cut),
+    : packing(packing), shift(shift), points(cut),
       file(
           VtuFile::Shape::quadrilateral,
-          first_point(range.end),
+          first_point(packing.n_cells()),
           [this](auto... arguments) { fill_points(arguments...); },
-          first_sub_cell(range.end),
+          first_sub_cell(packing.n_cells()),
           [this](auto... arguments) { fill_corners(arguments...); })
 {
 }
 
-/** Counted from the first of the range. */
 std::size_t SubCellGrid::first_point(const unsigned int cell) const
 {
-  const std::size_t n_sides =
-      packing.first_side(cell) - packing.first_side(range.begin);
-  return cell - range.begin + points.own.size() * n_sides;
+  return cell + points.own.size() * packing.first_side(cell);
 }
 
-/** Counted from the first of the range. */
 std::size_t SubCellGrid::first_sub_cell(const unsigned int cell) const
 {
-  const std::size_t n_sides =
-      packing.first_side(cell) - packing.first_side(range.begin);
-  return points.corners.size() * n_sides;
+  return points.corners.size() * packing.first_side(cell);
 }
 
 /** The cell of the item @p i, the first item of each cell being given. */
 template <typename First>
 unsigned int SubCellGrid::cell_of(const std::size_t i, const First &first) const
 {
-  unsigned int begin = range.begin, end = range.end;
+  unsigned int begin = 0, end = packing.n_cells();
   while (begin + 1 < end)
   {
     const unsigned int middle = begin + (end - begin) / 2;
@@ -242,8 +233,6 @@ void SubCellGrid::add(const std::string &name, const Values &values)
 {
   using Components = decltype(values(0, std::size_t()));
   using Number = typename Components::value_type;
-  const std::size_t before =
-      points.corners.size() * packing.first_side(range.begin);
   file.add_field<Number>(
       name, std::tuple_size<Components>::value,
       [=](std::size_t k, const std::size_t end, Number *place) {
@@ -254,7 +243,7 @@ void SubCellGrid::add(const std::string &name, const Values &values)
         for (; k < end; ++k)
         {
           c += (k == first(c + 1));
-          const Components components = values(c, before + k);
+          const Components components = values(c, k);
           place = std::copy(components.begin(), components.end(), place);
         }
       });
@@ -264,16 +253,18 @@ void SubCellGrid::add(const std::string &name, const Values &values)
 class StressGrid : public SubCellGrid
 {
 public:
-  StressGrid(const Results &results, const CellRange &range);
+  explicit StressGrid(const StressedCells &cells);
 };
 
-StressGrid::StressGrid(const Results &results, const CellRange &range)
-    : SubCellGrid(results.scene.packing, results.stress.cut, range)
+StressGrid::StressGrid(const StressedCells &cells)
+    : SubCellGrid(cells.packing, cells.stress.cut)
 {
   using Cell = unsigned int;
-  const Packing &packing = results.scene.packing;
-  const auto &sub_cells = results.stress.sub_cells;
-  const auto &undetermined = results.stress.undetermined;
+  const auto &sub_cells = cells.stress.sub_cells;
+  const auto &undetermined = cells.stress.undetermined;
+  const Packing &packing = cells.packing;
+  const auto &u = cells.displacement;
+  const unsigned int first = cells.first_cell;
   add("stress", [&](Cell, auto k) { return tensor(sub_cells[k].stress); });
   add("principal_stress_1", [&](Cell, auto k) {
     return scalar(principal_stresses(sub_cells[k].stress).first);
@@ -287,40 +278,27 @@ StressGrid::StressGrid(const Results &results, const CellRange &range)
   });
   add("skew", [&](Cell, auto k) { return scalar(sub_cells[k].skew); });
   add("div", [&](Cell, auto k) { return vector(sub_cells[k].divergence); });
-  add("cell", [](Cell c, auto) { return scalar(std::int32_t(c)); });
+  add("cell", [=](Cell c, auto) { return scalar(std::int32_t(first + c)); });
   add("group",
       [&](Cell c, auto) { return scalar(std::int32_t(packing.group(c))); });
-  add("displacement",
-      [&](Cell c, auto) { return vector(results.displacement[c]); });
-  add("reconstructed", [&](Cell c, auto) {
-    return scalar(std::uint8_t(
-        !std::binary_search(undetermined.begin(), undetermined.end(), c)));
+  add("displacement", [&](Cell c, auto) { return vector(u[c]); });
+  add("reconstructed", [&, first](Cell c, auto) {
+    return scalar(std::uint8_t(!std::binary_search(
+        undetermined.begin(), undetermined.end(), first + c)));
   });
-}
-
-CellRange all_cells(const Packing &packing)
-{
-  return {0, packing.n_cells()};
 }
 } // namespace
 
-void write_stress_vtu(std::ostream &out, const Results &results)
+void write_stress_vtu(std::ostream &out, const StressedCells &cells)
 {
-  write_stress_piece(out, results, all_cells(results.scene.packing));
-}
-
-void write_stress_piece(std::ostream &out,
-                        const Results &results,
-                        const CellRange &range)
-{
-  StressGrid(results, range).write(out);
+  StressGrid(cells).write(out);
 }
 
 void write_stress_pvtu(std::ostream &out,
-                       const Results &results,
+                       const StressedCells &cells,
                        const std::vector<std::string> &pieces)
 {
-  StressGrid(results, {0, 0}).write_record(out, pieces);
+  StressGrid(cells).write_record(out, pieces);
 }
 
 void write_interfaces_vtu(std::ostream &out, const Results &results)
@@ -382,8 +360,7 @@ void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
   const auto movement = [&](const unsigned int c) {
     return largest * collapse.displacement[c];
   };
-  SubCellGrid grid(packing, SubTriangulation::fan(), all_cells(packing),
-                   movement);
+  SubCellGrid grid(packing, SubTriangulation::fan(), movement);
   grid.add("displacement",
            [&](unsigned int c, auto) { return vector(movement(c)); });
   grid.add("cell",

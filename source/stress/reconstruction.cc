@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
-#include <voussoir/stress/cell_means.h>
 #include <voussoir/stress/fan.h>
 #include <voussoir/stress/least_norm.h>
 #include <voussoir/stress/reconstruction.h>
@@ -25,6 +24,7 @@ struct Scratch
   explicit Scratch(const Reconstruction &how) : how(how)
   {
   }
+
   CellStress &cell_stress(const unsigned int n_sides)
   {
     if (n_sides >= by_sides.size())
@@ -33,6 +33,36 @@ struct Scratch
     if (!with_n_sides)
       with_n_sides = how.cell_stress(n_sides);
     return *with_n_sides;
+  }
+
+  /** Take vertices and forces of a cell. */
+  void read(const Packing &packing, const CellForces &of_all, unsigned int c)
+  {
+    const unsigned int first = packing.first_side(c);
+    vertices.clear();
+    forces.clear();
+    body_forces.assign(packing.n_sides(c), Tensor<1, 2>());
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    {
+      vertices.push_back(packing.vertex(c, i));
+      forces.push_back(of_all.on_side[first + i]);
+      if (!of_all.body.empty())
+        body_forces[i] = of_all.body[first + i];
+    }
+  }
+
+  /** The mean stress of the cell that was read; see cell_mean_stresses(). */
+  Tensor<2, 2> mean(const Point<2> &centre, const double area) const
+  {
+    Tensor<2, 2> sum;
+    for (unsigned int i = 0; i < vertices.size(); ++i)
+    {
+      const Tensor<1, 2> a = vertices[i] - centre;
+      const Tensor<1, 2> b = vertices[(i + 1) % vertices.size()] - centre;
+      sum += outer_product(forces[i], 0.5 * (a + b)) +
+             outer_product(body_forces[i], (a + b) / 3.);
+    }
+    return sum / area;
   }
 
   const Reconstruction &how;
@@ -111,44 +141,34 @@ Reconstruction::cell_stress(const unsigned int n_sides) const
   return std::make_unique<Fan>(n_sides);
 }
 
-StressField reconstruct_stress(const Scene &scene,
-                               const InterfaceForces &forces,
+StressField reconstruct_stress(const Packing &packing,
+                               const CellForces &forces,
                                const Reconstruction &how,
                                Terminal &terminal)
 {
-  const Packing &packing = scene.packing;
   const unsigned int n_cells = packing.n_cells();
   StressField field;
   field.cut = how.cut();
   field.sub_cells.resize(field.first(packing, n_cells, 0));
+  field.n_sub_cells = field.sub_cells.size();
   std::vector<char> determined(n_cells, true);
 
   const auto reconstruct_cell = [&](const unsigned int c, Scratch &scratch) {
-    const auto sides = packing.sides(c);
-    scratch.vertices.clear();
-    scratch.forces.clear();
-    scratch.body_forces.clear();
-    for (unsigned int i = 0; i < sides.size(); ++i)
-    {
-      scratch.vertices.push_back(packing.vertex(c, i));
-      scratch.body_forces.push_back(scene.body.force(packing, c, i));
-      const unsigned int k = sides[i].index;
-      if (sides[i].on_boundary)
-        scratch.forces.push_back(packing.boundary_edges()[k].length *
-                                 scene.traction[k]);
-      else
-      {
-        const Packing::Interface &interface = packing.interfaces()[k];
-        const Tensor<1, 2> f = forces.on_cell_minus(interface, k);
-        scratch.forces.push_back(interface.cell_minus == c ? f : -f);
-      }
-    }
-    CellStress &cell_stress = scratch.cell_stress(sides.size());
+    const unsigned int n_sides = packing.n_sides(c);
+    scratch.read(packing, forces, c);
+    CellStress &cell_stress = scratch.cell_stress(n_sides);
+    const dealii::ArrayView<SubCellStress> sub_cells(
+        field.sub_cells.data() + field.first(packing, c, 0),
+        cell_stress.n_sub_cells());
     determined[c] =
         cell_stress.solve(packing.centre(c), scratch.vertices, scratch.forces,
-                          scratch.body_forces,
-                          {field.sub_cells.data() + field.first(packing, c, 0),
-                           cell_stress.n_sub_cells()});
+                          scratch.body_forces, sub_cells);
+    if (!determined[c])
+    {
+      const Tensor<2, 2> mean = scratch.mean(packing.centre(c), packing.area(c));
+      std::fill(sub_cells.begin(), sub_cells.end(),
+                SubCellStress{mean, {}, skew_part(mean)});
+    }
   };
 
   // In blocks, for a progress line between them.
@@ -172,14 +192,16 @@ StressField reconstruct_stress(const Scene &scene,
   for (unsigned int c = 0; c < n_cells; ++c)
     if (!determined[c])
       field.undetermined.push_back(c);
-  if (!field.undetermined.empty())
-  {
-    const auto means = cell_mean_stresses(scene, forces);
-    for (const unsigned int c : field.undetermined)
-      for (unsigned int k = field.first(packing, c, 0);
-           k < field.first(packing, c + 1, 0); ++k)
-        field.sub_cells[k] = {means[c], {}, skew_part(means[c])};
-  }
   return field;
+}
+
+StressField reconstruct_stress(const Scene &scene,
+                               const InterfaceForces &forces,
+                               const Reconstruction &how,
+                               Terminal &terminal)
+{
+  return reconstruct_stress(
+      scene.packing, cell_forces(scene, forces, all_cells(scene.packing)), how,
+      terminal);
 }
 } // namespace Voussoir

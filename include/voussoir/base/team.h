@@ -32,7 +32,8 @@ public:
     /** To end; not a task. */
     none,
     least_energy,
-    stress
+    stress,
+    writing
   };
 
   /** This process alone. */

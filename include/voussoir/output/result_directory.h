@@ -49,6 +49,15 @@ public:
              const std::function<void(std::ostream &)> &writer);
 
   /**
+   * Where another process is to write the file @p name, which counts as written
+   * then.
+   */
+  std::filesystem::path place_for(const std::string &name);
+
+  /** @throws InputError that the results cannot be written, and why. */
+  [[noreturn]] void refuse(const std::string &reason) const;
+
+  /**
    * Put all written files in place, in the order in which they were written,
    * and remove those files of an earlier run that this run did not write, but
    * for packings, which are there to be edited.
@@ -56,7 +65,6 @@ public:
   void publish();
 
 private:
-  [[noreturn]] void refuse(const std::string &reason) const;
   void make_staging(Uninterrupted &whole);
   void discard();
 

@@ -10,10 +10,15 @@
 
 namespace Voussoir
 {
-/** The cells from @p begin to @p end - 1. */
-struct CellRange
+/** What stress.vtu shows: some cells and the stress inside them. */
+struct StressedCells
 {
-  unsigned int begin, end;
+  const Packing &packing;
+  const StressField &stress;
+  /** Of each cell. */
+  const std::vector<dealii::Tensor<1, 2>> &displacement;
+  /** The number of the first cell, if others are elsewhere. */
+  unsigned int first_cell = 0;
 };
 
 /**
@@ -24,16 +29,14 @@ struct CellRange
  * reconstructed, which is 0 where the cell's mean stress had to stand in. All
  * in double precision, but for numbers and marks, which are integers.
  */
-void write_stress_vtu(std::ostream &out, const Results &results);
+void write_stress_vtu(std::ostream &out, const StressedCells &cells);
 
-/** The same for some of the cells: one piece of the grid. */
-void write_stress_piece(std::ostream &out,
-                        const Results &results,
-                        const CellRange &range);
-
-/** The .pvtu that makes one grid of @p pieces, by their names beside it. */
+/**
+ * The .pvtu that makes one grid of @p pieces, .vtu files with the same fields,
+ * by their names beside it.
+ */
 void write_stress_pvtu(std::ostream &out,
-                       const Results &results,
+                       const StressedCells &cells,
                        const std::vector<std::string> &pieces);
 
 /**

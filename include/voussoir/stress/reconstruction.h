@@ -4,6 +4,7 @@
 
 #include <voussoir/base/terminal.h>
 #include <voussoir/statics/scene.h>
+#include <voussoir/stress/cell_forces.h>
 #include <voussoir/stress/cell_stress.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -39,6 +40,8 @@ struct StressField
    * triangle; see first(). Empty if no reconstruction was asked for.
    */
   std::vector<SubCellStress> sub_cells;
+  /** How many there are; more than here if several processes have them. */
+  unsigned long long n_sub_cells = 0;
   /**
    * The cells for which the stress is not determined, or lost to rounding;
    * their sub-cells all have the mean stress of the cell. Ascending.
@@ -85,9 +88,15 @@ private:
 };
 
 /**
- * Find the stress in every cell, on all threads. The result does not depend on
- * their number.
+ * Find the stress in every cell under the forces on it, on all threads. The
+ * result does not depend on their number.
  */
+StressField reconstruct_stress(const Packing &packing,
+                               const CellForces &forces,
+                               const Reconstruction &how,
+                               Terminal &terminal);
+
+/** The same for all cells of a scene. */
 StressField reconstruct_stress(const Scene &scene,
                                const InterfaceForces &forces,
                                const Reconstruction &how,

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_blas_h
+#define voussoir_base_blas_h
+
+namespace Voussoir
+{
+/**
+ * Make the machine's BLAS safe to call, where it is OpenBLAS: threads and
+ * processes are the program's own, so that OpenBLAS gets one thread a call; and
+ * if it is built for programs without threads (libopenblas0-serial), which
+ * cannot be called by several at a time, the program takes one thread, too.
+ * To be called after the start of deal.II, which sets their number.
+ */
+void prepare_blas();
+} // namespace Voussoir
+
+#endif

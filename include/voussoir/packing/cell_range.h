@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_cell_range_h
+#define voussoir_packing_cell_range_h
+
+#include <voussoir/packing/packing.h>
+
+namespace Voussoir
+{
+/** The cells from @p begin to @p end - 1. */
+struct CellRange
+{
+  unsigned int begin, end;
+};
+
+inline CellRange all_cells(const Packing &packing)
+{
+  return {0, packing.n_cells()};
+}
+
+/** Some cells of a packing, each with vertices of its own. */
+CellLoops cut_free(const Packing &packing, const CellRange &cells);
+} // namespace Voussoir
+
+#endif

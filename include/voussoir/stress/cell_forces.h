@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_cell_forces_h
+#define voussoir_stress_cell_forces_h
+
+#include <voussoir/packing/cell_range.h>
+#include <voussoir/statics/scene.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The forces on some cells that are cut free of all others, per unit thickness;
+ * side by side, cell by cell.
+ */
+struct CellForces
+{
+  /** On each side: of an interface, a support or a traction. */
+  std::vector<dealii::Tensor<1, 2>> on_side;
+  /**
+   * The integral of the body force over the triangle of the centre and each
+   * side; empty if there is none.
+   */
+  std::vector<dealii::Tensor<1, 2>> body;
+};
+
+CellForces cell_forces(const Scene &scene,
+                       const InterfaceForces &forces,
+                       const CellRange &cells);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_stress_part_h
+#define voussoir_stress_stress_part_h
+
+#include <voussoir/base/team.h>
+#include <voussoir/base/terminal.h>
+#include <voussoir/stress/reconstruction.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The cells of one process, cut free of all others, and the stress inside them.
+ * The processes have cells that follow each other in number, as many as
+ * possible the same.
+ */
+struct StressPart
+{
+  /** The number of its first cell in the whole packing. */
+  unsigned int first_cell;
+  Packing packing;
+  /** Of each cell. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  StressField stress;
+};
+
+/**
+ * Find the stress in all cells of a scene, of which the root has the whole: it
+ * sends each process its cells and the forces on them. Collective.
+ *
+ * @return the part of this process, in which undetermined cells have their
+ *   numbers in the whole packing; on the root the list of these and the number
+ *   of sub-cells are those of all processes.
+ */
+StressPart reconstruct_on_root(const Scene &scene,
+                               const InterfaceForces &forces,
+                               const std::vector<dealii::Tensor<1, 2>> &u,
+                               const Reconstruction &how,
+                               const Team &team,
+                               Terminal &terminal);
+
+/** The same for another process; see Team::Task::stress. */
+StressPart assist_stress(const Team &team);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/blas.h>
+
+#include <deal.II/base/multithread_info.h>
+
+#include <dlfcn.h>
+
+namespace Voussoir
+{
+void prepare_blas()
+{
+  // Which BLAS there is, only the machine knows: its functions are asked for by
+  // their names.
+  const auto find = [](const char *name) {
+    return dlsym(RTLD_DEFAULT, name);
+  };
+  using SetThreads = void (*)(int);
+  using GetParallel = int (*)();
+  if (const auto set_threads =
+          reinterpret_cast<SetThreads>(find("openblas_set_num_threads")))
+    set_threads(1);
+  const auto get_parallel =
+      reinterpret_cast<GetParallel>(find("openblas_get_parallel"));
+  constexpr int without_threads = 0;
+  if (get_parallel != nullptr && get_parallel() == without_threads)
+    dealii::MultithreadInfo::set_thread_limit(1);
+}
+} // namespace Voussoir

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/stress_pieces.h>
+#include <voussoir/output/vtu.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+namespace
+{
+std::vector<char> characters(const std::string &text)
+{
+  return {text.begin(), text.end()};
+}
+
+StressedCells shown(const StressPart &part)
+{
+  return {part.packing, part.stress, part.displacement, part.first_cell};
+}
+
+/** @return why that failed; empty if it did not. */
+std::string write(const StressPart &part, const std::string &path)
+{
+  errno = 0;
+  std::ofstream out(path);
+  write_stress_vtu(out, shown(part));
+  out.close();
+  if (out)
+    return {};
+  return errno != 0 ? std::strerror(errno) : "it cannot be written";
+}
+} // namespace
+
+void write_stress_pieces(ResultDirectory &files,
+                         const StressPart &part,
+                         const Team &team)
+{
+  team.call(Team::Task::writing);
+  std::vector<std::string> names;
+  std::vector<std::vector<char>> paths;
+  for (unsigned int r = 0; r < team.size(); ++r)
+  {
+    names.push_back(text("stress_", r, ".vtu"));
+    paths.push_back(characters(files.place_for(names.back()).string()));
+  }
+  const std::vector<char> path = team.scatter(paths);
+  const auto failures = team.gather(
+      characters(write(part, std::string(path.begin(), path.end()))));
+  for (unsigned int r = 0; r < failures.size(); ++r)
+    if (!failures[r].empty())
+      files.refuse("process " + std::to_string(r) + " writing " + names[r] +
+                   " failed: " +
+                   std::string(failures[r].begin(), failures[r].end()));
+  files.write("stress.pvtu", [&](std::ostream &out) {
+    write_stress_pvtu(out, shown(part), names);
+  });
+}
+
+void write_stress_piece(const StressPart &part, const Team &team)
+{
+  const std::vector<char> path = team.scatter<char>({});
+  team.gather(characters(write(part, std::string(path.begin(), path.end()))));
+}
+} // namespace Voussoir

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/stress/cell_forces.h>
+#include <voussoir/stress/stress_part.h>
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/split.hpp>
+
+#include <ostream>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/** What is sent of the cells of one process. */
+struct Message
+{
+  CellLoops cells;
+  CellForces forces;
+  std::vector<Tensor<1, 2>> displacement;
+};
+
+/** No name of a group has it; see check_group_name(). */
+constexpr char between_names = '\n';
+
+void send(const Team &team, const unsigned int process, const Message &message)
+{
+  const std::string names = boost::algorithm::join(
+      message.cells.group_names, std::string(1, between_names));
+  team.send(std::vector<char>(names.begin(), names.end()), process);
+  team.send(std::vector<double>{message.cells.tolerance}, process);
+  team.send(message.cells.vertices, process);
+  team.send(message.cells.first, process);
+  team.send(message.cells.loops, process);
+  team.send(message.cells.centres, process);
+  team.send(message.cells.group, process);
+  team.send(message.forces.on_side, process);
+  team.send(message.forces.body, process);
+  team.send(message.displacement, process);
+}
+
+Message receive(const Team &team)
+{
+  Message message;
+  const std::vector<char> names = team.receive<char>(0);
+  boost::algorithm::split(message.cells.group_names, names,
+                          [](const char c) { return c == between_names; });
+  message.cells.tolerance = team.receive<double>(0).front();
+  message.cells.vertices = team.receive<dealii::Point<2>>(0);
+  message.cells.first = team.receive<unsigned int>(0);
+  message.cells.loops = team.receive<unsigned int>(0);
+  message.cells.centres = team.receive<dealii::Point<2>>(0);
+  message.cells.group = team.receive<unsigned int>(0);
+  message.forces.on_side = team.receive<Tensor<1, 2>>(0);
+  message.forces.body = team.receive<Tensor<1, 2>>(0);
+  message.displacement = team.receive<Tensor<1, 2>>(0);
+  return message;
+}
+
+/** The same on all processes, each with its own message. */
+StressPart reconstruct(Message message,
+                       const unsigned int first_cell,
+                       const Reconstruction &how,
+                       const Team &team,
+                       Terminal &terminal)
+{
+  Packing packing(std::move(message.cells));
+  StressField stress =
+      reconstruct_stress(packing, message.forces, how, terminal);
+  std::vector<unsigned int> undetermined;
+  for (const unsigned int c : stress.undetermined)
+    undetermined.push_back(first_cell + c);
+  const auto n_sub_cells = team.sum<unsigned long long>(stress.n_sub_cells);
+  const auto of_all = team.gather(undetermined);
+  stress.undetermined = undetermined;
+  if (team.is_root())
+  {
+    stress.n_sub_cells = n_sub_cells;
+    stress.undetermined.clear();
+    for (const auto &cells : of_all)
+      stress.undetermined.insert(stress.undetermined.end(), cells.begin(),
+                                 cells.end());
+  }
+  return {first_cell, std::move(packing), std::move(message.displacement),
+          std::move(stress)};
+}
+} // namespace
+
+StressPart reconstruct_on_root(const Scene &scene,
+                               const InterfaceForces &forces,
+                               const std::vector<Tensor<1, 2>> &u,
+                               const Reconstruction &how,
+                               const Team &team,
+                               Terminal &terminal)
+{
+  team.call(Team::Task::stress);
+  return team.together([&]() {
+    team.broadcast(how);
+    const std::size_t n_cells = scene.packing.n_cells();
+    Message message;
+    // Its own last, so that no more than two are held at a time.
+    for (unsigned int r = team.size(); r-- > 0;)
+    {
+      const CellRange cells = {
+          static_cast<unsigned int>(n_cells * r / team.size()),
+          static_cast<unsigned int>(n_cells * (r + 1) / team.size())};
+      message = {cut_free(scene.packing, cells),
+                 cell_forces(scene, forces, cells),
+                 {u.begin() + cells.begin, u.begin() + cells.end}};
+      if (r > 0)
+      {
+        team.send(std::vector<unsigned int>{cells.begin}, r);
+        send(team, r, message);
+      }
+    }
+    return reconstruct(std::move(message), 0, how, team, terminal);
+  });
+}
+
+StressPart assist_stress(const Team &team)
+{
+  std::ostream nowhere(nullptr);
+  Terminal silent(nowhere, 0);
+  return team.together([&]() {
+    const Reconstruction how = team.broadcast(Reconstruction());
+    const unsigned int first_cell = team.receive<unsigned int>(0).front();
+    return reconstruct(receive(team), first_cell, how, team, silent);
+  });
+}
+} // namespace Voussoir

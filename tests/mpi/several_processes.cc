@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Several processes find what one finds alone: the forces of least energy, by
+// either linear solver, the proof of collapse, and the stress in every cell.
+
+#include <voussoir/assist.h>
+#include <voussoir/stress/stress_part.h>
+
+#include <deal.II/base/mpi.h>
+
+#include "tests.h"
+#include <fstream>
+
+using namespace Voussoir;
+
+/** 3,600 bricks on the ground under their weight. */
+Scene heavy_wall(const double strength)
+{
+  Packing bricks = wall(60, 60);
+  std::vector<bool> is_support;
+  for (const auto &edge : bricks.boundary_edges())
+    is_support.push_back(edge.midpoint()[1] < 1e-9);
+  bricks.support(is_support);
+  std::vector<double> strengths(bricks.interfaces().size(), strength);
+  std::vector<dealii::Tensor<1, 2>> tractions(bricks.boundary_edges().size());
+  for (unsigned int b = 0; b < tractions.size(); ++b)
+    if (bricks.boundary_edges()[b].normal[1] > 0.5)
+      tractions[b] = dealii::Tensor<1, 2>({0.2, -1.});
+  BodyForce weight(bricks, [](const auto &, unsigned int) {
+    return dealii::Tensor<1, 2>({0., -3.});
+  });
+  return Scene(std::move(bricks), strengths, {tractions, weight, {}});
+}
+
+double largest_force(const InterfaceForces &forces)
+{
+  double largest = 0.;
+  for (const auto *component : {&forces.normal, &forces.tangential})
+    for (const double f : *component)
+      largest = std::max(largest, std::abs(f));
+  return largest;
+}
+
+void compare_forces(const std::string &name, const Scene &scene, const Team &team)
+{
+  const InterfaceForces alone = Solver(least_energy).forces(scene);
+  for (const std::string method : {"automatic", "direct", "multigrid"})
+  {
+    const Way way = least_energy.with("set Linear solver = " + method);
+    const InterfaceForces together = Solver(way, 1e-10, "", team).forces(scene);
+    check_error(name + ", " + method + ": distance from one process alone",
+                distance(alone, together) / largest_force(alone), 1e-10);
+    check_error(name + ", " + method + ": equilibrium",
+                certify(scene, together).equilibrium_residual, 1e-10);
+  }
+}
+
+void compare_collapse(const Scene &scene, const Team &team)
+{
+  const DiscreteProblem problem(scene);
+  const Solution found = Solver(least_energy, 1e-10, "", team).solve(problem);
+  check("collapse is found", found.mechanism.has_value());
+  if (found.mechanism)
+    check("collapse is proven",
+          proves_collapse(
+              certify_mechanism(scene, found.mechanism->displacement)));
+}
+
+/** The sub-cells of the root's own part, which are the first of all. */
+void compare_stress(const std::string &name,
+                    const Scene &scene,
+                    const Reconstruction &how,
+                    const Team &team)
+{
+  Solver solver(least_energy);
+  const InterfaceForces forces = solver.forces(scene);
+  const std::vector<dealii::Tensor<1, 2>> u(scene.packing.n_cells());
+  const StressField alone =
+      reconstruct_stress(scene, forces, how, solver.quiet);
+  const StressPart part =
+      reconstruct_on_root(scene, forces, u, how, team, solver.quiet);
+  check(name + ": number of sub-cells",
+        part.stress.n_sub_cells == alone.sub_cells.size());
+  check(name + ": undetermined cells",
+        part.stress.undetermined == alone.undetermined);
+  double error = 0.;
+  for (unsigned int k = 0; k < part.stress.sub_cells.size(); ++k)
+    error = std::max(error, (part.stress.sub_cells[k].stress -
+                             alone.sub_cells[k].stress)
+                                .norm());
+  check_error(name + ": distance from one process alone", error, 1e-12);
+}
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Team team(MPI_COMM_WORLD);
+  if (!team.is_root())
+  {
+    assist(team);
+    return 0;
+  }
+
+  // Into a file: the launcher may have something to say on the terminal.
+  std::ofstream file("output");
+  std::streambuf *const terminal = std::cout.rdbuf(file.rdbuf());
+  const auto cells = [](const double d) {
+    return scene_under_stress(random_packing(4000, 1), 0.3,
+                              tensor(-1 + d, 0, 0, -1 - d));
+  };
+  compare_forces("no joint slides", cells(0.2), team);
+  compare_forces("joints slide and open", cells(0.5), team);
+  compare_forces("on the ground", heavy_wall(0.8), team);
+  compare_collapse(cells(0.9), team);
+  const Scene small = scene_under_stress(random_packing(50, 1), 0.5,
+                                         tensor(-1.1, 0, 0, -0.9));
+  compare_stress("standard", small, {false, 0, 0}, team);
+  compare_stress("fine", small, {true, 0, 0}, team);
+  compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, team);
+  std::cout.rdbuf(terminal);
+  team.call(Team::Task::none);
+}
