@@ -240,8 +240,7 @@ def measured(rows):
         "all alike. Times are those of the stages in `summary.json`, without "
         "the start of the process; of a run without an answer, that of the "
         "whole process. All other numbers are computed from the .csv and .vtu "
-        "files, the latter of single precision, which puts their errors at "
-        "1e-7 or more.",
+        "files.",
         listed(rows, {"experiment": "experiment", "repeats": "repeats",
                       "command": lambda row: f"`{row['command']}`",
                       "processor": "processor", "cores": "cores",

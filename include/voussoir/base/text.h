@@ -5,7 +5,6 @@
 #include <deal.II/base/point.h>
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 
@@ -25,12 +24,6 @@ std::string text(const Arguments &...arguments)
 inline std::string text_of_number(const double x)
 {
   return std::isnan(x) ? "not a number" : text(x);
-}
-
-/** Write all numbers so that they are read again to the last bit. */
-inline void use_all_digits(std::ostream &out)
-{
-  out.precision(std::numeric_limits<double>::max_digits10);
 }
 
 /** "1 support", "2 supports" */
