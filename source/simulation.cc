@@ -190,6 +190,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   record.outcome = solution.outcome;
   record.n_iterations = solution.n_iterations;
   record.n_evaluations = solution.n_evaluations;
+  record.solver_seconds = solution.seconds;
   if (solution.mechanism)
   {
     Collapse collapse(record);

@@ -49,6 +49,8 @@ Json summary_of(const RunRecord &run, const std::string &status)
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};
+  if (!run.solver_seconds.empty())
+    summary["solver"]["seconds"] = run.solver_seconds;
   if (!run.earlier_outcome.empty())
     summary["solver"]["earlier_outcome"] = run.earlier_outcome;
   return summary;

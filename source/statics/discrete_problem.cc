@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/connected_groups.h>
 #include <voussoir/statics/discrete_problem.h>
 #include <voussoir/statics/opening.h>
 
@@ -38,7 +37,7 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
                           scene.strength[e] / stress_unit * length});
   }
 
-  group = connected_groups(packing);
+  group = scene.group;
   if (packing.n_supports() > 0)
     load.emplace_back();
   group.resize(load.size());

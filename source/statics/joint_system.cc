@@ -27,6 +27,7 @@ constexpr unsigned int n_couplings_for_multigrid = 6000;
 JointSystem::JointSystem(const Structure &structure, const LinearSolver kind)
     : structure(structure), kind(kind)
 {
+  timer.reset();
 }
 
 std::unique_ptr<LinearMethod>
@@ -52,6 +53,7 @@ JointSystem::make(const unsigned int n_components) const
 bool JointSystem::prepare(const std::vector<Structure::Jump> &coefficients,
                           const double shift)
 {
+  timer.start();
   const bool apart = structure.team().all(std::all_of(
       coefficients.begin(), coefficients.end(),
       [](const Structure::Jump &a) { return a.normal == a.tangential; }));
@@ -59,7 +61,9 @@ bool JointSystem::prepare(const std::vector<Structure::Jump> &coefficients,
   if (!method)
     method = make(apart ? 1 : 2);
   current = method.get();
-  return current->prepare(coefficients, shift);
+  const bool is_prepared = current->prepare(coefficients, shift);
+  timer.stop();
+  return is_prepared;
 }
 
 bool JointSystem::is_direct() const
@@ -67,10 +71,17 @@ bool JointSystem::is_direct() const
   return current->is_direct();
 }
 
+double JointSystem::seconds() const
+{
+  return timer.wall_time();
+}
+
 std::vector<double> JointSystem::solve(const std::vector<double> &r)
 {
+  timer.start();
   std::vector<double> u = current->solve(r);
   structure.update_ghosts(u);
+  timer.stop();
   return u;
 }
 } // namespace Voussoir

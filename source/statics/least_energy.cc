@@ -6,6 +6,8 @@
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
+#include <deal.II/base/timer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -144,8 +146,14 @@ Solution minimise_together(const DiscreteProblem *whole,
 {
   return team.together([&]() {
     const Order of_root = team.broadcast(order);
+    const dealii::Timer timer;
     const SharedProblem problem(whole, team);
-    return minimise_elastic(problem, of_root, displacement_unit, terminal);
+    const double seconds_to_share = timer.wall_time();
+    Solution solution =
+        minimise_elastic(problem, of_root, displacement_unit, terminal);
+    if (team.size() > 1)
+      solution.seconds["sharing"] = seconds_to_share;
+    return solution;
   });
 }
 } // namespace

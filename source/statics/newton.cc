@@ -303,6 +303,11 @@ unsigned int Newton::n_evaluations() const
   return evaluations;
 }
 
+double Newton::seconds_of_systems() const
+{
+  return system.seconds();
+}
+
 Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
@@ -355,6 +360,7 @@ Solution minimise(const SharedProblem &problem,
 
   solution.n_iterations = newton.n_iterations();
   solution.n_evaluations = newton.n_evaluations();
+  solution.seconds["linear systems"] = newton.seconds_of_systems();
   problem.collect(best_u, best_forces, displacement_unit, solution);
   return solution;
 }

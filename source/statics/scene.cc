@@ -51,7 +51,7 @@ Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
       traction(std::move(loads.traction)), on_cells(std::move(loads.on_cells)),
       body(std::move(loads.body)), has_body_force(!body.empty()),
-      load(packing.n_cells())
+      load(packing.n_cells()), group(connected_groups(packing))
 {
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
@@ -92,7 +92,6 @@ std::vector<double> Scene::add_up_loads()
 
 void Scene::check_balance(const std::vector<double> &size) const
 {
-  const std::vector<unsigned int> group = connected_groups(packing);
   std::vector<Tensor<1, 2>> total(group.size());
   std::vector<double> sizes(group.size(), 0.);
   std::vector<unsigned int> n_members(group.size(), 0);
@@ -145,7 +144,6 @@ void Scene::check_balance(const std::vector<double> &size) const
 /** A cell by itself carries nothing: what is left of its load is rounding. */
 void Scene::clear_single_cells()
 {
-  const std::vector<unsigned int> group = connected_groups(packing);
   std::vector<unsigned int> n_members(group.size(), 0);
   for (const unsigned int g : group)
     ++n_members[g];

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/shared_problem.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
@@ -18,46 +15,44 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/** The cells in their order along a Hilbert curve through their centres. */
-std::vector<unsigned int>
-along_hilbert_curve(const std::vector<Tensor<1, 2>> &centres)
+/**
+ * Recursive coordinate bisection: cut the cells from @p begin to @p end - 1
+ * into parts of equal numbers, @p n_parts of them from @p first_part on, always
+ * across the longer side of their box.
+ */
+void bisect(const std::vector<Tensor<1, 2>> &centres,
+            const std::vector<unsigned int>::iterator begin,
+            const std::vector<unsigned int>::iterator end,
+            const unsigned int first_part,
+            const unsigned int n_parts,
+            std::vector<unsigned int> &part)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_2> points;
-  points.reserve(centres.size());
-  for (const Tensor<1, 2> &x : centres)
-    points.emplace_back(x[0], x[1]);
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
-  CGAL::hilbert_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(
-                         CGAL::make_property_map(points)));
-  return {order.begin(), order.end()};
-}
-
-/** The joints of each body, and where those of each begin. */
-struct Incidence
-{
-  explicit Incidence(const Structure &structure)
-      : first(structure.n_bodies() + 1, 0), joints(2 * structure.joints().size())
+  if (n_parts == 1)
   {
-    const auto for_ends = [&](const auto &visit) {
-      for (unsigned int e = 0; e < structure.joints().size(); ++e)
-        for (const unsigned int b : {structure.joints()[e].cell_minus,
-                                     structure.joints()[e].cell_plus})
-          visit(b, e);
-    };
-    for_ends([&](const unsigned int b, unsigned int) { ++first[b + 1]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<unsigned int> next(first.begin(), first.end() - 1);
-    for_ends([&](const unsigned int b, const unsigned int e) {
-      joints[next[b]++] = e;
-    });
+    for (auto cell = begin; cell != end; ++cell)
+      part[*cell] = first_part;
+    return;
   }
-
-  std::vector<unsigned int> first, joints;
-};
+  std::array<double, 2> extent;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    const auto [low, high] = std::minmax_element(
+        begin, end, [&](const unsigned int a, const unsigned int b) {
+          return centres[a][i] < centres[b][i];
+        });
+    extent[i] = begin == end ? 0. : centres[*high][i] - centres[*low][i];
+  }
+  const unsigned int i = extent[0] < extent[1] ? 1 : 0;
+  const unsigned int n_first = n_parts / 2;
+  const auto middle =
+      begin + static_cast<std::size_t>(end - begin) * n_first / n_parts;
+  std::nth_element(begin, middle, end,
+                   [&](const unsigned int a, const unsigned int b) {
+                     return centres[a][i] < centres[b][i];
+                   });
+  bisect(centres, begin, middle, first_part, n_first, part);
+  bisect(centres, middle, end, first_part + n_first, n_parts - n_first, part);
+}
 } // namespace
 
 SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole)
@@ -72,13 +67,11 @@ SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
   Structure::Part own;
   if (team.is_root())
   {
-    number_bodies();
-    joints_of.resize(team.size());
-    const Incidence incidence(*whole);
+    cut();
     // Its own last, so that no more than two are held at a time.
     for (unsigned int r = team.size(); r-- > 0;)
     {
-      own = make_part(r, incidence.first, incidence.joints);
+      own = make_part(r);
       if (r > 0)
       {
         team.send(std::vector<unsigned int>{own.first}, r);
@@ -98,22 +91,39 @@ SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
   part = std::make_unique<const Structure>(team, std::move(own));
 }
 
-void SharedProblem::number_bodies()
+void SharedProblem::cut()
 {
-  bodies = along_hilbert_curve(whole->centres());
-  for (unsigned int b = whole->n_cells(); b < whole->n_bodies(); ++b)
-    bodies.push_back(b);
-  number.resize(bodies.size());
-  for (unsigned int k = 0; k < bodies.size(); ++k)
-    number[bodies[k]] = k;
-  for (unsigned int r = 0; r <= team.size(); ++r)
-    first_body.push_back(std::size_t(bodies.size()) * r / team.size());
+  // The ground, if there is one, is the last part's.
+  std::vector<unsigned int> part(whole->n_bodies(), team.size() - 1);
+  std::vector<unsigned int> cells(whole->n_cells());
+  std::iota(cells.begin(), cells.end(), 0);
+  bisect(whole->centres(), cells.begin(), cells.end(), 0, team.size(), part);
+
+  first_body.assign(team.size() + 1, 0);
+  for (const unsigned int p : part)
+    ++first_body[p + 1];
+  std::partial_sum(first_body.begin(), first_body.end(), first_body.begin());
+  std::vector<unsigned int> next(first_body.begin(), first_body.end() - 1);
+  bodies.resize(part.size());
+  number.resize(part.size());
+  for (unsigned int b = 0; b < part.size(); ++b)
+  {
+    number[b] = next[part[b]]++;
+    bodies[number[b]] = b;
+  }
+
+  joints_of.resize(team.size());
+  for (unsigned int e = 0; e < whole->joints().size(); ++e)
+  {
+    const unsigned int one = part[whole->joints()[e].cell_minus];
+    const unsigned int other = part[whole->joints()[e].cell_plus];
+    joints_of[one].push_back(e);
+    if (other != one)
+      joints_of[other].push_back(e);
+  }
 }
 
-Structure::Part
-SharedProblem::make_part(const unsigned int process,
-                         const std::vector<unsigned int> &first_joint,
-                         const std::vector<unsigned int> &joints_of_body)
+Structure::Part SharedProblem::make_part(const unsigned int process) const
 {
   const unsigned int begin = first_body[process], end = first_body[process + 1];
   const auto is_own = [&](const unsigned int k) {
@@ -121,23 +131,14 @@ SharedProblem::make_part(const unsigned int process,
   };
   Structure::Part result;
   result.first = begin;
-  std::vector<unsigned int> &joints = joints_of[process];
   for (unsigned int k = begin; k < end; ++k)
-  {
-    const unsigned int b = bodies[k];
-    result.loads.push_back(whole->loads()[b]);
-    for (unsigned int i = first_joint[b]; i < first_joint[b + 1]; ++i)
-    {
-      const Joint &joint = whole->joints()[joints_of_body[i]];
-      const unsigned int other = number[joint.cell_minus == b
-                                            ? joint.cell_plus
-                                            : joint.cell_minus];
-      if (!is_own(other))
-        result.ghosts.push_back(other);
-      if (!is_own(other) || k < other)
-        joints.push_back(joints_of_body[i]);
-    }
-  }
+    result.loads.push_back(whole->loads()[bodies[k]]);
+  const std::vector<unsigned int> &joints = joints_of[process];
+  for (const unsigned int e : joints)
+    for (const unsigned int b :
+         {whole->joints()[e].cell_minus, whole->joints()[e].cell_plus})
+      if (!is_own(number[b]))
+        result.ghosts.push_back(number[b]);
   std::sort(result.ghosts.begin(), result.ghosts.end());
   result.ghosts.erase(
       std::unique(result.ghosts.begin(), result.ghosts.end()),

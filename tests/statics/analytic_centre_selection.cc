@@ -52,7 +52,8 @@ InterfaceForces from_start(const Scene &scene,
   std::ostringstream nowhere;
   Terminal quiet(nowhere, 0);
   return dimensional_forces(problem, minimise(
-                                         problem, newton, {1e-10, 200, 1e-7},
+                                         SharedProblem(problem), newton,
+                                         {1e-10, 200, 1e-7},
                                          [&]() -> std::optional<Mechanism> {
                                            newton.step(least_shift, newton.u());
                                            return {};

@@ -34,6 +34,8 @@ struct RunRecord
   std::string earlier_outcome;
   unsigned int n_iterations = 0;
   unsigned int n_evaluations = 0;
+  /** See Solution. */
+  std::map<std::string, double> solver_seconds;
 
   /** Wall clock time of each stage, in seconds. */
   std::map<std::string, double> timings;

@@ -4,6 +4,8 @@
 
 #include <voussoir/statics/linear_method.h>
 
+#include <deal.II/base/timer.h>
+
 #include <array>
 #include <memory>
 #include <vector>
@@ -66,6 +68,9 @@ public:
   /** Whether another solve() costs little after a prepare(). */
   bool is_direct() const;
 
+  /** How long prepare() and solve() have taken so far; seconds. */
+  double seconds() const;
+
 private:
   std::unique_ptr<LinearMethod> make(unsigned int n_components) const;
 
@@ -74,6 +79,7 @@ private:
   /** For systems of one component and of two; made when first needed. */
   std::array<std::unique_ptr<LinearMethod>, 2> methods;
   LinearMethod *current = nullptr;
+  dealii::Timer timer;
 };
 } // namespace Voussoir
 

@@ -65,6 +65,8 @@ public:
   unsigned int n_iterations() const;
   /** How often the forces were evaluated. */
   unsigned int n_evaluations() const;
+  /** How long the linear systems have taken so far; see JointSystem. */
+  double seconds_of_systems() const;
 
 private:
   /** A displacement and what follows from it. */

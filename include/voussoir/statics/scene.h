@@ -35,6 +35,8 @@ struct Scene
   bool has_body_force;
   /** F_c on each cell, the sum of all these; a force per unit thickness. */
   std::vector<dealii::Tensor<1, 2>> load;
+  /** connected_groups() of the packing. */
+  std::vector<unsigned int> group;
 
 private:
   /** @return the sum of the sizes of the forces on each cell. */

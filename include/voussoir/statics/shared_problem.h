@@ -14,8 +14,8 @@ namespace Voussoir
 {
 /**
  * A problem that the processes of a team solve together. The root has the whole
- * and keeps it; each has a part: cells that follow each other along a Hilbert
- * curve through the centres, as many as the others have; the ground is the
+ * and keeps it; each has a part: as many cells as the others, by recursive
+ * coordinate bisection of their centres, in their order; the ground is the
  * last's. Questions on the whole are answered by the root.
  *
  * Alone, a process works on the whole itself.
@@ -59,10 +59,8 @@ public:
                Solution &solution) const;
 
 private:
-  void number_bodies();
-  Structure::Part make_part(unsigned int process,
-                            const std::vector<unsigned int> &first_joint,
-                            const std::vector<unsigned int> &joints_of_body);
+  void cut();
+  Structure::Part make_part(unsigned int process) const;
   std::vector<double> gather(const std::vector<double> &u) const;
   std::vector<double> scatter(const std::vector<double> &u) const;
 

@@ -4,6 +4,7 @@
 
 #include <voussoir/statics/mechanism.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct Solution
   unsigned int n_iterations = 0;
   /** How often the solver evaluated the energy or the forces. */
   unsigned int n_evaluations = 0;
+  /** How long parts of the solution took, by name; wall time. */
+  std::map<std::string, double> seconds;
   /** Why the solver stopped, in a few words; "converged" if it did. */
   std::string outcome;
 
