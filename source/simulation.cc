@@ -185,6 +185,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
 
   RunRecord record(scene);
   record.title = title;
+  record.n_processes = team.size();
   record.formulation = formulation.name();
   record.selection = formulation.selection();
   record.outcome = solution.outcome;
@@ -222,6 +223,7 @@ Results Simulation::read_forces(EarlierRun &earlier, const Scene &scene)
   timer.enter_subsection("statics");
   Results results = earlier.results(scene);
   results.title = title;
+  results.n_processes = team.size();
   if (solver.controls().equilibrate && !results.correction)
   {
     const DiscreteProblem problem(scene);

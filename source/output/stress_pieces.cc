@@ -48,9 +48,11 @@ void write_stress_pieces(ResultDirectory &files,
     names.push_back(text("stress_", r, ".vtu"));
     paths.push_back(characters(files.place_for(names.back()).string()));
   }
-  const std::vector<char> path = team.scatter(paths);
-  const auto failures = team.gather(
-      characters(write(part, std::string(path.begin(), path.end()))));
+  const auto failures = team.together([&]() {
+    const std::vector<char> path = team.scatter(paths);
+    return team.gather(
+        characters(write(part, std::string(path.begin(), path.end()))));
+  });
   for (unsigned int r = 0; r < failures.size(); ++r)
     if (!failures[r].empty())
       files.refuse("process " + std::to_string(r) + " writing " + names[r] +
@@ -63,7 +65,10 @@ void write_stress_pieces(ResultDirectory &files,
 
 void write_stress_piece(const StressPart &part, const Team &team)
 {
-  const std::vector<char> path = team.scatter<char>({});
-  team.gather(characters(write(part, std::string(path.begin(), path.end()))));
+  team.together([&]() {
+    const std::vector<char> path = team.scatter<char>({});
+    return team.gather(
+        characters(write(part, std::string(path.begin(), path.end()))));
+  });
 }
 } // namespace Voussoir

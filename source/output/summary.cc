@@ -37,6 +37,7 @@ Json summary_of(const RunRecord &run, const std::string &status)
   Json summary;
   summary["title"] = run.title;
   summary["status"] = status;
+  summary["processes"] = run.n_processes;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
   summary["packing"] = {

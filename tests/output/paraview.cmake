@@ -36,6 +36,15 @@ execute_process(
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "voussoir ended with status ${status}")
 endif()
+# The same by three processes.
+separate_arguments(MPIEXEC)
+execute_process(
+  COMMAND ${MPIEXEC} 3 ${VOUSSOIR} ${SOURCE_DIR}/prm/arch.prm
+    --set "Output directory=paraview_arch_together"
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "voussoir on three processes ended with status ${status}")
+endif()
 # All values, and pieces.
 execute_process(COMMAND ${WRITE_PIECES} paraview_pieces RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -43,7 +52,8 @@ if(NOT status EQUAL 0)
 endif()
 execute_process(
   COMMAND ${PVPYTHON} ${SOURCE_DIR}/tests/output/read_with_paraview.py
-    paraview paraview_collapse paraview_uniform paraview_arch paraview_pieces
+    paraview paraview_collapse paraview_uniform paraview_arch
+    paraview_arch_together paraview_pieces
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "the files are not as they should be")

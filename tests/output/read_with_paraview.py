@@ -12,7 +12,7 @@ from paraview.simple import (XMLPartitionedUnstructuredGridReader,
                              XMLUnstructuredGridReader)
 from vtk.util.numpy_support import vtk_to_numpy
 
-directory, collapse, uniform, arch, pieces = sys.argv[1:]
+directory, collapse, uniform, arch, together, pieces = sys.argv[1:]
 
 
 def read(name, directory=directory, reader=XMLUnstructuredGridReader):
@@ -66,6 +66,17 @@ def components(reader):
     return {reader.CellData.GetArray(i).Name:
             reader.CellData.GetArray(i).GetNumberOfComponents()
             for i in range(reader.CellData.GetNumberOfArrays())}
+
+
+def expect_pieces(whole, directory):
+    """That the pieces there join to the same grid."""
+    joined = Grid(read("stress.pvtu", directory,
+                       XMLPartitionedUnstructuredGridReader))
+    expect("fields of the pieces", list(joined.fields), list(whole.fields))
+    for name, values in whole.fields.items():
+        expect_equal(f"{name} of the pieces", joined.fields[name], values)
+    expect_equal("points of the pieces", joined.points, whole.points)
+    expect_equal("corners of the pieces", joined.corners, whole.corners)
 
 
 rows = list(csv.DictReader(open(f"{directory}/interfaces.csv")))
@@ -154,6 +165,8 @@ expect_range(interfaces, "cell_plus", 0, -1, 20)
 expect("lines of the arch",
        interfaces.GetDataInformation().GetNumberOfCells(), 22)
 expect_range(read("stress.vtu", arch), "group", 0, 0, 1)
+# Three processes write the same, each its own cells.
+expect_pieces(Grid(read("stress.vtu", arch)), together)
 
 # Values made up of the numbers of cell and sub-cell, whole and from pieces.
 whole = Grid(read("stress.vtu", pieces))
@@ -171,11 +184,5 @@ expect_equal("displacement", whole.fields["displacement"].T,
              [1. / 3. + cell, 1. / 7. - cell, zero])
 expect_equal("reconstructed", whole.fields["reconstructed"],
              (cell != 1) & (cell != 29999))
-joined = Grid(read("stress.pvtu", pieces,
-                   XMLPartitionedUnstructuredGridReader))
-expect("fields of the pieces", list(joined.fields), list(whole.fields))
-for name, values in whole.fields.items():
-    expect_equal(f"{name} of the pieces", joined.fields[name], values)
-expect_equal("points of the pieces", joined.points, whole.points)
-expect_equal("corners of the pieces", joined.corners, whole.corners)
+expect_pieces(whole, pieces)
 print("ParaView reads the files")

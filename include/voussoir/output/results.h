@@ -26,6 +26,7 @@ struct RunRecord
   const Scene &scene;
 
   std::string title;
+  unsigned int n_processes = 1;
   std::string formulation;
   std::string selection;
   /** Why the solver stopped. */
