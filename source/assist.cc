@@ -13,17 +13,17 @@ void assist(const Team &team)
   for (;;)
     switch (team.wait())
     {
-      case Team::Task::none:
-        return;
-      case Team::Task::least_energy:
-        assist_least_energy(team);
-        break;
-      case Team::Task::stress:
-        stress.emplace(assist_stress(team));
-        break;
-      case Team::Task::writing:
-        write_stress_piece(*stress, team);
-        break;
+    case Team::Task::none:
+      return;
+    case Team::Task::least_energy:
+      assist_least_energy(team);
+      break;
+    case Team::Task::stress:
+      stress.emplace(assist_stress(team));
+      break;
+    case Team::Task::writing:
+      write_stress_piece(*stress, team);
+      break;
     }
 }
 } // namespace Voussoir

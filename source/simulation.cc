@@ -83,10 +83,9 @@ std::string message_of(const Collapse &collapse, const std::string &files)
 } // namespace
 
 Simulation::Simulation(Terminal &terminal, const Team &team)
-    : terminal(terminal), team(team),
-      timer(std::cout,
-            dealii::TimerOutput::never,
-            dealii::TimerOutput::wall_times),
+    : terminal(terminal), team(team), timer(std::cout,
+                                            dealii::TimerOutput::never,
+                                            dealii::TimerOutput::wall_times),
       solver(team)
 {
 }
@@ -282,8 +281,7 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   {
     const Reconstruction how = stress.reconstruction();
     if (team.size() == 1)
-      results.stress =
-          reconstruct_stress(scene, results.forces, how, terminal);
+      results.stress = reconstruct_stress(scene, results.forces, how, terminal);
     else
     {
       own_part.emplace(reconstruct_on_root(

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/team.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 namespace Voussoir
 {
 namespace
 {
+/** The number of elements of a message, as MPI takes it. */
+int count_of(const std::size_t count)
+{
+  AssertThrow(count <= std::size_t(std::numeric_limits<int>::max()),
+              dealii::ExcMessage("A part of the packing is too large to send; "
+                                 "use more processes."));
+  return static_cast<int>(count);
+}
+
 /** How long to sleep between two looks whether the root has called. */
 constexpr auto nap = std::chrono::milliseconds(1);
 } // namespace
@@ -96,7 +108,7 @@ void Team::send(const void *data,
                 const unsigned int to) const
 {
   const Datatype element(size);
-  MPI_Send(data, static_cast<int>(count), element.type, to, 0, processes);
+  MPI_Send(data, count_of(count), element.type, to, 0, processes);
 }
 
 std::size_t Team::size_of_message(const std::size_t size,
@@ -116,7 +128,7 @@ void Team::receive(void *data,
                    const unsigned int from) const
 {
   const Datatype element(size);
-  MPI_Recv(data, static_cast<int>(count), element.type, from, 0, processes,
+  MPI_Recv(data, count_of(count), element.type, from, 0, processes,
            MPI_STATUS_IGNORE);
 }
 } // namespace Voussoir

@@ -20,9 +20,9 @@ namespace
 {
 /** Every file that any run may write: its results, and the packing. */
 const std::vector<std::string> all_result_files = {
-    "interfaces.csv",       "cells.csv",      "interfaces.vtu",
-    "stress.vtu",           "stress.pvtu",    "mechanism.csv",  "mechanism.vtu",
-    "mechanism_joints.csv", "parameters.prm", "summary.json"};
+    "interfaces.csv", "cells.csv",     "interfaces.vtu", "stress.vtu",
+    "stress.pvtu",    "mechanism.csv", "mechanism.vtu",  "mechanism_joints.csv",
+    "parameters.prm", "summary.json"};
 const std::vector<std::string> all_packing_files = {
     "packing.wkt", "packing.off", "packing_centres.txt"};
 
@@ -141,7 +141,8 @@ void ResultDirectory::publish()
       refuse(error.message());
   }
   std::vector<std::string> earlier = all_result_files;
-  for (const fs::directory_entry &entry : fs::directory_iterator(directory))
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(directory, error))
     if (is_piece(entry.path().filename().string()))
       earlier.push_back(entry.path().filename().string());
   for (const std::string &name : earlier)

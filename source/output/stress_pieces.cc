@@ -40,7 +40,6 @@ void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
                          const Team &team)
 {
-  team.call(Team::Task::writing);
   std::vector<std::string> names;
   std::vector<std::vector<char>> paths;
   for (unsigned int r = 0; r < team.size(); ++r)
@@ -48,6 +47,7 @@ void write_stress_pieces(ResultDirectory &files,
     names.push_back(text("stress_", r, ".vtu"));
     paths.push_back(characters(files.place_for(names.back()).string()));
   }
+  team.call(Team::Task::writing);
   const auto failures = team.together([&]() {
     const std::vector<char> path = team.scatter(paths);
     return team.gather(
@@ -55,9 +55,9 @@ void write_stress_pieces(ResultDirectory &files,
   });
   for (unsigned int r = 0; r < failures.size(); ++r)
     if (!failures[r].empty())
-      files.refuse("process " + std::to_string(r) + " writing " + names[r] +
-                   " failed: " +
-                   std::string(failures[r].begin(), failures[r].end()));
+      files.refuse(
+          "process " + std::to_string(r) + " writing " + names[r] +
+          " failed: " + std::string(failures[r].begin(), failures[r].end()));
   files.write("stress.pvtu", [&](std::ostream &out) {
     write_stress_pvtu(out, shown(part), names);
   });

@@ -9,7 +9,7 @@ namespace Voussoir
 CellLoops cut_free(const Packing &packing, const CellRange &cells)
 {
   CellLoops result;
-  // They have been checked; in these coordinates no cell is refused.
+  // They have been checked: none is to be listed as not convex again.
   result.tolerance = std::sqrt(packing.area());
   const auto &names = packing.group_names();
   result.group_names.assign(names.begin(), names.end() - 1); // no ground

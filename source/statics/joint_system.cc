@@ -11,11 +11,14 @@ namespace Voussoir
 namespace
 {
 /**
- * From how many bodies on multigrid solves the system of both components on one
- * process. Below, Cholesky's factorisation is faster; its time and memory grow
- * faster.
+ * From how many bodies of a process on multigrid solves the system of both
+ * components. Below, Cholesky's factorisation is faster; its time and memory
+ * grow faster.
  */
 constexpr unsigned int n_bodies_for_multigrid = 1000000;
+
+/** The same for one component, whose factors CHOLMOD could not count. */
+constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
 
 /**
  * From how many unknowns on that couple the parts of several processes
@@ -34,15 +37,19 @@ JointSystem::JointSystem(const Structure &structure, const LinearSolver kind)
 std::unique_ptr<LinearMethod>
 JointSystem::make(const unsigned int n_components) const
 {
-  const bool is_shared = structure.team().size() > 1;
+  const Team &team = structure.team();
+  const bool is_shared = team.size() > 1;
   bool direct = kind == LinearSolver::direct;
-  if (kind == LinearSolver::automatic && is_shared)
-    direct = n_components * structure.team().sum(
-                                Substructures::n_coupling_bodies(structure)) <
-             n_couplings_for_multigrid;
-  else if (kind == LinearSolver::automatic)
-    direct =
-        n_components == 1 || structure.n_bodies() < n_bodies_for_multigrid;
+  if (kind == LinearSolver::automatic)
+  {
+    const unsigned int n_couplings =
+        n_components *
+        team.sum(is_shared ? Substructures::n_coupling_bodies(structure) : 0);
+    direct = n_couplings < n_couplings_for_multigrid &&
+             team.max(structure.n_own_bodies()) <
+                 (n_components == 1 ? n_bodies_for_multigrid_of_one
+                                    : n_bodies_for_multigrid);
+  }
 
   if (!direct)
     return std::make_unique<Multigrid>(structure, n_components);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/statics/cholesky.h>
 #include <voussoir/statics/multigrid.h>
 
 #include <deal.II/base/index_set.h>
@@ -94,8 +93,7 @@ std::vector<double> Multigrid::solve(const std::vector<double> &r)
   const std::vector<double> own(r.begin(), r.begin() + structure.n_own_dofs());
   std::vector<double> columns = to_columns(own, n_components);
   const std::size_t n_rows = n_components * structure.n_own_bodies();
-  for (auto column = columns.begin(); column != columns.end();
-       column += n_rows)
+  for (auto column = columns.begin(); column != columns.end(); column += n_rows)
   {
     std::copy_n(column, n_rows, right.begin());
     solution = 0.;

@@ -97,7 +97,7 @@ void Newton::evaluate(State &state)
   {
     state.forces[e] = law.force(e, state.jumps[e]);
     structure.add_jump_gradient(joints[e], state.forces[e],
-                              state.gradient.data());
+                                state.gradient.data());
   }
 }
 
@@ -160,9 +160,9 @@ void Newton::refine(const std::vector<Jump> &second,
   {
     const Jump jump = structure.jump(structure.joints()[e], d.data());
     structure.add_jump_gradient(structure.joints()[e],
-                              {-second[e].normal * jump.normal,
-                               -second[e].tangential * jump.tangential},
-                              left.data());
+                                {-second[e].normal * jump.normal,
+                                 -second[e].tangential * jump.tangential},
+                                left.data());
   }
   if (largest(structure, left) > little_left * largest(structure, right))
     return;
@@ -320,6 +320,7 @@ Solution minimise(const SharedProblem &problem,
   std::vector<Jump> best_forces;
   double least = std::numeric_limits<double>::infinity();
   unsigned int best = 0;
+  bool has_best = false; // an imbalance may be no number
 
   while (solution.outcome.empty())
   {
@@ -328,10 +329,11 @@ Solution minimise(const SharedProblem &problem,
     const bool converged = imbalance <= controls.imbalance &&
                            newton.decrement() <= controls.decrement &&
                            newton.force_change() <= controls.force_change;
-    if (imbalance < least || converged || best_u.empty())
+    if (imbalance < least || converged || !has_best)
     {
       least = imbalance;
       best = n;
+      has_best = true;
       best_u = newton.u();
       best_forces = newton.forces();
     }

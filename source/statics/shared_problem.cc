@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/shared_problem.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace Voussoir
@@ -93,8 +97,8 @@ SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
 
 void SharedProblem::cut()
 {
-  // The ground, if there is one, is the last part's.
-  std::vector<unsigned int> part(whole->n_bodies(), team.size() - 1);
+  AssertThrow(whole->n_cells() >= team.size(), dealii::ExcInternalError());
+  std::vector<unsigned int> part(whole->n_bodies(), 0); // that of the ground
   std::vector<unsigned int> cells(whole->n_cells());
   std::iota(cells.begin(), cells.end(), 0);
   bisect(whole->centres(), cells.begin(), cells.end(), 0, team.size(), part);
@@ -140,9 +144,8 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
       if (!is_own(number[b]))
         result.ghosts.push_back(number[b]);
   std::sort(result.ghosts.begin(), result.ghosts.end());
-  result.ghosts.erase(
-      std::unique(result.ghosts.begin(), result.ghosts.end()),
-      result.ghosts.end());
+  result.ghosts.erase(std::unique(result.ghosts.begin(), result.ghosts.end()),
+                      result.ghosts.end());
 
   const auto local = [&](const unsigned int body) {
     const unsigned int k = number[body];
@@ -169,16 +172,37 @@ const Structure &SharedProblem::structure() const
   return part ? *part : *whole;
 }
 
+template <typename Action>
+void SharedProblem::on_root(const Action &action) const
+{
+  std::string fault;
+  bool failed = false;
+  if (whole != nullptr)
+    try
+    {
+      action();
+    }
+    catch (const SolverError &error)
+    {
+      fault = error.what();
+      failed = true;
+    }
+  if (team.broadcast(failed))
+    throw SolverError(fault);
+}
+
 std::vector<double> SharedProblem::opening() const
 {
-  return part ? scatter(team.is_root() ? whole->opening()
-                                       : std::vector<double>())
-              : whole->opening();
+  std::vector<double> of_whole;
+  on_root([&]() { of_whole = whole->opening(); });
+  return part ? scatter(of_whole) : of_whole;
 }
 
 bool SharedProblem::has_opening() const
 {
-  return team.broadcast(whole != nullptr && !whole->opening().empty());
+  bool has_one = false;
+  on_root([&]() { has_one = !whole->opening().empty(); });
+  return team.broadcast(has_one);
 }
 
 std::optional<Mechanism>
@@ -186,8 +210,7 @@ SharedProblem::find_mechanism(const std::vector<double> &u) const
 {
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);
-  if (whole != nullptr)
-    found = Voussoir::find_mechanism(*whole, all);
+  on_root([&]() { found = Voussoir::find_mechanism(*whole, all); });
   if (team.broadcast(found.has_value()) && !found)
     found.emplace();
   return found;

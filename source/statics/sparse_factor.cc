@@ -3,6 +3,7 @@
 #include <voussoir/statics/sparse_factor.h>
 
 #include <algorithm>
+#include <cholmod.h>
 #include <new>
 #include <utility>
 
@@ -11,31 +12,36 @@ namespace Voussoir
 using Joint = Structure::Joint;
 using Jump = Structure::Jump;
 
+namespace
+{
+/** What CHOLMOD returns, if it does. */
+template <typename T>
+T *check(T *result)
+{
+  if (result == nullptr)
+    throw std::bad_alloc();
+  return result;
+}
+} // namespace
+
 SparseFactor::SparseFactor(const Structure &structure,
                            const unsigned int n_components,
                            const unsigned int n_bodies,
                            const std::vector<unsigned int> &last)
     : structure(structure), n_components(n_components), n_bodies(n_bodies),
-      last(last), addition(last.size())
+      last(last), common(std::make_unique<cholmod_common>()),
+      addition(last.size())
 {
-  cholmod_start(&common);
-  common.print = 0; // failures are reported by their status
+  cholmod_start(common.get());
+  common->print = 0; // failures are reported by their status
   make_pattern();
 }
 
 SparseFactor::~SparseFactor()
 {
-  cholmod_free_factor(&factor, &common);
-  cholmod_free_sparse(&matrix, &common);
-  cholmod_finish(&common);
-}
-
-template <typename T>
-T *SparseFactor::check(T *result) const
-{
-  if (result == nullptr)
-    throw std::bad_alloc();
-  return result;
+  cholmod_free_factor(&factor, common.get());
+  cholmod_free_sparse(&matrix, common.get());
+  cholmod_finish(common.get());
 }
 
 unsigned int SparseFactor::n() const
@@ -79,9 +85,9 @@ void SparseFactor::make_pattern()
   const unsigned int n = n_components;
   const std::size_t n_entries =
       std::size_t(n_bodies) * n * (n + 1) / 2 + below.size() * n * n;
-  matrix = check(cholmod_allocate_sparse(n * n_bodies, n * n_bodies, n_entries,
-                                         true, true, -1, CHOLMOD_REAL,
-                                         &common));
+  matrix =
+      check(cholmod_allocate_sparse(n * n_bodies, n * n_bodies, n_entries, true,
+                                    true, -1, CHOLMOD_REAL, common.get()));
   int *first = static_cast<int *>(matrix->p);
   int *rows = static_cast<int *>(matrix->i);
   of_body.resize(n_bodies * n);
@@ -156,21 +162,21 @@ void SparseFactor::analyse()
 {
   if (last.empty())
   {
-    factor = check(cholmod_analyze(matrix, &common));
+    factor = check(cholmod_analyze(matrix, common.get()));
     return;
   }
   std::vector<int> set(n(), 0), order(n());
   for (const unsigned int b : last)
     for (unsigned int i = 0; i < n_components; ++i)
       set[n_components * b + i] = 1;
-  if (!cholmod_camd(matrix, nullptr, 0, set.data(), order.data(), &common))
+  if (!cholmod_camd(matrix, nullptr, 0, set.data(), order.data(), common.get()))
     throw std::bad_alloc();
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_GIVEN;
-  common.postorder = false; // it would mix the sets
-  common.supernodal = CHOLMOD_SUPERNODAL;
+  common->nmethods = 1;
+  common->method[0].ordering = CHOLMOD_GIVEN;
+  common->postorder = false; // it would mix the sets
+  common->supernodal = CHOLMOD_SUPERNODAL;
   factor =
-      check(cholmod_analyze_p(matrix, order.data(), nullptr, 0, &common));
+      check(cholmod_analyze_p(matrix, order.data(), nullptr, 0, common.get()));
 }
 
 bool SparseFactor::factorise(const std::vector<Jump> &coefficients,
@@ -179,11 +185,11 @@ bool SparseFactor::factorise(const std::vector<Jump> &coefficients,
   fill(coefficients, shift);
   if (factor == nullptr)
     analyse();
-  cholmod_factorize(matrix, factor, &common);
-  if (common.status == CHOLMOD_OUT_OF_MEMORY)
-    throw std::bad_alloc();
-  if (common.status != CHOLMOD_OK)
+  cholmod_factorize(matrix, factor, common.get());
+  if (common->status == CHOLMOD_NOT_POSDEF)
     return false;
+  if (common->status != CHOLMOD_OK)
+    throw std::bad_alloc();
   if (!last.empty())
     extract_last_block();
   return true;
@@ -220,17 +226,17 @@ std::vector<double> SparseFactor::solve(std::initializer_list<int> systems,
 {
   AssertDimension(r.size(), std::size_t(n()) * n_columns);
   cholmod_dense *values = check(
-      cholmod_allocate_dense(n(), n_columns, n(), CHOLMOD_REAL, &common));
+      cholmod_allocate_dense(n(), n_columns, n(), CHOLMOD_REAL, common.get()));
   std::copy(r.begin(), r.end(), static_cast<double *>(values->x));
   for (const int system : systems)
   {
-    cholmod_dense *next = cholmod_solve(system, factor, values, &common);
-    cholmod_free_dense(&values, &common);
+    cholmod_dense *next = cholmod_solve(system, factor, values, common.get());
+    cholmod_free_dense(&values, common.get());
     values = check(next);
   }
   const double *x = static_cast<const double *>(values->x);
   std::vector<double> result(x, x + r.size());
-  cholmod_free_dense(&values, &common);
+  cholmod_free_dense(&values, common.get());
   return result;
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/statics/cholesky.h>
 #include <voussoir/statics/substructures.h>
 
 #include <deal.II/lac/vector.h>
@@ -71,22 +70,24 @@ bool Substructures::prepare(const std::vector<Structure::Jump> &coefficients,
   const Team &team = structure.team();
   if (!team.all(factor.factorise(coefficients, shift)))
     return false;
-  if (last.empty())
+  if (!is_numbered) // where there is nothing to number, too: it is collective
     number_couplings();
+  is_numbered = true;
   const auto parts = team.gather(schur_complement());
   return team.broadcast(!team.is_root() || factorise_couplings(parts));
 }
 
 void Substructures::number_couplings()
 {
-  last = factor.last_unknowns();
+  coupled = factor.last_unknowns();
   const unsigned int n_own = structure.n_own_bodies();
   std::vector<unsigned int> numbers;
-  for (const unsigned int unknown : last)
+  for (const unsigned int unknown : coupled)
   {
     const unsigned int b = unknown / n_components;
-    numbers.push_back(n_components * (b < n_own ? structure.first_body() + b
-                                                : structure.ghosts()[b - n_own]) +
+    numbers.push_back(n_components * (b < n_own
+                                          ? structure.first_body() + b
+                                          : structure.ghosts()[b - n_own]) +
                       unknown % n_components);
   }
   rows = structure.team().gather(numbers);
@@ -108,7 +109,7 @@ void Substructures::number_couplings()
  */
 std::vector<double> Substructures::schur_complement() const
 {
-  const unsigned int n = last.size();
+  const unsigned int n = coupled.size();
   if (n == 0)
     return {};
   const dealii::FullMatrix<double> &block = factor.last_block();
@@ -160,12 +161,14 @@ std::vector<double> Substructures::solve(const std::vector<double> &r)
   std::vector<double> columns = to_columns(all, n_components);
 
   // What the others push on the coupled bodies, once they are eliminated.
-  const unsigned int n = last.size(), first = factor.n() - n;
+  const unsigned int n = coupled.size(), first = factor.n() - n;
   std::vector<double> right(n * n_columns);
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int k = 0; k < n; ++k)
-      std::swap(right[c * n + k], columns[c * factor.n() + last[k]]);
-  std::vector<double> y = factor.forward(columns, n_columns);
+      std::swap(right[c * n + k], columns[c * factor.n() + coupled[k]]);
+  std::vector<double> y;
+  if (n > 0)
+    y = factor.forward(columns, n_columns);
   const dealii::FullMatrix<double> &block = factor.last_block();
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int i = 0; i < n; ++i)
@@ -181,15 +184,16 @@ std::vector<double> Substructures::solve(const std::vector<double> &r)
         sum += block(i, j) * u[c * n + i];
       y[c * factor.n() + first + j] = sum;
     }
-  std::vector<double> result =
-      from_columns(factor.backward(y, n_columns), n_components);
+  std::vector<double> result = from_columns(
+      n > 0 ? factor.backward(y, n_columns) : factor.solve(columns, n_columns),
+      n_components);
   result.resize(structure.n_dofs());
   return result;
 }
 
 /** The displacement of the coupled bodies under the sum of all @p right. */
 std::vector<double>
-Substructures::solve_couplings(const std::vector<double> &right)
+Substructures::solve_couplings(const std::vector<double> &right) const
 {
   const Team &team = structure.team();
   const unsigned int n_columns = 2 / n_components;

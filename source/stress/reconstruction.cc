@@ -165,7 +165,8 @@ StressField reconstruct_stress(const Packing &packing,
                           scratch.body_forces, sub_cells);
     if (!determined[c])
     {
-      const Tensor<2, 2> mean = scratch.mean(packing.centre(c), packing.area(c));
+      const Tensor<2, 2> mean =
+          scratch.mean(packing.centre(c), packing.area(c));
       std::fill(sub_cells.begin(), sub_cells.end(),
                 SubCellStress{mean, {}, skew_part(mean)});
     }

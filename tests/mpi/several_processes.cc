@@ -32,6 +32,26 @@ Scene heavy_wall(const double strength)
   return Scene(std::move(bricks), strengths, {tractions, weight, {}});
 }
 
+/** Two packings that do not touch, of so many random cells each. */
+Scene apart(const unsigned int n_left, const unsigned int n_right)
+{
+  CellLoops cells = voronoi_cells(random_points(n_left, 1, {{0, 0}, {1, 1}}),
+                                  Rectangle{{0, 0}, {1, 1}});
+  const CellLoops right = voronoi_cells(
+      random_points(n_right, 2, {{2, 0}, {3, 1}}), Rectangle{{2, 0}, {3, 1}});
+  const unsigned int n_vertices = cells.vertices.size();
+  const unsigned int n_loops = cells.loops.size();
+  cells.vertices.insert(cells.vertices.end(), right.vertices.begin(),
+                        right.vertices.end());
+  cells.centres.insert(cells.centres.end(), right.centres.begin(),
+                       right.centres.end());
+  for (const unsigned int v : right.loops)
+    cells.loops.push_back(n_vertices + v);
+  for (unsigned int c = 1; c < right.first.size(); ++c)
+    cells.first.push_back(n_loops + right.first[c]);
+  return scene_under_stress(Packing(cells), 0.3, tensor(-1.45, 0, 0, -0.55));
+}
+
 double largest_force(const InterfaceForces &forces)
 {
   double largest = 0.;
@@ -41,7 +61,9 @@ double largest_force(const InterfaceForces &forces)
   return largest;
 }
 
-void compare_forces(const std::string &name, const Scene &scene, const Team &team)
+void compare_forces(const std::string &name,
+                    const Scene &scene,
+                    const Team &team)
 {
   const InterfaceForces alone = Solver(least_energy).forces(scene);
   for (const std::string method : {"automatic", "direct", "multigrid"})
@@ -61,9 +83,8 @@ void compare_collapse(const Scene &scene, const Team &team)
   const Solution found = Solver(least_energy, 1e-10, "", team).solve(problem);
   check("collapse is found", found.mechanism.has_value());
   if (found.mechanism)
-    check("collapse is proven",
-          proves_collapse(
-              certify_mechanism(scene, found.mechanism->displacement)));
+    check("collapse is proven", proves_collapse(certify_mechanism(
+                                    scene, found.mechanism->displacement)));
 }
 
 /** The sub-cells of the root's own part, which are the first of all. */
@@ -85,9 +106,9 @@ void compare_stress(const std::string &name,
         part.stress.undetermined == alone.undetermined);
   double error = 0.;
   for (unsigned int k = 0; k < part.stress.sub_cells.size(); ++k)
-    error = std::max(error, (part.stress.sub_cells[k].stress -
-                             alone.sub_cells[k].stress)
-                                .norm());
+    error = std::max(
+        error,
+        (part.stress.sub_cells[k].stress - alone.sub_cells[k].stress).norm());
   check_error(name + ": distance from one process alone", error, 1e-12);
 }
 
@@ -111,9 +132,12 @@ int main(int argc, char **argv)
   compare_forces("no joint slides", cells(0.2), team);
   compare_forces("joints slide and open", cells(0.5), team);
   compare_forces("on the ground", heavy_wall(0.8), team);
+  // Cut between the two on two processes, and on three.
+  compare_forces("apart", apart(1000, 1000), team);
+  compare_forces("apart, unequal", apart(1500, 3000), team);
   compare_collapse(cells(0.9), team);
-  const Scene small = scene_under_stress(random_packing(50, 1), 0.5,
-                                         tensor(-1.1, 0, 0, -0.9));
+  const Scene small =
+      scene_under_stress(random_packing(50, 1), 0.5, tensor(-1.1, 0, 0, -0.9));
   compare_stress("standard", small, {false, 0, 0}, team);
   compare_stress("fine", small, {true, 0, 0}, team);
   compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, team);

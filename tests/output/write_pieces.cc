@@ -28,8 +28,7 @@ int main(int argc, char **argv)
   StressField stress;
   for (unsigned int c = 0; c < n_cells; ++c)
   {
-    displacement.push_back(
-        dealii::Tensor<1, 2>({1. / 3. + c, 1. / 7. - c}));
+    displacement.push_back(dealii::Tensor<1, 2>({1. / 3. + c, 1. / 7. - c}));
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     {
       SubCellStress s;

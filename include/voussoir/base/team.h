@@ -20,8 +20,9 @@ namespace Voussoir
  * decides what is done and writes; the others wait until it calls() them to a
  * task, in which all take part.
  *
- * A team of one needs no MPI. All functions but call() and wait() are
- * collective, except in a team of one.
+ * A team of one needs no MPI, which otherwise must give the same result of a
+ * sum to all processes, bit by bit: what they do next depends on it. Functions
+ * that are collective say so.
  */
 class Team
 {
@@ -46,14 +47,14 @@ public:
   unsigned int rank() const;
   bool is_root() const;
 
-  /** On the root: let the others return from wait(). */
+  /** On the root, collective with wait(): let the others return from it. */
   void call(Task task) const;
   /** On the others: sleep until the root calls. */
   Task wait() const;
 
   /**
-   * End all processes with the program's status for a solver that failed; for
-   * an error that the others do not know of and would wait for without end.
+   * End all processes with exit status 4; for an error that the others do not
+   * know of and would wait for without end.
    */
   [[noreturn]] void abort(const std::string &message) const;
 
@@ -64,24 +65,27 @@ public:
   template <typename Action>
   auto together(const Action &action) const;
 
+  /** Over all processes; collective. */
   template <typename T>
   T sum(T value) const;
   template <typename T>
   T max(T value) const;
   template <typename T>
   T min(T value) const;
-  /** Whether it holds on all processes. */
+  /** Whether it holds on all processes; collective. */
   bool all(bool value) const;
 
-  /** The root's @p value, on all processes; plain data. */
+  /** The root's @p value, on all processes; plain data, collective. */
   template <typename T>
   T broadcast(T value) const;
 
-  /** On the root the values of each process; nothing on the others. */
+  /**
+   * On the root the values of each process; nothing on the others. Collective.
+   */
   template <typename T>
   std::vector<std::vector<T>> gather(const std::vector<T> &values) const;
 
-  /** What the root has for this process. */
+  /** What the root has for this process; collective. */
   template <typename T>
   std::vector<T> scatter(const std::vector<std::vector<T>> &values) const;
 

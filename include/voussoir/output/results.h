@@ -26,6 +26,7 @@ struct RunRecord
   const Scene &scene;
 
   std::string title;
+  /** How many were started, also if the root solved alone. */
   unsigned int n_processes = 1;
   std::string formulation;
   std::string selection;

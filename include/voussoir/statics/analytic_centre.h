@@ -51,8 +51,8 @@ private:
  * be mechanisms; where there is one they meet it within some 25 iterations,
  * close to the limit and far beyond, and where there is none they converge.
  */
-std::optional<Mechanism>
-find_collapse_by_barrier(const SharedProblem &problem, Terminal &terminal);
+std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
+                                                  Terminal &terminal);
 } // namespace Voussoir
 
 #endif

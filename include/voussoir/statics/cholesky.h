@@ -7,15 +7,6 @@
 
 namespace Voussoir
 {
-/**
- * @p u, n_bodies times two components, as columns of @p n_components unknowns a
- * body, and back; what a system of one component has to be solved for.
- */
-std::vector<double> to_columns(const std::vector<double> &u,
-                               unsigned int n_components);
-std::vector<double> from_columns(const std::vector<double> &columns,
-                                 unsigned int n_components);
-
 /** CHOLMOD on the system of a whole structure. */
 class Cholesky : public LinearMethod
 {

@@ -26,7 +26,6 @@ namespace Voussoir
  * The ground, where there are supports, is one more body behind the cells. The
  * load on it is minus all others in its connected group, so that in every group
  * the loads add up to zero and a translation does no work.
- *
  */
 class DiscreteProblem : public Structure
 {

@@ -43,8 +43,8 @@ enum class LinearSolver
  * factorise each its own part, and the root what couples them; see
  * Substructures. `multigrid` is the method of conjugate gradients with
  * Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
- * `automatic` takes what is faster at the size of the problem. All functions
- * are collective.
+ * `automatic` takes what is faster at the size of the problem.
+ * prepare() and solve() are collective.
  */
 class JointSystem
 {

@@ -3,9 +3,9 @@
 #define voussoir_statics_least_energy_h
 
 #include <voussoir/statics/formulation.h>
-#include <voussoir/statics/shared_problem.h>
 #include <voussoir/statics/joint_law.h>
 #include <voussoir/statics/joint_system.h>
+#include <voussoir/statics/shared_problem.h>
 
 #include <optional>
 
@@ -71,8 +71,8 @@ void assist_least_energy(const Team &team);
  * elastic joints, which grow along a mechanism if there is one. Slower than
  * find_collapse_by_barrier(), but it needs no opening.
  */
-std::optional<Mechanism>
-find_collapse_by_springs(const SharedProblem &problem, Terminal &terminal);
+std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
+                                                  Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -27,6 +27,15 @@ public:
   virtual bool is_direct() const = 0;
 };
 
+/**
+ * @p u, n_bodies times two components, as columns of @p n_components unknowns a
+ * body, and back; what a system of one component has to be solved for.
+ */
+std::vector<double> to_columns(const std::vector<double> &u,
+                               unsigned int n_components);
+std::vector<double> from_columns(const std::vector<double> &columns,
+                                 unsigned int n_components);
+
 /** Entry (i, j) of the two-by-two block of a joint. */
 inline double block_of_joint(const Structure::Joint &joint,
                              const Structure::Jump &a,

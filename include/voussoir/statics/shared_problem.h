@@ -15,8 +15,9 @@ namespace Voussoir
 /**
  * A problem that the processes of a team solve together. The root has the whole
  * and keeps it; each has a part: as many cells as the others, by recursive
- * coordinate bisection of their centres, in their order; the ground is the
- * last's. Questions on the whole are answered by the root.
+ * coordinate bisection of their centres. The ground is the root's: a body that
+ * couples to later processes, so that only it does, and not all that rests on
+ * it. Questions on the whole are answered by the root.
  *
  * Alone, a process works on the whole itself.
  */
@@ -25,9 +26,10 @@ class SharedProblem
 public:
   /** For this process alone; @p whole must outlive this object. */
   explicit SharedProblem(const DiscreteProblem &whole);
+  SharedProblem(DiscreteProblem &&) = delete;
 
   /**
-   * Share out what the root has; collective.
+   * Share out what the root has, no fewer cells than processes; collective.
    *
    * @param whole on the root; none on the others.
    */
@@ -59,6 +61,9 @@ public:
                Solution &solution) const;
 
 private:
+  /** Do that on the root; a SolverError is thrown on all processes. */
+  template <typename Action>
+  void on_root(const Action &action) const;
   void cut();
   Structure::Part make_part(unsigned int process) const;
   std::vector<double> gather(const std::vector<double> &u) const;

@@ -6,9 +6,13 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <cholmod.h>
 #include <initializer_list>
+#include <memory>
 #include <vector>
+
+struct cholmod_common_struct;
+struct cholmod_sparse_struct;
+struct cholmod_factor_struct;
 
 namespace Voussoir
 {
@@ -42,7 +46,7 @@ public:
    * there are factors whatever else holds these bodies; see coupling().
    *
    * @return false if the matrix is not positive definite.
-   * @throws std::bad_alloc
+   * @throws std::bad_alloc also where CHOLMOD's integers are too small.
    */
   bool factorise(const std::vector<Structure::Jump> &coefficients,
                  double shift);
@@ -86,16 +90,14 @@ private:
   std::vector<double> solve(std::initializer_list<int> systems,
                             const std::vector<double> &r,
                             unsigned int n_columns);
-  template <typename T>
-  T *check(T *result) const;
 
   const Structure &structure;
   const unsigned int n_components;
   const unsigned int n_bodies;
   const std::vector<unsigned int> last;
-  cholmod_common common;
-  cholmod_sparse *matrix = nullptr;
-  cholmod_factor *factor = nullptr;
+  std::unique_ptr<cholmod_common_struct> common;
+  cholmod_sparse_struct *matrix = nullptr;
+  cholmod_factor_struct *factor = nullptr;
   /** Where the diagonal entry of each column is. */
   std::vector<int> of_body;
   /** Where the first entry of each column of each joint's block is. */

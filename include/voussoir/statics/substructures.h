@@ -14,13 +14,12 @@ namespace Voussoir
 {
 /**
  * Direct substructuring, for a structure that several processes share: each
- * eliminates by CHOLMOD the bodies that are coupled to no body of another
- * process, or only to such as follow from it, and the root solves for the
- * others, the coupling bodies, whose matrix is the sum of the Schur complements
- * of all parts.
+ * eliminates by CHOLMOD the bodies that touch no body of another process, or
+ * only bodies of earlier ones, and the root solves for the others, the coupling
+ * bodies, whose matrix is the sum of the Schur complements of all parts.
  *
- * A body couples if it touches a body of a later process. A joint between two
- * processes belongs to the later one, for which the body at its far end, a
+ * So a body couples if it touches a body of a later process. A joint between
+ * two processes belongs to the later one, for which the body at its far end, a
  * ghost, is a coupling one.
  */
 class Substructures : public LinearMethod
@@ -40,7 +39,7 @@ private:
   void number_couplings();
   std::vector<double> schur_complement() const;
   bool factorise_couplings(const std::vector<std::vector<double>> &parts);
-  std::vector<double> solve_couplings(const std::vector<double> &right);
+  std::vector<double> solve_couplings(const std::vector<double> &right) const;
 
   const Structure &structure;
   const unsigned int n_components;
@@ -48,7 +47,8 @@ private:
   const unsigned int n_bodies;
   SparseFactor factor;
   /** The coupling unknowns in their order; see SparseFactor. */
-  std::vector<unsigned int> last;
+  std::vector<unsigned int> coupled;
+  bool is_numbered = false;
   /** On the root: the rows of these unknowns of each process, and how many. */
   std::vector<std::vector<unsigned int>> rows;
   unsigned int n_rows = 0;

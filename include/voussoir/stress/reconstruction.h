@@ -49,9 +49,9 @@ struct StressField
   std::vector<unsigned int> undetermined;
 
   /** The first sub-cell in the triangle of side @p i of @p cell. */
-  unsigned int first(const Packing &packing,
-                     const unsigned int cell,
-                     const unsigned int i) const
+  std::size_t first(const Packing &packing,
+                    const unsigned int cell,
+                    const unsigned int i) const
   {
     return (packing.first_side(cell) + i) * cut.of_triangle().size();
   }
