@@ -219,7 +219,7 @@ void interrupt_parallel()
   for (std::string word; launcher >> word;)
     words.push_back(word);
   // Large, for mpirun takes its time to pass the signal on.
-  const Words rest = program({"Packing/Voronoi/Number of points=40000"});
+  const Words rest = program({"Packing/Voronoi/Number of points=200000"});
   words.insert(words.end(), rest.begin(), rest.end());
   Process process(words);
   wait_for([&] { return process.ended() || has_said("Packing"); });

@@ -63,10 +63,11 @@ double largest_force(const InterfaceForces &forces)
 
 void compare_forces(const std::string &name,
                     const Scene &scene,
-                    const Team &team)
+                    const Team &team,
+                    const std::vector<std::string> &methods)
 {
   const InterfaceForces alone = Solver(least_energy).forces(scene);
-  for (const std::string method : {"automatic", "direct", "multigrid"})
+  for (const std::string &method : methods)
   {
     const Way way = least_energy.with("set Linear solver = " + method);
     const InterfaceForces together = Solver(way, 1e-10, "", team).forces(scene);
@@ -126,15 +127,16 @@ int main(int argc, char **argv)
   std::ofstream file("output");
   std::streambuf *const terminal = std::cout.rdbuf(file.rdbuf());
   const auto cells = [](const double d) {
-    return scene_under_stress(random_packing(4000, 1), 0.3,
+    return scene_under_stress(random_packing(2400, 1), 0.3,
                               tensor(-1 + d, 0, 0, -1 - d));
   };
-  compare_forces("no joint slides", cells(0.2), team);
-  compare_forces("joints slide and open", cells(0.5), team);
-  compare_forces("on the ground", heavy_wall(0.8), team);
+  // Multigrid talks so much that more processes than cores wait for each other.
+  compare_forces("no joint slides", cells(0.2), team, {"direct", "multigrid"});
+  compare_forces("joints slide and open", cells(0.5), team, {"automatic"});
+  compare_forces("on the ground", heavy_wall(0.8), team, {"automatic"});
   // Cut between the two on two processes, and on three.
-  compare_forces("apart", apart(1000, 1000), team);
-  compare_forces("apart, unequal", apart(1500, 3000), team);
+  compare_forces("apart", apart(1000, 1000), team, {"direct"});
+  compare_forces("apart, unequal", apart(1500, 3000), team, {"direct"});
   compare_collapse(cells(0.9), team);
   const Scene small =
       scene_under_stress(random_packing(50, 1), 0.5, tensor(-1.1, 0, 0, -0.9));
