@@ -30,14 +30,15 @@ constexpr double convexity_tolerance = 1e-12;
 /** The area of a cell with whose powers one can compute. */
 constexpr double smallest_area = 1e-140, largest_area = 1e140;
 
-/** One side of a cell, keyed by the higher of its two vertex numbers. */
+/** One side of a cell, keyed by its two vertex numbers in ascending order. */
 struct Halfedge
 {
-  unsigned int high, cell, side;
+  unsigned int low, high, cell, side;
 
   bool operator<(const Halfedge &other) const
   {
-    return std::tie(high, cell) < std::tie(other.high, other.cell);
+    return std::tie(low, high, cell) <
+           std::tie(other.low, other.high, other.cell);
   }
 };
 
@@ -160,46 +161,32 @@ void Packing::check_shape(const unsigned int c)
 
 std::vector<unsigned int> Packing::find_opposite_sides() const
 {
-  const auto for_all_sides = [&](const auto &visit) {
-    for (unsigned int c = 0; c < n_cells(); ++c)
-      for (unsigned int i = 0; i < n_sides(c); ++i)
-      {
-        const unsigned int a = mesh.loops[mesh.first[c] + i];
-        const unsigned int b = mesh.loops[mesh.first[c] + (i + 1) % n_sides(c)];
-        visit(std::min(a, b), Halfedge{std::max(a, b), c, i});
-      }
-  };
-  // A bucket for each lower vertex, so that only a few are to be sorted at a
-  // time. First, the end of each; filling it backwards leaves its beginning.
-  std::vector<unsigned int> bucket(mesh.vertices.size() + 1, 0);
-  for_all_sides(
-      [&](const unsigned int low, const Halfedge &) { ++bucket[low]; });
-  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-  std::vector<Halfedge> halfedges(mesh.loops.size());
-  for_all_sides([&](const unsigned int low, const Halfedge &halfedge) {
-    halfedges[--bucket[low]] = halfedge;
-  });
+  std::vector<Halfedge> halfedges;
+  halfedges.reserve(mesh.loops.size());
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    for (unsigned int i = 0; i < n_sides(c); ++i)
+    {
+      const unsigned int a = mesh.loops[mesh.first[c] + i];
+      const unsigned int b = mesh.loops[mesh.first[c] + (i + 1) % n_sides(c)];
+      halfedges.push_back({std::min(a, b), std::max(a, b), c, i});
+    }
+  std::sort(halfedges.begin(), halfedges.end());
 
   std::vector<unsigned int> opposite(halfedges.size(), none);
-  for (unsigned int low = 0; low < mesh.vertices.size(); ++low)
+  for (std::size_t k = 0; k + 1 < halfedges.size(); ++k)
   {
-    std::sort(halfedges.begin() + bucket[low],
-              halfedges.begin() + bucket[low + 1]);
-    for (unsigned int k = bucket[low]; k + 1 < bucket[low + 1]; ++k)
-    {
-      const Halfedge &one = halfedges[k], &other = halfedges[k + 1];
-      if (one.high != other.high)
-        continue;
-      const unsigned int first = mesh.first[one.cell] + one.side;
-      const unsigned int second = mesh.first[other.cell] + other.side;
-      const bool same_side = mesh.loops[first] == mesh.loops[second];
-      if (opposite[first] != none || one.cell == other.cell || same_side)
-        refuse(other.cell, vertex(other.cell, other.side),
-               text("shares an edge with ", describe(one.cell),
-                    " on the same side of it; cells must not overlap."));
-      opposite[first] = second;
-      opposite[second] = first;
-    }
+    const Halfedge &one = halfedges[k], &other = halfedges[k + 1];
+    if (one.low != other.low || one.high != other.high)
+      continue;
+    const unsigned int first = mesh.first[one.cell] + one.side;
+    const unsigned int second = mesh.first[other.cell] + other.side;
+    const bool same_side = mesh.loops[first] == mesh.loops[second];
+    if (opposite[first] != none || one.cell == other.cell || same_side)
+      refuse(other.cell, vertex(other.cell, other.side),
+             text("shares an edge with ", describe(one.cell),
+                  " on the same side of it; cells must not overlap."));
+    opposite[first] = second;
+    opposite[second] = first;
   }
   return opposite;
 }

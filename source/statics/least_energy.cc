@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <ostream>
 
 namespace Voussoir
 {
@@ -233,13 +232,11 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
       terminal);
 }
 
-void assist_least_energy(const Team &team)
+void assist_least_energy(const Team &team, Terminal &terminal)
 {
-  std::ostream nowhere(nullptr);
-  Terminal silent(nowhere, 0);
   try
   {
-    minimise_together(nullptr, {}, 0., team, silent);
+    minimise_together(nullptr, {}, 0., team, terminal);
   }
   catch (const SolverError &)
   {

@@ -5,7 +5,6 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/split.hpp>
 
-#include <ostream>
 #include <utility>
 
 namespace Voussoir
@@ -119,14 +118,12 @@ StressPart reconstruct_on_root(const Scene &scene,
   });
 }
 
-StressPart assist_stress(const Team &team)
+StressPart assist_stress(const Team &team, Terminal &terminal)
 {
-  std::ostream nowhere(nullptr);
-  Terminal silent(nowhere, 0);
   return team.together([&]() {
     const Reconstruction how = team.broadcast(Reconstruction());
     const unsigned int first_cell = team.receive<unsigned int>(0).front();
-    return reconstruct(receive(team), first_cell, how, team, silent);
+    return reconstruct(receive(team), first_cell, how, team, terminal);
   });
 }
 } // namespace Voussoir

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "own_directory.h"
 #include "table.h"
 #include "tests.h"
 #include <cmath>
@@ -82,10 +83,7 @@ void check_proof()
 
 int main()
 {
-  // In a directory of its own: the runner of the tests uses the name "output".
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
   std::ofstream("scene.prm")
       << "subsection Packing\n set Generator = wall\nend\n"
          "subsection Loads\n set Traction = ny; 0\nend\n";

@@ -5,6 +5,7 @@
 
 #include <voussoir/command_line.h>
 
+#include "own_directory.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -37,10 +38,7 @@ void run_points(const std::string &points)
 
 int main()
 {
-  // In a directory of its own: the runner of the tests uses the name "output".
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
 
   // The command line
   run({});

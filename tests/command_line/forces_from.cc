@@ -10,6 +10,7 @@
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
+#include "own_directory.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -261,10 +262,7 @@ void failures(const std::string &scene)
 
 int main()
 {
-  // In a directory of its own: the runner of the tests uses the name "output".
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
   std::ofstream("voronoi.prm")
       << "subsection Packing\n subsection Voronoi\n"
          "  set Number of points = 60\n end\nend\n"

@@ -5,6 +5,7 @@
 // and one message say so, and the directory of the results is as it was, or
 // has all new ones.
 
+#include "own_directory.h"
 #include "tests.h"
 #include <chrono>
 #include <csignal>
@@ -288,10 +289,7 @@ void interrupt_publication()
 
 int main()
 {
-  // In a directory of its own: the runner of the tests uses the name "output".
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
   std::ofstream("scene.prm")
       << "subsection Packing\n subsection Voronoi\n"
          "  set Number of points = 12000\n end\nend\n"

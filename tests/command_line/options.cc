@@ -5,6 +5,7 @@
 
 #include <voussoir/command_line.h>
 
+#include "own_directory.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -29,10 +30,7 @@ std::string run(const std::vector<std::string> &arguments)
 
 int main()
 {
-  // In a directory of its own: the runner of the tests uses the name "output".
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
 
   std::cout << run({"--help"});
   check("version", run({"--version"}).rfind("voussoir ", 0) == 0);

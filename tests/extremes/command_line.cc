@@ -5,6 +5,7 @@
 
 #include <voussoir/command_line.h>
 
+#include "own_directory.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -87,9 +88,7 @@ std::string traction(const std::string &value)
 
 int main()
 {
-  fs::remove_all("run");
-  fs::create_directory("run");
-  fs::current_path("run");
+  work_in_own_directory();
 
   const std::string pressure = traction("-nx; -ny");
   run("no friction", voronoi(30, "1") + strength("0") + pressure, 0);

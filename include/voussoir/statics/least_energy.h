@@ -64,7 +64,7 @@ private:
  * The part of another process than the root in LeastEnergy::solve(), once it is
  * called to Team::Task::least_energy.
  */
-void assist_least_energy(const Team &team);
+void assist_least_energy(const Team &team, Terminal &terminal);
 
 /**
  * Look for a proof that the load is not carried, in the displacements of the

@@ -41,7 +41,7 @@ StressPart reconstruct_on_root(const Scene &scene,
                                Terminal &terminal);
 
 /** The same for another process; see Team::Task::stress. */
-StressPart assist_stress(const Team &team);
+StressPart assist_stress(const Team &team, Terminal &terminal);
 } // namespace Voussoir
 
 #endif
