@@ -8,6 +8,14 @@
 #include <string>
 #include <vector>
 
+/**
+ * All of the code: geometry, statics, stress and output, in this order; see
+ * run_command_line() for the way in, and Simulation for the way through.
+ *
+ * Tension is positive everywhere. L stands for a length, S for a stress, in the
+ * one consistent set of units that the user has; forces are per unit thickness,
+ * S L. What is nondimensional says so.
+ */
 namespace Voussoir
 {
 /**

@@ -15,7 +15,10 @@ namespace Voussoir
  * to the error also for functions with jumps, such as a load on a part of an
  * edge.
  *
+ * @param a,b the ends; lengths.
+ * @param f the function of the place, of any unit.
  * @param parameter where the function comes from, for the message.
+ * @return the mean, in the unit of @p f.
  * @throws InputError if the function varies too fast for that.
  */
 double edge_mean(const dealii::Point<2> &a,

@@ -27,12 +27,16 @@ public:
              const std::vector<std::string> &variables,
              const std::string &parameter);
   ~Expression();
+  /** @{ */
+  /** Moved, not copied: a parser has the addresses of its variables. */
   Expression(Expression &&) noexcept;
   Expression &operator=(Expression &&) noexcept;
+  /** @} */
 
   /**
-   * The value of the formula; it may be infinite or NaN, which is for the
-   * caller to refuse, who knows where it was asked for. Not thread safe.
+   * The value of the formula for one value of each variable; it may be infinite
+   * or NaN, which is for the caller to refuse, who knows where it was asked
+   * for. Not thread safe.
    */
   double operator()(const std::vector<double> &values) const;
 
@@ -53,7 +57,11 @@ public:
             const std::vector<std::string> &variables,
             const std::string &parameter);
 
-  /** @throws InputError naming the place if the value is not a number. */
+  /**
+   * Whether it holds for one value of each variable, x and y first.
+   *
+   * @throws InputError naming the place if the value is not a number.
+   */
   bool operator()(const std::vector<double> &values) const;
 
   /** Whether it holds nowhere by its form, as 0 does. */

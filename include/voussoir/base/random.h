@@ -14,6 +14,7 @@ namespace Voussoir
 class Random
 {
 public:
+  /** Equal seeds give equal numbers. */
   explicit Random(const unsigned int seed) : engine(seed)
   {
   }

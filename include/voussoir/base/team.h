@@ -32,8 +32,11 @@ public:
   {
     /** To end; not a task. */
     none,
+    /** See assist_least_energy(). */
     least_energy,
+    /** See assist_stress(). */
     stress,
+    /** See write_stress_piece(). */
     writing
   };
 
@@ -42,9 +45,13 @@ public:
   /** The processes of @p communicator. */
   explicit Team(MPI_Comm communicator);
 
+  /** That of MPI; MPI_COMM_SELF for one process alone. */
   MPI_Comm communicator() const;
+  /** The number of processes. */
   unsigned int size() const;
+  /** The number of this process, from 0 to size() - 1. */
   unsigned int rank() const;
+  /** Whether this is process 0. */
   bool is_root() const;
 
   /** On the root, collective with wait(): let the others return from it. */
@@ -65,13 +72,17 @@ public:
   template <typename Action>
   auto together(const Action &action) const;
 
-  /** Over all processes; collective. */
+  /** @{ */
+  /** Over all processes, the same bits on each; collective. */
   template <typename T>
   T sum(T value) const;
+
   template <typename T>
   T max(T value) const;
+
   template <typename T>
   T min(T value) const;
+  /** @} */
   /** Whether it holds on all processes; collective. */
   bool all(bool value) const;
 
@@ -85,15 +96,21 @@ public:
   template <typename T>
   std::vector<std::vector<T>> gather(const std::vector<T> &values) const;
 
-  /** What the root has for this process; collective. */
+  /**
+   * What the root has for this process, element rank() of its @p values, which
+   * are not asked for on the others; collective.
+   */
   template <typename T>
   std::vector<T> scatter(const std::vector<std::vector<T>> &values) const;
 
-  /** From one process to another, which receives it. */
+  /** @{ */
+  /** From one process to another, which receives it; plain data. */
   template <typename T>
   void send(const std::vector<T> &values, unsigned int to) const;
+
   template <typename T>
   std::vector<T> receive(unsigned int from) const;
+  /** @} */
 
 private:
   /** For messages of plain data. */

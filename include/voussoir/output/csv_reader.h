@@ -21,6 +21,7 @@ public:
   /** @throws InputError if the file cannot be read or is empty. */
   explicit CsvReader(std::filesystem::path file);
 
+  /** Whether the first line has that name. */
   bool has_column(const std::string &name) const;
   /**
    * Read the numbers of the columns @p names.

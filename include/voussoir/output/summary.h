@@ -9,9 +9,11 @@
 
 namespace Voussoir
 {
-/** The summary of a run as JSON, for programs. */
+/** @{ */
+/** The summary of a run as JSON, for programs; summary.json. */
 void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
+/** @} */
 
 /** The summary of a run in a few lines, for people. */
 void show_summary(Terminal &terminal, const Results &results);

@@ -20,6 +20,8 @@ namespace Voussoir
 class TextLines
 {
 public:
+  /** @{ */
+  /** Append a text, a letter or a number. */
   TextLines &operator<<(const std::string_view text)
   {
     content.append(text);
@@ -41,8 +43,9 @@ public:
     content.append(digits, end.ptr);
     return *this;
   }
+  /** @} */
 
-  /** Numbers or texts with a comma between each two. */
+  /** Append numbers or texts with a comma between each two. */
   template <typename First, typename... Others>
   TextLines &row(const First &first, const Others &...others)
   {
@@ -51,11 +54,13 @@ public:
     return *this;
   }
 
+  /** All that was appended. */
   const std::string &text() const
   {
     return content;
   }
 
+  /** Begin again, in the memory that there is. */
   void clear()
   {
     content.clear();

@@ -12,7 +12,10 @@ namespace Voussoir
 /** A joint across an arch, normal to its middle line. */
 struct ArchJoint
 {
+  /** @{ */
+  /** Its ends: on the inner and on the outer face of the arch; lengths. */
   dealii::Point<2> intrados, extrados;
+  /** @} */
 };
 
 /** The left half of an arch that is symmetric to x = 0. */

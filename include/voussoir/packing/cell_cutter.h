@@ -27,11 +27,13 @@ namespace Voussoir
 class CellCutter
 {
 public:
+  /** Stands for no vertex, no cell and no side. */
   static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
   /** A vertex of a cell, with the edge from there to the next vertex. */
   struct Corner
   {
+    /** Where it is; a length. */
     dealii::Point<2> position;
     /** The number of the vertex; none for one that is cut off later. */
     unsigned int vertex = none;
@@ -41,24 +43,32 @@ public:
     unsigned int side = none;
   };
 
-  /**
-   * A vertex made by cutting: where it is, and on how many sides of the polygon
-   * it lies, one or two.
-   */
+  /** A vertex made by cutting. */
   struct Vertex
   {
+    /** Where it is; a length. */
     dealii::Point<2> position;
+    /** On how many sides of the polygon it lies: one, or two in a corner. */
     unsigned int n_sides;
   };
 
   /**
+   * @param polygon what the cells are cut down to; it must outlive this object.
+   * @param generators of the cells, in the order of these; they must outlive
+   *   this object.
    * @param first_vertex the number of the first vertex that is made here.
    */
   CellCutter(const ConvexPolygon &polygon,
              const std::vector<dealii::Point<2>> &generators,
              unsigned int first_vertex);
 
-  /** Cut the counterclockwise loop of a cell down to what is inside. */
+  /**
+   * Cut the counterclockwise @p loop of a cell down to what is inside.
+   *
+   * @param cell its number, which is that of its generator.
+   * @param loop has the neighbours set; vertices that are made get numbers, and
+   *   edges that come to lie on the polygon their side.
+   */
   void cut(unsigned int cell, std::vector<Corner> &loop);
 
   /** All vertices made so far, in the order of their numbers. */

@@ -9,15 +9,23 @@ namespace Voussoir
 /** The cells from @p begin to @p end - 1. */
 struct CellRange
 {
+  /** @{ */
+  /** Numbers of cells; end is one behind the last. */
   unsigned int begin, end;
+  /** @} */
 };
 
+/** The range of all cells. */
 inline CellRange all_cells(const Packing &packing)
 {
   return {0, packing.n_cells()};
 }
 
-/** Some cells of a packing, each with vertices of its own. */
+/**
+ * Some cells of a packing, each with vertices of its own, so that they touch
+ * nothing: a Packing made of them has boundary edges only, one a side, in the
+ * order of Packing::first_side(). Centres and groups are kept.
+ */
 CellLoops cut_free(const Packing &packing, const CellRange &cells);
 } // namespace Voussoir
 

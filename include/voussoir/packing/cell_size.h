@@ -23,13 +23,20 @@ public:
    */
   CellSize(const std::string &formula, const std::string &parameter);
 
-  /** @throws InputError naming the place if it is not positive and finite. */
+  /**
+   * h at @p p, in a unit that cancels.
+   *
+   * @throws InputError naming the place if it is not positive and finite.
+   */
   double operator()(const dealii::Point<2> &p) const;
 
   /** Whether the formula does not depend on the place. */
   bool is_constant() const;
 
-  /** Refuse a size that comes too near to zero, or changes too much, at @p p.
+  /**
+   * Refuse a size that comes too near to zero, or changes too much, at @p p.
+   *
+   * @throws InputError always.
    */
   [[noreturn]] void refuse_as_too_small(const dealii::Point<2> &p) const;
 

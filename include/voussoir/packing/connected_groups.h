@@ -11,15 +11,19 @@ namespace Voussoir
 /** Whether cells that both touch the ground are connected by it. */
 enum class Ground
 {
+  /** They are: the ground and all that touches it is one group. */
   connects,
+  /** They are not: each side of the ground stands for itself. */
   separates
 };
 
 /**
- * The connected groups of cells and the ground: for each cell, and at last for
- * the ground, the lowest number in its group. Groups touch each other nowhere,
- * so a group without the ground must be balanced by itself. If the ground
- * separates, it is a group of its own.
+ * The connected groups of cells and the ground.
+ *
+ * For each cell, and at last for the ground, the lowest number in its group:
+ * n_cells + 1 numbers, where the ground has the number n_cells. Groups touch
+ * each other nowhere, so a group without the ground must be balanced by itself.
+ * If the ground separates, it is a group of its own.
  */
 std::vector<unsigned int> connected_groups(const Packing &packing,
                                            Ground ground = Ground::connects);

@@ -13,9 +13,13 @@ namespace Voussoir
 /** An axis-parallel rectangle; lengths. */
 struct Rectangle
 {
+  /** @{ */
+  /** Two opposite corners; lengths. */
   dealii::Point<2> lower_left;
   dealii::Point<2> upper_right;
+  /** @} */
 
+  /** Width times height; L^2. */
   double area() const;
 };
 
@@ -38,9 +42,11 @@ public:
   /** The rectangle, from its lower left corner on; it has a positive area. */
   explicit ConvexPolygon(const Rectangle &rectangle);
 
+  /** The number of sides, and of vertices. */
   unsigned int n_sides() const;
   /** Vertex @p i, counted modulo their number. */
   const dealii::Point<2> &vertex(unsigned int i) const;
+  /** Positive; L^2. */
   double area() const;
 
   /**

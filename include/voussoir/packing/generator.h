@@ -29,7 +29,7 @@ public:
   virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
 
   /**
-   * Make the packing.
+   * Make the cells of the packing, from the parameters that were parsed.
    *
    * @param directory where relative paths among the parameters start.
    * @throws InputError if the parameters describe no packing.
@@ -45,6 +45,8 @@ public:
 };
 
 /**
+ * Check the number of cells, before any memory is asked for.
+ *
  * @throws InputError if a packing has more cells than numbers of 32 bits can
  *   count the sides of.
  * @param entries the names of the parameters that it follows from.
@@ -55,15 +57,24 @@ void check_number_of_cells(double n_cells, const std::string &entries);
 class PackingParameters
 {
 public:
+  /** With all generators, each with the defaults of its parameters. */
   PackingParameters();
 
+  /** Declare the section, with those of the generators, and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** The files that make_packing() reads. */
   std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const;
 
-  /** The packing that the parameters describe; see PackingGenerator. */
+  /**
+   * The packing that the parameters describe, with the groups of the entry
+   * `Groups`, and without supports.
+   *
+   * @param directory where relative paths among the parameters start.
+   * @throws InputError if the parameters describe no packing: as
+   *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.
+   */
   Packing make_packing(const std::filesystem::path &directory) const;
 
 private:

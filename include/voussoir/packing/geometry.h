@@ -9,7 +9,10 @@
 
 namespace Voussoir
 {
-/** a_x b_y - a_y b_x: twice the area of the triangle, positive to the left. */
+/**
+ * Twice the area of the triangle between two vectors, a_x b_y - a_y b_x:
+ * positive if @p b points to the left of @p a; L^2.
+ */
 inline double cross(const dealii::Tensor<1, 2> &a,
                     const dealii::Tensor<1, 2> &b)
 {
@@ -17,8 +20,8 @@ inline double cross(const dealii::Tensor<1, 2> &a,
 }
 
 /**
- * The area of a loop of vertices, negative if it runs clockwise; by triangles
- * from the first vertex, so that a distant origin cancels nothing.
+ * The area of a loop of vertices, negative if it runs clockwise; L^2. By
+ * triangles from the first vertex, so that a distant origin cancels nothing.
  */
 inline double signed_area(const std::vector<dealii::Point<2>> &loop)
 {

@@ -18,20 +18,18 @@ namespace Voussoir
  */
 struct CellLoops
 {
-  /** All vertices; a length. */
+  /** All vertices, in any order; lengths. */
   std::vector<dealii::Point<2>> vertices;
   /** Vertex numbers of one loop after the other, each counterclockwise. */
   std::vector<unsigned int> loops;
   /** Where the loop of each cell begins, and the end: n_cells + 1 numbers. */
   std::vector<unsigned int> first = {0};
-  /** The centre x_c of each cell; empty to take the centroids. */
+  /** The centre x_c of each cell, a length; empty to take the centroids. */
   std::vector<dealii::Point<2>> centres;
 
-  /**
-   * The names of groups of cells, and for each cell the number of its name.
-   * Both empty: every cell is called "block".
-   */
+  /** The names of groups of cells; empty: every cell is called "block". */
   std::vector<std::string> group_names;
+  /** For each cell its name's number in group_names; empty: 0. */
   std::vector<unsigned int> group;
 
   /**
@@ -41,12 +39,11 @@ struct CellLoops
    */
   double tolerance = 0.;
 
-  /**
-   * Where the cells were read: the file, what its records are called, and the
-   * number of the record of each cell. Empty if the cells were not read.
-   */
+  /** The file that the cells were read from; empty if they were not. */
   std::string file;
+  /** What a record of that file is called. */
   std::string record_name = "line";
+  /** For each cell the number of its record; empty if not read. */
   std::vector<unsigned int> records;
 
   /** What the user ought to know of how the input was understood. */
@@ -65,33 +62,54 @@ struct CellLoops
  *
  * The ground is a cell without shape, numbered F. A boundary edge that rests on
  * it is a support: an interface from its cell to the ground.
+ *
+ * Vectors with an element for each cell, interface or boundary edge, here and
+ * everywhere, are in the order of the cells' numbers, of interfaces() and of
+ * boundary_edges(); those for each side are counted through all cells, with
+ * side i of cell c at first_side(c) + i.
  */
 class Packing
 {
 public:
+  /** An edge e that two cells share, or a cell and the ground. */
   struct Interface
   {
+    /** c-, whose loop runs along the edge from start to end. */
     unsigned int cell_minus;
+    /** c+, of the higher number; ground() if the edge is a support. */
     unsigned int cell_plus;
+    /** @{ */
+    /** The ends of the edge, with c- to the left of the way; lengths. */
     dealii::Point<2> start;
     dealii::Point<2> end;
-    /** Unit normal from c- to c+. */
+    /** @} */
+    /** n_e, the unit normal from c- to c+. */
     dealii::Tensor<1, 2> normal;
+    /** |e|, a length. */
     double length;
 
+    /** t_e = R(pi/2) n_e = (-n_y, n_x), the unit vector from start to end. */
     dealii::Tensor<1, 2> tangent() const;
+    /** x_e, a length. */
     dealii::Point<2> midpoint() const;
   };
 
+  /** An edge of one cell only, which does not rest on the ground. */
   struct BoundaryEdge
   {
+    /** The cell that has it. */
     unsigned int cell;
+    /** @{ */
+    /** The ends of the edge, counterclockwise around the cell; lengths. */
     dealii::Point<2> start;
     dealii::Point<2> end;
+    /** @} */
     /** Unit normal out of the cell. */
     dealii::Tensor<1, 2> normal;
+    /** |e|, a length. */
     double length;
 
+    /** The middle between start and end, a length. */
     dealii::Point<2> midpoint() const;
   };
 
@@ -101,14 +119,23 @@ public:
    */
   struct Side
   {
+    /** Whether it is one of boundary_edges(), and not of interfaces(). */
     bool on_boundary;
+    /** Its number in that list. */
     unsigned int index;
   };
 
   /**
-   * @throws InputError naming the cell and the place if a cell is not a convex
-   *   counterclockwise polygon of positive area with its centre inside, or if
-   *   an edge belongs to more than two cells.
+   * Check the cells and find interfaces and boundary edges, in the order of the
+   * sides of cells: an interface is numbered with its c-. At first nothing
+   * rests on the ground.
+   *
+   * @throws InputError naming the cell and the place if a cell is not a
+   *   counterclockwise polygon of positive area that is convex, or has all of
+   *   its sides in view of its centre (see not_convex()); if its area is beyond
+   *   what can be computed with, its centre is not inside, or a vertex repeats;
+   *   if an edge belongs to more than two cells, or to two on the same side of
+   *   it; or if a group has an impossible name.
    */
   explicit Packing(CellLoops cells);
 
@@ -119,17 +146,22 @@ public:
    */
   void support(const std::vector<bool> &is_support);
 
+  /** The number F of cells, without the ground. */
   unsigned int n_cells() const;
   /** The number that stands for the ground, in Interface::cell_plus. */
   unsigned int ground() const;
   /** How many of interfaces(), the last ones, are supports. */
   unsigned int n_supports() const;
+  /** The edges e that carry forces: those between cells, then the supports. */
   const std::vector<Interface> &interfaces() const;
+  /** The free boundary, on which tractions act; without the supports. */
   const std::vector<BoundaryEdge> &boundary_edges() const;
 
+  /** x_c, a length: the generator of a Voronoi cell, else the centroid. */
   const dealii::Point<2> &centre(unsigned int cell) const;
+  /** |c|, positive; L^2. */
   double area(unsigned int cell) const;
-  /** The sum of the areas of all cells. */
+  /** The sum of the areas of all cells; L^2. */
   double area() const;
   /**
    * The names of the groups of cells; every cell belongs to one. The last is
@@ -138,6 +170,7 @@ public:
   const std::vector<std::string> &group_names() const;
   /** The group of a cell, as its number among group_names(). */
   unsigned int group(unsigned int cell) const;
+  /** The name of that group. */
   const std::string &group_name(unsigned int cell) const;
   /**
    * Let @p cell belong to the group @p name.
@@ -146,15 +179,20 @@ public:
    */
   void set_group(unsigned int cell, const std::string &name);
 
-  /** d_e = (x_{c+} - x_{c-}) . n_e; to a support the distance from x_c. */
+  /**
+   * The distance of the centres along the normal, d_e = (x_{c+} - x_{c-}) .
+   * n_e; to the ground that of x_{c-} from the edge. Positive; a length.
+   */
   double distance(const Interface &interface) const;
 
   /** The number of sides of a cell, which is that of its vertices. */
   unsigned int n_sides(unsigned int cell) const;
   /** The number of sides of all cells before @p cell (of all, at n_cells()). */
   unsigned int first_side(unsigned int cell) const;
+  /** The n_sides() sides of a cell, counterclockwise. */
   dealii::ArrayView<const Side> sides(unsigned int cell) const;
-  /** Vertex @p i of a cell, counted modulo the number of its sides. */
+
+  /** Vertex @p i of a cell, counted modulo the number of its sides; lengths. */
   const dealii::Point<2> &vertex(unsigned int cell, unsigned int i) const;
 
   /**
@@ -164,7 +202,7 @@ public:
    */
   unsigned int static_indeterminacy() const;
 
-  /** The cells that are not convex, only star-shaped about their centre. */
+  /** The cells that are not convex, only star-shaped; ascending. */
   const std::vector<unsigned int> &not_convex() const;
   /** What the user ought to know of how the input was understood. */
   const std::vector<std::string> &notices() const;

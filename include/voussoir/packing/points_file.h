@@ -12,9 +12,11 @@ namespace Voussoir
 /** Points and, for messages, where each was given. */
 struct PointList
 {
+  /** In the order of the file; lengths. */
   std::vector<dealii::Point<2>> points;
   /** The line of the file that each point stands in; empty if generated. */
   std::vector<unsigned int> lines;
+  /** The file; empty if generated. */
   std::filesystem::path file;
 
   /** "Point 3 at (0.5, 1)", with line and file where there is one. */

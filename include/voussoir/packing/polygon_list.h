@@ -13,6 +13,7 @@ namespace Voussoir
 /** Polygons as they stand in a file; cell c of the packing is polygon c. */
 struct PolygonList
 {
+  /** One polygon, which is to be a cell. */
   struct Polygon
   {
     /** The vertices in order, the first not repeated at the end; lengths. */
@@ -23,9 +24,11 @@ struct PolygonList
     unsigned int record;
   };
 
+  /** The file that they were read from. */
   std::filesystem::path file;
   /** What a record of the file is: a line, or a feature of a drawing. */
   std::string record_name = "line";
+  /** In the order of the file. */
   std::vector<Polygon> polygons;
   /** What the user ought to know of how the file was understood. */
   std::vector<std::string> notices;

@@ -11,9 +11,11 @@ namespace Voussoir
 /** Edges of the rim of a packing that follow each other on a straight line. */
 struct StraightRun
 {
-  /** Counterclockwise around the packing. */
+  /** @{ */
+  /** The ends, counterclockwise around the packing; lengths. */
   dealii::Point<2> start;
   dealii::Point<2> end;
+  /** @} */
   /** The numbers of the edges, as given to straight_runs(), in that order. */
   std::vector<unsigned int> edges;
 };

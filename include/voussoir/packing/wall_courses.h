@@ -12,7 +12,11 @@ namespace Voussoir
 /** One cell of a course; lengths. */
 struct Stone
 {
+  /** @{ */
+  /** The positions of its vertical sides; lengths. */
   double left, right;
+  /** @} */
+  /** Whether it is a lintel, and not a brick. */
   bool is_lintel;
 };
 

@@ -21,7 +21,9 @@ public:
            unsigned int n_courses,
            unsigned int n_stretchers);
 
+  /** The number of courses, the height of the wall in bricks. */
   unsigned int n_courses() const;
+  /** The number of stretchers, the width of the wall in bricks. */
   unsigned int n_stretchers() const;
   /** The width of the wall; a length. */
   double width() const;

@@ -9,12 +9,19 @@
 
 namespace Voussoir
 {
-/** A rectangle of a wall: lengths, and the courses first <= k < end. */
+/** A rectangle of a wall, from bed joint to bed joint. */
 struct WallPart
 {
+  /** @{ */
+  /** The positions of its vertical sides; lengths. */
   double left, right;
+  /** @} */
+  /** @{ */
+  /** Its courses k: first_course <= k < end_course. */
   unsigned int first_course, end_course;
+  /** @} */
 
+  /** Whether they have more than a side in common. */
   bool overlaps(const WallPart &other) const;
 };
 

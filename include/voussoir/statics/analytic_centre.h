@@ -12,7 +12,9 @@
 namespace Voussoir
 {
 /**
- * The analytic centre of the admissible and balanced states, which maximises
+ * The analytic centre of the admissible and balanced states.
+ *
+ * It is the state that maximises
  *
  *   sum_e w_e (log p_e + log(s_e |e| - q_e) + log(s_e |e| + q_e)).
  *
@@ -50,6 +52,10 @@ private:
  * The iterates of the barrier problem close no joint and need no correction to
  * be mechanisms; where there is one they meet it within some 25 iterations,
  * close to the limit and far beyond, and where there is none they converge.
+ * Collective.
+ *
+ * @return the proof, or none if none was found, which proves nothing.
+ * @throws SolverError if a linear system cannot be solved.
  */
 std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
                                                   Terminal &terminal);

@@ -11,12 +11,16 @@ namespace Voussoir
 /** The weights w_e of the logarithms; see BarrierJoint. */
 enum class BarrierWeights
 {
+  /** w_e = 1. */
   equal,
+  /** w_e = |e| d_e, nondimensional. */
   edge_area
 };
 
 /**
- * The energy of a joint in the barrier problem of the linear program
+ * The energy of a joint in the barrier problem of the linear program.
+ *
+ * That program is
  *
  *   minimise sum_e s_e |e| v_e - sum_c F_c . u_c
  *   subject to y_e >= 0 and v_e >= |x_e|,
@@ -43,6 +47,7 @@ public:
     int sliding = 0;
   };
 
+  /** @param structure has the joints; it must outlive this object. */
   BarrierJoint(const Structure &structure, BarrierWeights weights);
 
   Jump force(unsigned int e, const Jump &jump) const override;
@@ -51,8 +56,10 @@ public:
                       const Jump &jump,
                       const Jump &step) const override;
 
+  /** w_e, nondimensional. */
   double weight(unsigned int e) const;
-  /** s_e |e| - |q_e|, without cancellation. */
+
+  /** What is left of the strength, s_e |e| - |q_e|, without cancellation. */
   double slack(unsigned int e, const Jump &jump) const;
 
   /** One entry per joint; at first nothing is fixed. */

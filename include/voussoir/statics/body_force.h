@@ -23,9 +23,12 @@ public:
   BodyForce() = default;
 
   /**
-   * The integrals of b(x), a force per unit area and thickness, by a rule that
-   * is exact for polynomials of degree 5, and for torques those of degree 4. @p
-   * b is given the point and the number of the cell.
+   * The integrals of b(x), by a rule that is exact for polynomials of degree 5,
+   * and for torques those of degree 4.
+   *
+   * @param packing has the cells.
+   * @param b gives the body force, S/L, at a point of the cell of a number. It
+   *   may throw.
    */
   BodyForce(const Packing &packing,
             const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
@@ -35,13 +38,19 @@ public:
   void
   add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
 
+  /** Whether there is none, and none was added. */
   bool empty() const;
-  /** The force on @p cell; per unit thickness. */
+
+  /** The force on @p cell; S L. */
   dealii::Tensor<1, 2> force(const Packing &packing, unsigned int cell) const;
-  /** The force on sub-cell @p i of @p cell, which lies along its side i. */
+  /** The force on sub-cell @p i of @p cell, which lies along its side i; S L.
+   */
   dealii::Tensor<1, 2>
   force(const Packing &packing, unsigned int cell, unsigned int i) const;
-  /** The integral of b (x) (x - x_c) over @p cell; a force times a length. */
+  /**
+   * The integral over @p cell of the outer product of b and x - x_c: component
+   * ij is that of b_i (x - x_c)_j; S L^2.
+   */
   dealii::Tensor<2, 2> moment(unsigned int cell) const;
 
 private:

@@ -37,6 +37,10 @@ struct Certificate
  */
 constexpr double largest_accepted_error = 1e-6;
 
+/**
+ * Judge forces. Those that are not finite are infinitely wrong by all
+ * measures.
+ */
 Certificate certify(const Scene &scene, const InterfaceForces &forces);
 
 /**
@@ -57,6 +61,10 @@ struct MechanismCertificate
  */
 bool proves_collapse(const MechanismCertificate &certificate);
 
+/**
+ * Judge the displacement of each cell, of any size and unit; the ground does
+ * not move.
+ */
 MechanismCertificate
 certify_mechanism(const Scene &scene,
                   std::vector<dealii::Tensor<1, 2>> displacement);

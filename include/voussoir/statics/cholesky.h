@@ -11,6 +11,10 @@ namespace Voussoir
 class Cholesky : public LinearMethod
 {
 public:
+  /**
+   * @param structure must outlive this object, and be that of one process.
+   * @param n_components of the system, one or two; see LinearMethod.
+   */
   Cholesky(const Structure &structure, unsigned int n_components);
 
   bool prepare(const std::vector<Structure::Jump> &coefficients,

@@ -22,17 +22,24 @@ public:
   /** An entry of a sparse matrix. */
   struct Entry
   {
+    /** @{ */
+    /** Its place, counted from zero. */
     unsigned int row;
     unsigned int column;
+    /** @} */
+    /** What is added to other entries of that place. */
     double value;
   };
 
   virtual ~ConvexProgram() = default;
 
-  /** Where to begin. */
+  /** Where to begin; as many numbers as there are unknowns. */
   virtual std::vector<double> start() const = 0;
 
+  /** f(x), for as many numbers @p x as start() has. */
   virtual double value(const double *x) = 0;
+
+  /** The derivative of f by each unknown. */
   virtual std::vector<double> gradient(const double *x) = 0;
   /**
    * The lower triangle of the second derivatives; entries of the same place add
@@ -40,8 +47,10 @@ public:
    */
   virtual std::vector<Entry> hessian(const double *x) const = 0;
 
+  /** The number of rows of G; none for a problem without constraints. */
   virtual unsigned int n_constraints() const = 0;
-  /** G */
+
+  /** The matrix G. */
   virtual std::vector<Entry> constraints() const = 0;
 
   /** Why to stop after @p iteration; empty to go on. */
@@ -54,7 +63,9 @@ public:
 /** What Ipopt is told. */
 struct IpoptControls
 {
+  /** Ipopt's own, of its optimality conditions; nondimensional. */
   double tolerance;
+  /** After so many iterations Ipopt gives up. */
   unsigned int n_max_iterations;
   /** The product of each constraint and its multiplier to stop at. */
   double mu_target = 0.;
@@ -63,12 +74,17 @@ struct IpoptControls
 /** What Ipopt found. */
 struct IpoptResult
 {
+  /** The unknowns, where Ipopt stopped. */
   std::vector<double> x;
-  /** Of the constraints; not positive. */
+  /**
+   * Of each constraint, not positive: for [u]_e . n_e >= 0 it is f_e^n = -p_e.
+   */
   std::vector<double> multipliers;
   /** The proof, if there is one, that there is no minimum. */
   std::optional<Mechanism> mechanism;
+  /** The number of Ipopt's iterations. */
   unsigned int n_iterations = 0;
+  /** How often value() was asked for. */
   unsigned int n_evaluations = 0;
   /** Why it stopped, in a few words; "converged" if it did. */
   std::string outcome;
@@ -80,7 +96,8 @@ struct IpoptResult
  * are watched for mechanisms; after many iterations without a minimum
  * find_collapse() is asked.
  *
- * @throws SolverError if Ipopt ends without a point.
+ * @throws SolverError if Ipopt ends without a point and without a mechanism.
+ * @throws std::bad_alloc if it has not enough memory.
  */
 IpoptResult solve_with_ipopt(const DiscreteProblem &problem,
                              ConvexProgram &program,

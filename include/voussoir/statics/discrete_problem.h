@@ -11,17 +11,21 @@
 namespace Voussoir
 {
 /**
- * The displacement problem of a scene in nondimensional variables; all that a
- * formulation sees:
+ * The displacement problem of a scene in nondimensional variables.
+ *
+ * It is all that a formulation sees:
  *
  *   minimise    sum_e s_e |e| |[u]_e . t_e|  -  sum_c F_c . u_c
  *   subject to  [u]_e . n_e >= 0 for every e
  *
  * with [u]_e = u_{c+} - u_{c-} (Marazzato and Venkataramani, the primal
- * problem). Lengths are divided by the mean size of a cell, stresses by that of
- * the loads, and coordinates start at the centroid, so that the forces come
- * out of order one whatever the user's units. Displacements have no scale of
- * their own, the energy being homogeneous; a formulation chooses one.
+ * problem; the forces that a formulation looks for are the solutions of its
+ * dual problem). Lengths are divided by length_scale(), the root of the mean
+ * area of a cell, stresses by stress_scale(), the sum of the sizes of all loads
+ * on the cells over the root of the area of the packing, and coordinates start
+ * at the centroid, so that the forces come out of order one whatever the user's
+ * units. Displacements have no scale of their own, the energy being
+ * homogeneous; a formulation chooses one.
  *
  * The ground, where there are supports, is one more body behind the cells. The
  * load on it is minus all others in its connected group, so that in every group
@@ -30,13 +34,20 @@ namespace Voussoir
 class DiscreteProblem : public Structure
 {
 public:
+  /**
+   * Make the joints, in the order of Packing::interfaces(), and the bodies, in
+   * that of the cells and at last the ground, if there are supports.
+   */
   explicit DiscreteProblem(const Scene &scene);
 
   /** The bodies but for the ground, which is there if there are supports. */
   unsigned int n_cells() const;
   /** Whether there is any load at all. */
   bool is_loaded() const;
-  /** x_c of each cell; nondimensional, from the centroid of the packing. */
+  /**
+   * x_c of each cell; nondimensional, from the area-weighted mean of the
+   * centres.
+   */
   const std::vector<dealii::Tensor<1, 2>> &centres() const;
   /**
    * A displacement that opens every joint, n_dofs() numbers: the strict
@@ -58,10 +69,16 @@ public:
    */
   void remove_translations(std::vector<double> &u) const;
 
-  /** Subtract from @p u in each connected group what is_held() moves by. */
+  /**
+   * Subtract from @p u (n_dofs() numbers) in each connected group the
+   * displacement of the body that is_held().
+   */
   void hold_bodies(std::vector<double> &u) const;
 
-  /** The displacements of the cells among @p u, times @p unit. */
+  /**
+   * The displacement of each of the n_cells() cells, without the ground: those
+   * among @p u (n_dofs() numbers), times @p unit.
+   */
   std::vector<dealii::Tensor<1, 2>>
   displacement_of_cells(const std::vector<double> &u, double unit) const;
 
@@ -74,9 +91,9 @@ public:
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;
 
-  /** The unit of length, in the user's. */
+  /** The unit of length, in the user's; L. */
   double length_scale() const;
-  /** The unit of stress, in the user's. */
+  /** The unit of stress, in the user's; S. One if there is no load. */
   double stress_scale() const;
 
 private:

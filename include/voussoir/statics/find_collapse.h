@@ -13,6 +13,8 @@ namespace Voussoir
  * Look for a proof that the load is not carried, for a solver that has taken
  * many iterations without an answer: by the barrier problem, or if no motion
  * opens all joints by elastic ones. Collective.
+ *
+ * @return the proof, or none if none was found, which proves nothing.
  */
 std::optional<Mechanism> find_collapse(const SharedProblem &problem,
                                        Terminal &terminal);

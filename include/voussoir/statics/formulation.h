@@ -22,6 +22,7 @@ struct SolverControls
 {
   /** Largest force imbalance to stop at, nondimensional. */
   double tolerance = 1e-10;
+  /** After so many iterations a solver gives up. */
   unsigned int n_max_iterations = 300;
   /** Whether equilibrate() follows. */
   bool equilibrate = false;
@@ -54,6 +55,11 @@ public:
   /**
    * Find the forces, or the proof that there are none.
    *
+   * Whether the forces of a solution that has not converged() are good enough,
+   * certify() tells.
+   *
+   * @throws InputError if the formulation needs a motion that opens all
+   * contacts and there is none; see require_interior().
    * @throws SolverError if the solver ends with neither.
    */
   Solution solve(const DiscreteProblem &problem,
@@ -68,8 +74,11 @@ private:
 };
 
 /**
- * @throws InputError if no motion opens all contacts of @p problem, in the name
- *   of a @p formulation that needs one; the message names those that do not.
+ * Refuse a packing that is clamped, in the name of a @p formulation that has no
+ * answer there.
+ *
+ * @throws InputError if no motion opens all contacts of @p problem; see
+ *   DiscreteProblem::opening().
  */
 void require_interior(const DiscreteProblem &problem,
                       const std::string &formulation);
@@ -78,11 +87,16 @@ void require_interior(const DiscreteProblem &problem,
 class SolverParameters
 {
 public:
+  /** With all formulations, and the processes that can help them. */
   explicit SolverParameters(const Team &team = Team());
 
+  /** Declare the entry and the section, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm);
 
+  /** The one that was chosen, with its parameters. */
   const Formulation &formulation() const;
+
+  /** What all formulations are told. */
   const SolverControls &controls() const;
 
 private:
@@ -94,7 +108,10 @@ private:
 /** Correct the forces of @p solution by equilibrate(), and say by how much. */
 void equilibrate_solution(const DiscreteProblem &problem, Solution &solution);
 
-/** The forces of @p solution in the units of the user. */
+/**
+ * The forces of @p solution in the units of the user, S L: times length_scale()
+ * and stress_scale() of @p problem.
+ */
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution);
 /** The other way round. */

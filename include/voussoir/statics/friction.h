@@ -18,13 +18,17 @@ namespace Voussoir
 class FrictionParameters
 {
 public:
+  /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * The strength s_e of each interface, a stress: the mean of s_T over it.
+   * The strength s_e of each interface, in the order of Packing::interfaces();
+   * S. It is the mean of s_T over the interface, not negative.
    *
    * @throws InputError naming the interface if a strength is negative or not a
-   *   finite number, or naming a group that does not exist.
+   *   finite number, or varies too fast for its mean; if a formula cannot be
+   *   parsed; or naming a pair of groups that does not exist, is given twice or
+   *   meets nowhere.
    */
   std::vector<double> strengths(const Packing &packing) const;
 

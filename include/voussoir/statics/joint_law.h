@@ -17,6 +17,7 @@ namespace Voussoir
 class JointLaw
 {
 public:
+  /** Of displacements, forces or second derivatives; see Structure::Jump. */
   using Jump = Structure::Jump;
 
   virtual ~JointLaw() = default;
@@ -25,7 +26,10 @@ public:
   virtual Jump force(unsigned int e, const Jump &jump) const = 0;
   /** The second derivatives; not negative. */
   virtual Jump second_derivative(unsigned int e, const Jump &jump) const = 0;
-  /** How many times @p step may be added before the energy is infinite. */
+  /**
+   * How many times @p step may be added to @p jump before the energy of joint
+   * @p e is infinite; infinity if it never is.
+   */
   virtual double longest_step(unsigned int /*e*/,
                               const Jump & /*jump*/,
                               const Jump & /*step*/) const

@@ -24,8 +24,11 @@ constexpr double factor_of_shift = 100.;
 /** What solves the linear systems; see JointSystem. */
 enum class LinearSolver
 {
+  /** What is faster at the size of the problem. */
   automatic,
+  /** Cholesky, or Substructures on several processes. */
   direct,
+  /** Multigrid. */
   multigrid
 };
 
@@ -49,6 +52,7 @@ enum class LinearSolver
 class JointSystem
 {
 public:
+  /** @param structure has the joints; it must outlive this object. */
   JointSystem(const Structure &structure, LinearSolver kind);
 
   /**

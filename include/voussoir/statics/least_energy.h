@@ -12,7 +12,9 @@
 namespace Voussoir
 {
 /**
- * The law of elastic joints of stiffness k_e = |e| / d_e that open and slide:
+ * The law of elastic joints that open and slide.
+ *
+ * Their stiffness is k_e = |e| / d_e:
  *
  *   energy = k_e min(y, 0)^2 / 2 + Huber(x),
  *
@@ -23,6 +25,7 @@ namespace Voussoir
 class ElasticJoint : public JointLaw
 {
 public:
+  /** @param structure has the joints; it must outlive this object. */
   explicit ElasticJoint(const Structure &structure);
 
   Jump force(unsigned int e, const Jump &jump) const override;
@@ -33,7 +36,9 @@ private:
 };
 
 /**
- * Of all admissible and balanced states, the one that minimises
+ * Of all admissible and balanced states, that of least energy.
+ *
+ * It minimises
  *
  *   sum_e (d_e / |e|) ((f_e^n)^2 + (f_e^t)^2) / 2.
  *
@@ -69,7 +74,10 @@ void assist_least_energy(const Team &team, Terminal &terminal);
 /**
  * Look for a proof that the load is not carried, in the displacements of the
  * elastic joints, which grow along a mechanism if there is one. Slower than
- * find_collapse_by_barrier(), but it needs no opening.
+ * find_collapse_by_barrier(), but it needs no opening. Collective.
+ *
+ * @return the proof, or none if none was found, which proves nothing.
+ * @throws SolverError if a linear system cannot be solved.
  */
 std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
                                                   Terminal &terminal);

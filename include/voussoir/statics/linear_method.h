@@ -28,15 +28,21 @@ public:
 };
 
 /**
- * @p u, n_bodies times two components, as columns of @p n_components unknowns a
- * body, and back; what a system of one component has to be solved for.
+ * The unknowns @p u, body by body with two components each, as columns of
+ * @p n_components unknowns a body: for a system of one component all first
+ * components and then all second ones, which it is solved for one after the
+ * other; for one of two components @p u itself.
  */
 std::vector<double> to_columns(const std::vector<double> &u,
                                unsigned int n_components);
+/** The inverse of to_columns(). */
 std::vector<double> from_columns(const std::vector<double> &columns,
                                  unsigned int n_components);
 
-/** Entry (i, j) of the two-by-two block of a joint. */
+/**
+ * Entry (i, j) of the two-by-two block of a joint with the coefficients @p a,
+ * a_e^n n_e n_e^T + a_e^t t_e t_e^T; see JointSystem.
+ */
 inline double block_of_joint(const Structure::Joint &joint,
                              const Structure::Jump &a,
                              const unsigned int i,

@@ -7,7 +7,9 @@
 namespace Voussoir
 {
 /**
- * The linear program (Marazzato and Venkataramani)
+ * The linear program of Marazzato and Venkataramani.
+ *
+ * It is
  *
  *   minimise sum_e s_e |e| v_e - sum_c F_c . u_c
  *   subject to [u]_e . n_e >= 0 and v_e >= |[u]_e . t_e|,

@@ -17,6 +17,7 @@ struct CellForce
 {
   /** As the user called the cells. */
   std::string name;
+  /** Their numbers, ascending. */
   std::vector<unsigned int> cells;
   /** On each cell; per unit thickness. */
   dealii::Tensor<1, 2> force;
@@ -29,6 +30,7 @@ struct Loads
   std::vector<dealii::Tensor<1, 2>> traction;
   /** The body force, without that of on_cells. */
   BodyForce body;
+  /** The forces on cells, name by name. */
   std::vector<CellForce> on_cells;
 };
 
@@ -36,14 +38,17 @@ struct Loads
 class LoadParameters
 {
 public:
+  /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
    * The loads on @p packing, whose supports must have been chosen. The traction
    * g_e is the mean of g over an edge.
    *
-   * @throws InputError naming the place if a value is not a finite number, the
-   *   uniform stress is not symmetric, or nothing has a name or place given.
+   * @throws InputError naming the place if a value is not a finite number or
+   *   varies too fast for its mean; if a formula cannot be parsed, the uniform
+   *   stress is not symmetric, a place is on no edge or a name is that of no
+   *   cell.
    */
   Loads loads(const Packing &packing) const;
 

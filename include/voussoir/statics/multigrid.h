@@ -14,6 +14,10 @@ namespace Voussoir
 class Multigrid : public LinearMethod
 {
 public:
+  /**
+   * @param structure must outlive this object.
+   * @param n_components of the system, one or two; see LinearMethod.
+   */
   Multigrid(const Structure &structure, unsigned int n_components);
 
   bool prepare(const std::vector<Structure::Jump> &coefficients,

@@ -31,9 +31,18 @@ namespace Voussoir
 class Newton
 {
 public:
+  /** Of displacements or forces; see Structure::Jump. */
   using Jump = Structure::Jump;
 
-  /** @param u where to begin; the energy must be finite there. */
+  /**
+   * The references must outlive this object.
+   *
+   * @param structure has bodies, joints and loads.
+   * @param law of the joints.
+   * @param system solves the linear systems.
+   * @param u where to begin, n_dofs() numbers with the ghosts; the energy must
+   *   be finite there.
+   */
   Newton(const Structure &structure,
          const JointLaw &law,
          JointSystem &system,
@@ -47,22 +56,26 @@ public:
    */
   double step(double shift, const std::vector<double> &centre);
 
-  /** n_dofs() numbers, with the ghosts. */
+  /** The displacement: n_dofs() numbers, with the ghosts. */
   const std::vector<double> &u() const;
-  /** [u]_e */
+
+  /** [u]_e of each joint of this process. */
   const std::vector<Jump> &jumps() const;
-  /** f_e^n and f_e^t */
+
+  /** f_e^n and f_e^t of each joint of this process. */
   const std::vector<Jump> &forces() const;
   /** The largest component of the sum of all forces on a cell. */
   double imbalance() const;
   /** The same with the force -shift (u - centre) of the proximal term. */
   double imbalance(double shift, const std::vector<double> &centre) const;
-  /** (r . A^{-1} r)^(1/2) of the last step, r what it had to balance. */
+  /** Of the last step, (r . A^{-1} r)^(1/2), where r had to be balanced. */
   double decrement() const;
   /** The largest change of a force in the last step. */
   double force_change() const;
 
+  /** How many steps were taken. */
   unsigned int n_iterations() const;
+
   /** How often the forces were evaluated. */
   unsigned int n_evaluations() const;
   /** How long the linear systems have taken so far; see JointSystem. */
@@ -110,6 +123,7 @@ struct NewtonControls
 {
   /** The largest imbalance. */
   double imbalance;
+  /** After so many steps it gives up. */
   unsigned int n_max_iterations;
   /** The largest decrement of the last step. */
   double decrement = std::numeric_limits<double>::infinity();
@@ -123,8 +137,16 @@ struct NewtonControls
  * no minimum, or there is no progress; then say what was found. The outcome is
  * "converged" in the first case.
  *
+ * @param problem shares out and collects.
+ * @param newton at its start.
+ * @param controls say when to stop.
+ * @param advance takes a step of @p newton.
  * @param displacement_unit of the nondimensional displacement, in the user's;
  *   zero to report none.
+ * @param terminal sees the iterations.
+ * @return the state with the least imbalance that was met, on the root; without
+ *   forces on the others.
+ * @throws SolverError as Newton::step() does.
  */
 Solution minimise(const SharedProblem &problem,
                   Newton &newton,

@@ -15,10 +15,12 @@ std::vector<StraightRun> straight_supports(const Packing &packing);
 /** The force of the ground on the packing along one straight support. */
 struct Reaction
 {
-  /** Counterclockwise around the packing. */
+  /** @{ */
+  /** The ends of the support, counterclockwise around the packing; lengths. */
   dealii::Point<2> start;
   dealii::Point<2> end;
-  /** Per unit thickness. */
+  /** @} */
+  /** On the packing; S L. */
   dealii::Tensor<1, 2> force;
 };
 
@@ -29,12 +31,15 @@ std::vector<Reaction> reactions(const Scene &scene,
 /** The sum of all loads and of all reactions, and how they agree. */
 struct GroundBalance
 {
+  /** The sum of F_c over all cells; S L. */
   dealii::Tensor<1, 2> load;
+  /** The sum of the forces of all supports on the packing; S L. */
   dealii::Tensor<1, 2> reaction;
   /** |load + reaction| over the sum of the sizes of the loads on the cells. */
   double imbalance;
 };
 
+/** Compare the loads of @p scene with its @p reactions. */
 GroundBalance balance_on_ground(const Scene &scene,
                                 const std::vector<Reaction> &reactions);
 } // namespace Voussoir

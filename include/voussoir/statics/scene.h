@@ -16,16 +16,22 @@ namespace Voussoir
 struct Scene
 {
   /**
-   * @param strength s_e of each interface; a stress.
+   * Add up the loads on each cell.
+   *
+   * @param packing with its supports.
+   * @param strength s_e of each of its interfaces, not negative; S.
+   * @param loads on its boundary edges and cells.
    * @throws InputError if the total force on a connected group of cells without
    *   support is not zero, since nothing holds it, or if a load is too large or
    *   too small to compute with.
    */
   Scene(Packing packing, std::vector<double> strength, Loads loads);
 
+  /** The blocks, with their supports. */
   Packing packing;
+  /** s_e of each interface, not negative; S. */
   std::vector<double> strength;
-  /** g_e on each boundary edge; a stress, tension positive. */
+  /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
   /** The forces on the cells, per unit thickness, by name; see body. */
   std::vector<CellForce> on_cells;
@@ -33,9 +39,9 @@ struct Scene
   BodyForce body;
   /** Whether there is more in it than on_cells. */
   bool has_body_force;
-  /** F_c on each cell, the sum of all these; a force per unit thickness. */
+  /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
-  /** connected_groups() of the packing. */
+  /** connected_groups() of the packing, n_cells + 1 numbers. */
   std::vector<unsigned int> group;
 
 private:
@@ -46,16 +52,23 @@ private:
 };
 
 /**
- * The forces of the interfaces, per unit thickness, in the user's units:
- * f_e^n, negative in compression, and f_e^t. The force on cell c+ is minus
- * that on cell c-, which is f_e^n n_e + f_e^t t_e.
+ * The forces of the interfaces, in the order of Packing::interfaces(): f_e^n,
+ * negative in compression, and f_e^t. Per unit thickness, S L, unless they are
+ * said to be nondimensional, as those of a Solution are. The force on cell c+
+ * is minus that on cell c-, which is f_e^n n_e + f_e^t t_e.
  */
 struct InterfaceForces
 {
+  /** f_e^n of each interface, <= 0: compression. */
   std::vector<double> normal;
+  /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
   std::vector<double> tangential;
 
-  /** f_e^n n_e + f_e^t t_e, the force on cell c- of interface @p e. */
+  /**
+   * The force on cell c- of interface @p e, f_e^n n_e + f_e^t t_e.
+   *
+   * @param interface that of the number @p e.
+   */
   dealii::Tensor<1, 2> on_cell_minus(const Packing::Interface &interface,
                                      unsigned int e) const;
 };
@@ -67,7 +80,10 @@ struct InterfaceForces
 double
 utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);
 
-/** The torque about x_c of all forces on each cell; per unit thickness. */
+/**
+ * The torque about x_c of all forces on each cell, positive counterclockwise;
+ * S L^2. Translations alone do not balance it.
+ */
 std::vector<double> residual_torques(const Scene &scene,
                                      const InterfaceForces &forces);
 } // namespace Voussoir

@@ -40,6 +40,7 @@ public:
 
   /** This process' part of DiscreteProblem::opening(); collective. */
   std::vector<double> opening() const;
+  /** Whether DiscreteProblem::opening() is one; collective. */
   bool has_opening() const;
 
   /**
@@ -52,8 +53,12 @@ public:
    * The parts of all processes put together, in the order of the whole, on the
    * root, and nothing on the others; collective.
    *
+   * @param u the displacement, n_dofs() numbers of structure().
+   * @param forces f_e^n and f_e^t of each joint of structure().
    * @param displacement_unit of the nondimensional displacement, in the
    *   user's; zero to report none.
+   * @param solution takes forces, nondimensional, and displacement, in the
+   *   user's unit.
    */
   void collect(const std::vector<double> &u,
                const std::vector<Structure::Jump> &forces,

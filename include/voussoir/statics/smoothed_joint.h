@@ -10,7 +10,9 @@ namespace Voussoir
 /** How two blocks touch; see SmoothedJoint. */
 enum class Contact
 {
+  /** By springs, which choose among the states of the rigid blocks. */
   compliant,
+  /** Without interpenetration, by the constraints [u]_e . n_e >= 0. */
   hard
 };
 
@@ -30,8 +32,10 @@ enum class Contact
 class SmoothedJoint : public JointLaw
 {
 public:
+  /** @param problem has the joints; it must outlive this object. */
   SmoothedJoint(const DiscreteProblem &problem, Contact contact);
 
+  /** The energy of joint @p e. */
   double energy(unsigned int e, const Jump &jump) const;
   Jump force(unsigned int e, const Jump &jump) const override;
   Jump second_derivative(unsigned int e, const Jump &jump) const override;

@@ -14,7 +14,8 @@ namespace Voussoir
 /** What a formulation returns. */
 struct Solution
 {
-  /** f_e^n and f_e^t of each joint; nondimensional. */
+  /** f_e^n and f_e^t of each joint; nondimensional, see dimensional_forces().
+   */
   InterfaceForces forces;
   /**
    * What equilibrate() changed in a force at most, over the largest force
@@ -23,18 +24,20 @@ struct Solution
   std::optional<double> correction;
   /**
    * u_c, in the user's unit: from the ground, or with zero mean in each
-   * connected group of cells that does not rest on it.
-   * Zero where the formulation has none of its own: blocks that carry their
-   * load do not move.
+   * connected group of cells that does not rest on it. Zero where the
+   * formulation has none of its own: blocks that carry their load do not move.
    */
   std::vector<dealii::Tensor<1, 2>> displacement;
+  /** @{ */
   /**
    * Joints in which every admissible and balanced state has f_e^n = 0, and
    * |f_e^t| = s_e |e|; empty if the formulation does not find out.
    */
   std::vector<bool> never_pressed, always_sliding;
+  /** @} */
   /** The proof that the load is not carried; then nothing above counts. */
   std::optional<Mechanism> mechanism;
+  /** The number of the solver's iterations. */
   unsigned int n_iterations = 0;
   /** How often the solver evaluated the energy or the forces. */
   unsigned int n_evaluations = 0;
@@ -43,6 +46,7 @@ struct Solution
   /** Why the solver stopped, in a few words; "converged" if it did. */
   std::string outcome;
 
+  /** Whether the solver met its tolerance. */
   bool converged() const
   {
     return outcome == "converged";

@@ -28,9 +28,13 @@ class SparseFactor
 {
 public:
   /**
+   * Find the pattern of the matrix.
+   *
+   * @param structure has the joints; it must outlive this object.
+   * @param n_components of the system, one or two.
    * @param n_bodies how many bodies count; not fewer than are own.
    * @param last bodies to be eliminated after all others, ascending.
-   * @throws std::bad_alloc
+   * @throws std::bad_alloc if there is not enough memory.
    */
   SparseFactor(const Structure &structure,
                unsigned int n_components,
@@ -43,16 +47,19 @@ public:
   /**
    * Fill in the coefficients and the shift of own bodies, and factorise. To the
    * diagonal of each of the last bodies its largest entry is added, so that
-   * there are factors whatever else holds these bodies; see coupling().
+   * there are factors whatever else holds these bodies; see added().
    *
    * @return false if the matrix is not positive definite.
-   * @throws std::bad_alloc also where CHOLMOD's integers are too small.
+   * @throws std::bad_alloc if there is not enough memory, and where CHOLMOD's
+   *   integers are too small.
    */
   bool factorise(const std::vector<Structure::Jump> &coefficients,
                  double shift);
 
-  /** How many unknowns there are, and how many of these in the last bodies. */
+  /** How many unknowns there are: n_components times n_bodies. */
   unsigned int n() const;
+
+  /** How many of them are those of the last bodies. */
   unsigned int n_last() const;
 
   /**
@@ -65,11 +72,12 @@ public:
   // ------------------------------------------ for the last bodies, if any
 
   /**
-   * L^{-1} P r, ordered as they are eliminated, so that the last come last;
-   * and P^T L^{-T} y.
+   * Half of solve(): L^{-1} P r, ordered as the unknowns are eliminated, so
+   * that the last come last.
    */
   std::vector<double> forward(const std::vector<double> &r,
                               unsigned int n_columns);
+  /** The other half: P^T L^{-T} y, ordered by unknowns. */
   std::vector<double> backward(const std::vector<double> &y,
                                unsigned int n_columns);
 

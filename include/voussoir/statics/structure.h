@@ -27,14 +27,15 @@ public:
   /** An interface e; nondimensional. */
   struct Joint
   {
+    /** c-, the number of a body here. */
     unsigned int cell_minus;
-    /** Possibly the ground. */
+    /** c+, the number of a body here; possibly the ground. */
     unsigned int cell_plus;
     /** n_e, from c- to c+. */
     dealii::Tensor<1, 2> normal;
     /** t_e = R(pi/2) n_e. */
     dealii::Tensor<1, 2> tangent;
-    /** |e| */
+    /** The length |e|. */
     double length;
     /** d_e, which is positive; see Packing::distance(). */
     double distance;
@@ -48,10 +49,15 @@ public:
     }
   };
 
-  /** The jump [u]_e in the frame of its joint. */
+  /**
+   * The jump [u]_e in the frame of its joint; or a pair of this kind, the
+   * forces f_e^n and f_e^t.
+   */
   struct Jump
   {
+    /** Along n_e: the opening, negative where bodies interpenetrate. */
     double normal;
+    /** Along t_e: the sliding. */
     double tangential;
   };
 
@@ -74,17 +80,26 @@ public:
   /** The part of this process of what @p team shares. */
   Structure(const Team &team, Part part);
 
+  /** The processes that share the structure. */
   const Team &team() const;
+
+  /** The number of bodies of this process, with the ground if it has it. */
   unsigned int n_own_bodies() const;
-  /** With the ghosts. */
+
+  /** The number of own bodies and ghosts. */
   unsigned int n_bodies() const;
+
+  /** Twice n_own_bodies(). */
   unsigned int n_own_dofs() const;
+
+  /** Twice n_bodies(): the size of a vector of unknowns. */
   unsigned int n_dofs() const;
   /** The number of the first own body among those of all processes. */
   unsigned int first_body() const;
   /** The numbers of the ghosts, ascending. */
   const std::vector<unsigned int> &ghosts() const;
 
+  /** All joints that touch an own body. */
   const std::vector<Joint> &joints() const;
   /** Whether this process counts the joint; the others that have it do not. */
   bool is_own(const Joint &joint) const;
@@ -104,14 +119,19 @@ public:
   static void
   add_jump_gradient(const Joint &joint, const Jump &f, double *gradient);
 
-  /** sum_c F_c . u_c, over all processes. */
+  /**
+   * The work of the loads along @p u (n_dofs() numbers), the sum of F_c . u_c
+   * over the bodies of all processes; collective.
+   */
   double work(const double *u) const;
 
 protected:
   /** A whole structure, to be filled by a derived class. */
   Structure() = default;
 
+  /** What joints() returns. */
   std::vector<Joint> joint_list;
+  /** What loads() returns; it has an element for each own body. */
   std::vector<dealii::Tensor<1, 2>> load;
 
 private:

@@ -25,6 +25,10 @@ namespace Voussoir
 class Substructures : public LinearMethod
 {
 public:
+  /**
+   * @param structure must outlive this object.
+   * @param n_components of the system, one or two; see LinearMethod.
+   */
   Substructures(const Structure &structure, unsigned int n_components);
 
   /** How many of the own bodies of this process couple. */

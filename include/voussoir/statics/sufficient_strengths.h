@@ -16,6 +16,11 @@ namespace Voussoir
  * centre the square of the strength multiplies the rounding of the coordinates.
  * If that has no answer, or one in which a lowered strength is used up
  * (always_sliding), then with the strengths as they are.
+ *
+ * @param problem with its own strengths.
+ * @param controls for both together.
+ * @param solve is called once or twice, with a problem and controls.
+ * @return the better of the answers, with the iterations of both.
  */
 Solution solve_with_sufficient_strengths(
     const DiscreteProblem &problem,

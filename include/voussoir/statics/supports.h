@@ -15,12 +15,14 @@ namespace Voussoir
 class SupportParameters
 {
 public:
+  /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
    * Let the chosen boundary edges of @p packing rest on the ground.
    *
-   * @throws InputError if a condition is given that holds on no edge.
+   * @throws InputError if a condition is given that cannot be evaluated or
+   * holds on no edge.
    */
   void support(Packing &packing) const;
 
@@ -32,7 +34,9 @@ private:
  * Whether @p condition, an expression in the coordinates x, y of the midpoint
  * and the outward unit normal nx, ny, holds on each boundary edge.
  *
- * @throws InputError naming @p parameter if it holds on none.
+ * @return one entry for each of Packing::boundary_edges().
+ * @throws InputError naming @p parameter if it cannot be evaluated or holds on
+ *   none.
  */
 std::vector<bool> boundary_edges_where(const Packing &packing,
                                        const std::string &condition,

@@ -10,12 +10,15 @@
 namespace Voussoir
 {
 /**
- * The forces on some cells that are cut free of all others, per unit thickness;
- * side by side, cell by cell.
+ * The forces on some cells that are cut free of all others; S L. An element for
+ * each side, cell by cell.
  */
 struct CellForces
 {
-  /** On each side: of an interface, a support or a traction. */
+  /**
+   * On the cell, through each side: the force of an interface, a support or a
+   * traction.
+   */
   std::vector<dealii::Tensor<1, 2>> on_side;
   /**
    * The integral of the body force over the triangle of the centre and each
@@ -24,6 +27,7 @@ struct CellForces
   std::vector<dealii::Tensor<1, 2>> body;
 };
 
+/** The forces on the cells of a range, of a scene and its interfaces. */
 CellForces cell_forces(const Scene &scene,
                        const InterfaceForces &forces,
                        const CellRange &cells);

@@ -32,51 +32,76 @@ public:
   {
     /** Its unknown, or dealii::numbers::invalid_unsigned_int if prescribed. */
     unsigned int unknown;
-    /** If prescribed: the side of the cell, and the coefficient for a unit
-     * force that is spread evenly over that side. */
+    /** If prescribed: the side of the cell. */
     unsigned int side;
+    /**
+     * If prescribed: its coefficient for a unit force that is spread evenly
+     * over that side.
+     */
     double per_force;
   };
 
-  /** What depends on the shape of the cell, of one sub-cell. */
+  /**
+   * What depends on the shape of the cell, of one sub-cell, in the unit of
+   * length of the vertices that place() was given. Indices j and l are those of
+   * multipliers w, k and l those of fluxes phi, q those of Gauss points.
+   */
   struct Integrals
   {
+    /** Of the sub-cell. */
     double area;
-    /** int w_j */
+    /** The integral of w_j, by j. */
     std::vector<double> mean;
-    /** int w_j w_l */
+    /** The integral of w_j w_l, by j and l. */
     dealii::Table<2, double> mass;
-    /** int w_j phi_k, component by component. */
+    /** The integral of w_j phi_k, a vector, by j and k. */
     dealii::Table<2, dealii::Tensor<1, 2>> moment;
-    /** int phi_k . phi_l; only if asked for. */
+    /** The integral of phi_k . phi_l, by k and l; only if asked for. */
     dealii::Table<2, double> flux_mass;
-    /** Where w_j is one and the others zero. */
+    /** Where w_j is one and the others zero, by j; from the cell's centre. */
     std::vector<dealii::Point<2>> nodes;
-    /** phi_k in the middle, the image of the reference square's centre. */
+    /** phi_k in the middle, the image of the reference square's centre, by k.
+     */
     std::vector<dealii::Tensor<1, 2>> in_the_middle;
-    /** phi_k at the Gauss points, and the weights of these. */
+    /** phi_k at the Gauss points, by q and k. */
     dealii::Table<2, dealii::Tensor<1, 2>> at_points;
+    /** The weights of the Gauss points, by q. */
     std::vector<double> weights;
   };
 
+  /**
+   * The spaces on cells with @p n_sides sides.
+   *
+   * @param cut of the triangle of each side.
+   * @param n_sides n, at least 3.
+   * @param degree k of FE_RaviartThomas(k) and FE_DGQ(k).
+   */
   CellSpaces(const SubTriangulation &cut,
              unsigned int n_sides,
              unsigned int degree);
 
-  /** The sub-cells, triangle by triangle. */
+  /** The number of sub-cells, which are numbered triangle by triangle. */
   unsigned int n_sub_cells() const;
-  /** The basis functions phi and w of one sub-cell. */
+
+  /** The number of basis functions phi in one sub-cell. */
   unsigned int n_fluxes_per_sub_cell() const;
+
+  /** The number of basis functions w in one sub-cell. */
   unsigned int n_multipliers_per_sub_cell() const;
-  /** The unknown fluxes of one row of sigma. */
+
+  /** The number of unknown fluxes of one row of sigma. */
   unsigned int n_unknown_fluxes() const;
 
+  /** Basis function phi_k of a sub-cell. */
   const Flux &flux(const unsigned int sub_cell, const unsigned int k) const
   {
     return fluxes[sub_cell * element.dofs_per_cell + k];
   }
 
-  /** int w_j div phi_k over a sub-cell, whatever the shape of the cell. */
+  /**
+   * The integral of w_j div phi_k over a sub-cell, the same for every shape of
+   * the cell.
+   */
   double divergence(const unsigned int sub_cell,
                     const unsigned int j,
                     const unsigned int k) const
@@ -84,6 +109,7 @@ public:
     return divergences(sub_cell * multiplier.dofs_per_cell + j, k);
   }
 
+  /** Those of a sub-cell, in the cell that place() was given last. */
   const Integrals &integrals(const unsigned int sub_cell) const
   {
     return all_integrals[sub_cell];

@@ -15,11 +15,11 @@ namespace Voussoir
 /** What is known of the stress in one sub-cell. */
 struct SubCellStress
 {
-  /** sigma at the image of the reference square's centre; a stress. */
+  /** sigma at the image of the reference square's centre; S. */
   dealii::Tensor<2, 2> stress;
-  /** Mean of div sigma; a stress over a length. */
+  /** Mean of div sigma; S/L. */
   dealii::Tensor<1, 2> divergence;
-  /** Root of the mean square of (sigma_xy - sigma_yx) / 2; a stress. */
+  /** Root of the mean square of (sigma_xy - sigma_yx) / 2; S. */
   double skew = 0.;
 };
 
@@ -46,12 +46,13 @@ public:
   /**
    * Find the stress in one cell.
    *
-   * @param centre of the cell.
-   * @param vertices of the cell, counterclockwise; n points.
-   * @param forces the force on each side, from vertex i to i+1.
-   * @param body_forces the integral of the body force over the triangle of the
-   *   centre and each side.
-   * @param sub_cells takes the result, triangle by triangle.
+   * @param centre of the cell; a length.
+   * @param vertices of the cell, counterclockwise; n points, lengths.
+   * @param forces n forces on the cell, on side i from vertex i to i+1; S L.
+   * @param body_forces n integrals of the body force, over the triangle of the
+   *   centre and each side; S L.
+   * @param sub_cells takes the result, n_sub_cells() elements, triangle by
+   *   triangle.
    * @return false if the solution would be arbitrary, or has lost its digits:
    *   if its mean is not that which the forces demand. sub_cells are then left
    *   alone.
@@ -62,13 +63,14 @@ public:
              const std::vector<dealii::Tensor<1, 2>> &body_forces,
              const dealii::ArrayView<SubCellStress> &sub_cells);
 
+  /** The number of sub-cells, over all n triangles. */
   unsigned int n_sub_cells() const
   {
     return spaces.n_sub_cells();
   }
 
 protected:
-  /** See CellSpaces; @p with_flux_mass says whether fill() needs it. */
+  /** See CellSpaces; @p with_flux_mass says whether find_fluxes() needs it. */
   CellStress(const SubTriangulation &cut,
              unsigned int n_sides,
              unsigned int degree,
@@ -76,7 +78,7 @@ protected:
 
   /**
    * Find the unknown fluxes in the cell that spaces has the shape of, under
-   * forces() and sources(): row r of sigma has coefficient(r, ...).
+   * forces and body_force(): row r of sigma has coefficient(r, ...).
    *
    * @return false if there is no unique answer.
    */
@@ -99,10 +101,14 @@ protected:
     return sources[sub_cell / n_per_side];
   }
 
+  /** The spaces, in the shape of the present cell, scaled to unit area. */
   CellSpaces spaces;
-  /** Of row 0, then of row 1, and what else a derived class solves for. */
+  /**
+   * The n_unknown_fluxes() of row 0, then those of row 1, and what else a
+   * derived class solves for.
+   */
   dealii::Vector<double> unknowns;
-  /** What remains of the force on each side. */
+  /** What remains of the force on each side, over the size of the cell. */
   std::vector<dealii::Tensor<1, 2>> forces;
 
 private:

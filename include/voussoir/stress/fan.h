@@ -12,9 +12,12 @@
 namespace Voussoir
 {
 /**
- * The paper's reconstruction: on a fan of n quadrilaterals around the cell's
- * centre, with FE_RaviartThomas(0) and FE_DGQ(0), the mixed problem (Marazzato
- * and Venkataramani, section 4): for all tau with zero normal trace and all q
+ * The paper's reconstruction, the local Raviart-Thomas problem of Marazzato and
+ * Venkataramani (section 4).
+ *
+ * On a fan of n quadrilaterals around the cell's centre, with
+ * FE_RaviartThomas(0) and FE_DGQ(0), for all tau with zero normal trace and all
+ * q
  *
  *   (div sigma, div tau) + (tau, j(p)) = -(b, div tau),
  *   (sigma, j(q))                      = 0,
@@ -29,6 +32,7 @@ namespace Voussoir
 class Fan : public CellStress
 {
 public:
+  /** For cells with @p n_sides sides, at least 3. */
   explicit Fan(unsigned int n_sides);
 
 private:

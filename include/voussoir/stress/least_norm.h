@@ -8,7 +8,9 @@
 namespace Voussoir
 {
 /**
- * The refined reconstruction: on SubTriangulation::thirds(), with
+ * The refined reconstruction, the stress of least norm.
+ *
+ * On SubTriangulation::thirds(), with
  * FE_RaviartThomas(k) and FE_DGQ(k), of all weakly symmetric sigma with the
  * given tractions those for which div sigma = -b holds best, in the sense of
  * least squares of the moments with FE_DGQ(k), and of these the one of least
@@ -33,6 +35,10 @@ namespace Voussoir
 class LeastNorm : public CellStress
 {
 public:
+  /**
+   * For cells with @p n_sides sides, at least 3, on
+   * SubTriangulation::thirds(@p n_refinements), with elements of @p degree k.
+   */
   LeastNorm(unsigned int n_sides, unsigned int n_refinements, unsigned degree);
 
 private:

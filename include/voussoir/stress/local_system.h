@@ -23,6 +23,7 @@ public:
   /** Set all entries of the matrix to zero. */
   void clear();
 
+  /** Add to entry (i, j) of the matrix; both triangles are given. */
   void add(const unsigned int i, const unsigned int j, const double value)
   {
     if (is_small)

@@ -25,8 +25,10 @@ struct Reconstruction
   /** Of LeastNorm: the degree k of FE_RaviartThomas. */
   unsigned int degree = 0;
 
+  /** The cut of each triangle: fan() or thirds(). */
   SubTriangulation cut() const;
-  /** For cells with @p n_sides sides. */
+
+  /** What solves cells with @p n_sides sides: a Fan or a LeastNorm. */
   std::unique_ptr<CellStress> cell_stress(unsigned int n_sides) const;
 };
 
@@ -48,7 +50,10 @@ struct StressField
    */
   std::vector<unsigned int> undetermined;
 
-  /** The first sub-cell in the triangle of side @p i of @p cell. */
+  /**
+   * Where in sub_cells those of the triangle of side @p i of @p cell begin; of
+   * side 0 of cell n_cells() their number.
+   */
   std::size_t first(const Packing &packing,
                     const unsigned int cell,
                     const unsigned int i) const
@@ -68,10 +73,12 @@ std::vector<std::string> undetermined_cells(const Scene &scene,
 class StressParameters
 {
 public:
+  /** Declare the entry and the section, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** Whether the stress inside the cells is to be reconstructed at all. */
   bool reconstruct() const;
+  /** How, if it is. */
   Reconstruction reconstruction() const;
 
 private:
@@ -90,6 +97,11 @@ private:
 /**
  * Find the stress in every cell under the forces on it, on all threads. The
  * result does not depend on their number.
+ *
+ * @param packing has the cells.
+ * @param forces on all of them.
+ * @param how by which elements.
+ * @param terminal sees the progress.
  */
 StressField reconstruct_stress(const Packing &packing,
                                const CellForces &forces,

@@ -19,9 +19,11 @@ struct StressPart
 {
   /** The number of its first cell in the whole packing. */
   unsigned int first_cell;
+  /** Its cells, numbered from 0, with boundary edges only; see cut_free(). */
   Packing packing;
-  /** Of each cell. */
+  /** Of each of them; L. */
   std::vector<dealii::Tensor<1, 2>> displacement;
+  /** The stress in them; but see reconstruct_on_root(). */
   StressField stress;
 };
 

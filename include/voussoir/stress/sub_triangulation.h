@@ -21,7 +21,10 @@ public:
   /** The weights a and b. */
   struct Vertex
   {
+    /** @{ */
+    /** Not negative, and together at most one. */
     double a, b;
+    /** @} */
   };
   /** In deal.II's (lexicographic) order. */
   using Quadrilateral = std::array<Vertex, 4>;
