@@ -5,7 +5,9 @@
 namespace Voussoir
 {
 /**
- * Make the machine's BLAS safe to call, where it is OpenBLAS: threads and
+ * Make the machine's BLAS safe to call, where it is OpenBLAS.
+ *
+ * Threads and
  * processes are the program's own, so that OpenBLAS gets one thread a call; and
  * if it is built for programs without threads (libopenblas0-serial), which
  * cannot be called by several at a time, the program takes one thread, too.

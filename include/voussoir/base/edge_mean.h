@@ -10,7 +10,9 @@
 namespace Voussoir
 {
 /**
- * The mean of @p f over the straight edge from @p a to @p b: exact to rounding
+ * The mean of @p f over the straight edge from @p a to @p b.
+ *
+ * It is exact to rounding
  * for polynomials of degree five, and by halving the parts that contribute most
  * to the error also for functions with jumps, such as a load on a part of an
  * edge.

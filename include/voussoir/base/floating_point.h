@@ -6,7 +6,9 @@ namespace Voussoir
 {
 /**
  * From here on, in Debug, end the program by the signal SIGFPE wherever an
- * invalid operation is carried out: 0/0, inf - inf, the root of a negative
+ * invalid operation is carried out.
+ *
+ * Such are 0/0, inf - inf, the root of a negative
  * number, the conversion of what no integer holds, and also < or > (but not ==)
  * of a NaN. What makes a NaN is then found where it is made. Threads started
  * later, and TBB's tasks, do as the thread that called this; call it first in

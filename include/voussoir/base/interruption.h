@@ -12,7 +12,9 @@ namespace Voussoir
 {
 /**
  * While this lives, SIGINT, SIGTERM and SIGHUP end the program wherever it is,
- * also inside a library, and leave nothing half done: what an Uninterrupted has
+ * also inside a library, and leave nothing half done.
+ *
+ * What an Uninterrupted has
  * left to be undone is undone, one message on standard error says how the
  * results were left, and the exit status is 128 plus the number of the signal.
  * For main(), before MPI starts; one may live at a time.
@@ -64,6 +66,7 @@ private:
 class Uninterrupted
 {
 public:
+  /** Wait until no other lives, nor an interruption ends the program. */
   Uninterrupted();
 
   /**

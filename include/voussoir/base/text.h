@@ -26,7 +26,7 @@ inline std::string text_of_number(const double x)
   return std::isnan(x) ? "not a number" : text(x);
 }
 
-/** "1 support", "2 supports" */
+/** A number of things, such as "1 support" or "2 supports". */
 inline std::string counted(const std::size_t n, const std::string &things)
 {
   return text(n, ' ', things, n == 1 ? "" : "s");

@@ -11,12 +11,13 @@ namespace Voussoir
 // The tables. Numbers are read back as the same doubles; see TextLines.
 
 /**
- * One line per interface, in the order of Packing::interfaces(): the cells,
- * with -1 for the ground, the ends, the normal from c- to c+, the length, f_e^n
- * and f_e^t (forces per unit thickness on c-, f_e^n negative in compression),
- * s_e (a stress) and |f_e^t| / (s_e |e|); and, if the formulation finds out, 1
- * where every admissible and balanced state has f_e^n = 0, and |f_e^t| = s_e
- * |e|.
+ * One line per interface, in the order of Packing::interfaces().
+ *
+ * It has the cells, with -1 for the ground, the ends, the normal from c- to c+,
+ * the length, f_e^n and f_e^t (forces per unit thickness on c-, f_e^n negative
+ * in compression), s_e (a stress) and |f_e^t| / (s_e |e|); and, if the
+ * formulation finds out, 1 where every admissible and balanced state has
+ * f_e^n = 0, and |f_e^t| = s_e |e|.
  */
 void write_interfaces_csv(std::ostream &out, const Results &results);
 
@@ -35,8 +36,8 @@ void write_mechanism_csv(std::ostream &out, const Collapse &collapse);
 
 /**
  * One line per interface: the cells (-1: the ground), the normal, the length,
- * s_e, and along the mechanism the opening [u]_e . n_e and the sliding [u]_e .
- * t_e.
+ * s_e, and along the mechanism the opening and the sliding. These are the
+ * normal and the tangential component of the jump [u]_e.
  */
 void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse);
 } // namespace Voussoir

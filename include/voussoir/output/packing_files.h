@@ -9,9 +9,11 @@
 namespace Voussoir
 {
 /**
- * The files from which the generator "polygons" makes the same packing again:
- * the same cells, interfaces and boundary edges in the same order, with the
- * same coordinates to the last bit.
+ * @name Files of a packing
+ * From them the generator "polygons" makes the same packing again: the same
+ * cells, interfaces and boundary edges in the same order, with the same
+ * coordinates to the last bit.
+ * @{
  */
 
 /**
@@ -25,6 +27,7 @@ void write_packing_off(std::ostream &out, const Packing &packing);
 
 /** The centre "x y" of one cell a line, as read_points_file() reads it. */
 void write_centres(std::ostream &out, const Packing &packing);
+/** @} */
 } // namespace Voussoir
 
 #endif

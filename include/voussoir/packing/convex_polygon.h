@@ -60,8 +60,10 @@ public:
 
   /** "rectangle" or "polygon", for messages. */
   const std::string &shape() const;
-  /** "rectangle from (0, 0) to (1, 1)", "polygon with 6 vertices from (1, 0)
-   * on" */
+  /**
+   * For messages, such as "rectangle from (0, 0) to (1, 1)" or "polygon with 6
+   * vertices from (1, 0) on".
+   */
   std::string description() const;
 
 private:

@@ -180,8 +180,10 @@ public:
   void set_group(unsigned int cell, const std::string &name);
 
   /**
-   * The distance of the centres along the normal, d_e = (x_{c+} - x_{c-}) .
-   * n_e; to the ground that of x_{c-} from the edge. Positive; a length.
+   * The distance d_e of the centres along the normal, positive; a length.
+   *
+   * It is (x_{c+} - x_{c-}) . n_e; to the ground the distance of x_{c-} from
+   * the edge.
    */
   double distance(const Interface &interface) const;
 
@@ -196,13 +198,13 @@ public:
   const dealii::Point<2> &vertex(unsigned int cell, unsigned int i) const;
 
   /**
-   * The degree of static indeterminacy: two forces per interface, less the
-   * independent equations of force balance, two per cell but for two per
-   * connected group of cells that has no support.
+   * The degree of static indeterminacy, of forces without moments: two forces
+   * per interface, less the independent equations of force balance, two per
+   * cell but for two per connected group of cells that has no support.
    */
   unsigned int static_indeterminacy() const;
 
-  /** The cells that are not convex, only star-shaped; ascending. */
+  /** The cells that are not convex, only star-shaped; ascending numbers. */
   const std::vector<unsigned int> &not_convex() const;
   /** What the user ought to know of how the input was understood. */
   const std::vector<std::string> &notices() const;

@@ -33,10 +33,10 @@ struct PolygonList
   /** What the user ought to know of how the file was understood. */
   std::vector<std::string> notices;
 
-  /** "line 3 of 'wall.wkt'" */
+  /** A record for messages, such as "line 3 of 'wall.wkt'". */
   std::string describe_record(unsigned int record) const;
 
-  /** "Cell 2 (line 3 of 'wall.wkt')" */
+  /** A cell for messages, such as "Cell 2 (line 3 of 'wall.wkt')". */
   std::string describe(unsigned int cell) const;
 
   /** Throw the InputError that @p cell has @p fault, which begins "is ...". */

@@ -16,7 +16,7 @@ namespace Voussoir
  *
  * It is the state that maximises
  *
- *   sum_e w_e (log p_e + log(s_e |e| - q_e) + log(s_e |e| + q_e)).
+ *     sum_e w_e (log p_e + log(s_e |e| - q_e) + log(s_e |e| + q_e)).
  *
  * Its dual is one problem without constraints, that of BarrierJoint: the forces
  * of a path-following method do not change along the path, since the energy is

@@ -22,14 +22,14 @@ enum class BarrierWeights
  *
  * That program is
  *
- *   minimise sum_e s_e |e| v_e - sum_c F_c . u_c
- *   subject to y_e >= 0 and v_e >= |x_e|,
+ *     minimise sum_e s_e |e| v_e - sum_c F_c . u_c
+ *     subject to y_e >= 0 and v_e >= |x_e|,
  *
  * with y and x the normal and the tangential jump. Each inequality has the
  * barrier -w_e log(.); v_e is eliminated, which leaves, with b = s_e |e| and
  * r = sqrt(w_e^2 + b^2 x^2),
  *
- *   -w_e log y + r - w_e log(w_e + r),
+ *     -w_e log y + r - w_e log(w_e + r),
  *
  * and the forces p = w_e / y and q = b^2 x / (w_e + r), inside the admissible
  * ones. The weights w_e are one (`equal`) or |e| d_e (`edge area`, twice the
@@ -56,7 +56,7 @@ public:
                       const Jump &jump,
                       const Jump &step) const override;
 
-  /** w_e, nondimensional. */
+  /** The weight w_e, nondimensional. */
   double weight(unsigned int e) const;
 
   /** What is left of the strength, s_e |e| - |q_e|, without cancellation. */

@@ -15,7 +15,7 @@ namespace Voussoir
  */
 struct Certificate
 {
-  /** Largest |sum of all forces on a cell|, over the reference force. */
+  /** Largest size of the sum of all forces on a cell, over the reference. */
   double equilibrium_residual = 0.;
   /**
    * Largest violation of f_e^n <= 0 and of |f_e^t| <= s_e |e|, over the
@@ -49,7 +49,11 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces);
  */
 struct MechanismCertificate
 {
-  /** Largest closing -[u]_e . n_e of a joint, over the largest |u_c|. */
+  /**
+   * Largest closing of a joint, over the largest |u_c|.
+   *
+   * The closing is -[u]_e . n_e where that is positive.
+   */
   double closing_violation = 0.;
   /** Work of the load over the dissipation of friction; infinite if none. */
   double work_over_dissipation = 0.;

@@ -77,7 +77,9 @@ struct IpoptResult
   /** The unknowns, where Ipopt stopped. */
   std::vector<double> x;
   /**
-   * Of each constraint, not positive: for [u]_e . n_e >= 0 it is f_e^n = -p_e.
+   * Of each constraint, not positive.
+   *
+   * That of [u]_e . n_e >= 0 is f_e^n = -p_e.
    */
   std::vector<double> multipliers;
   /** The proof, if there is one, that there is no minimum. */
@@ -96,6 +98,10 @@ struct IpoptResult
  * are watched for mechanisms; after many iterations without a minimum
  * find_collapse() is asked.
  *
+ * @param problem whose displacements are the first unknowns.
+ * @param program to be solved; its value() and gradient() are called in turn.
+ * @param controls of Ipopt.
+ * @param terminal sees the iterations.
  * @throws SolverError if Ipopt ends without a point and without a mechanism.
  * @throws std::bad_alloc if it has not enough memory.
  */

@@ -15,8 +15,8 @@ namespace Voussoir
  *
  * It is all that a formulation sees:
  *
- *   minimise    sum_e s_e |e| |[u]_e . t_e|  -  sum_c F_c . u_c
- *   subject to  [u]_e . n_e >= 0 for every e
+ *     minimise    sum_e s_e |e| |[u]_e . t_e|  -  sum_c F_c . u_c
+ *     subject to  [u]_e . n_e >= 0 for every e
  *
  * with [u]_e = u_{c+} - u_{c-} (Marazzato and Venkataramani, the primal
  * problem; the forces that a formulation looks for are the solutions of its

@@ -11,7 +11,7 @@ namespace Voussoir
  * admissible, both to rounding if that can be reached: the forces are moved
  * into their limits, and then by the smallest correction df that balances,
  *
- *   minimise  sum_e (d_e/|e|) ((df_e^n)^2 / w_e^n + (df_e^t)^2 / w_e^t).
+ *     minimise  sum_e (d_e/|e|) ((df_e^n)^2 / w_e^n + (df_e^t)^2 / w_e^t).
  *
  * A weight w is one far from the limit and falls with the distance from it: a
  * force close to its limit hardly moves, one at its limit not at all. That is

@@ -10,9 +10,13 @@ namespace Voussoir
 {
 /**
  * The convex energy of each joint as a function of its jump, without mixed
- * second derivative. Minimising sum_e energy_e([u]_e) - sum_c F_c . u_c makes
- * the first derivatives forces that balance the load; which of the admissible
- * states they are is the choice of the law. All nondimensional.
+ * second derivative. Minimising
+ *
+ *     sum_e energy_e([u]_e) - sum_c F_c . u_c
+ *
+ * makes the first derivatives forces that balance the load; which of the
+ * admissible states they are is the choice of the law. All nondimensional.
+ * Joints are numbered as in Structure::joints().
  */
 class JointLaw
 {

@@ -28,14 +28,14 @@ enum class LinearSolver
   automatic,
   /** Cholesky, or Substructures on several processes. */
   direct,
-  /** Multigrid. */
+  /** Conjugate gradients with Multigrid. */
   multigrid
 };
 
 /**
  * The linear systems of Newton's method: find u with
  *
- *   sum_e B_e^T (a_e^n n_e n_e^T + a_e^t t_e t_e^T) B_e u + shift u = r,
+ *     sum_e B_e^T (a_e^n n_e n_e^T + a_e^t t_e t_e^T) B_e u + shift u = r,
  *
  * where B_e u is the jump [u]_e, a_e^n and a_e^t are coefficients of the joints
  * that are not negative, and the shift is positive, so that the matrix is

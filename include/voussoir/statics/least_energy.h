@@ -16,7 +16,7 @@ namespace Voussoir
  *
  * Their stiffness is k_e = |e| / d_e:
  *
- *   energy = k_e min(y, 0)^2 / 2 + Huber(x),
+ *     energy = k_e min(y, 0)^2 / 2 + Huber(x),
  *
  * where y and x are the normal and the tangential jump and Huber's function is
  * k_e x^2 / 2 up to the slope s_e |e| and continues with that slope. The forces
@@ -40,7 +40,7 @@ private:
  *
  * It minimises
  *
- *   sum_e (d_e / |e|) ((f_e^n)^2 + (f_e^t)^2) / 2.
+ *     sum_e (d_e / |e|) ((f_e^n)^2 + (f_e^t)^2) / 2.
  *
  * It is unique and keeps every symmetry of the scene. On Voronoi packings, in
  * which the line between two centres is normal to their joint, it returns every

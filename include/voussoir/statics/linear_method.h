@@ -29,7 +29,9 @@ public:
 
 /**
  * The unknowns @p u, body by body with two components each, as columns of
- * @p n_components unknowns a body: for a system of one component all first
+ * @p n_components unknowns a body.
+ *
+ * That is, for a system of one component all first
  * components and then all second ones, which it is solved for one after the
  * other; for one of two components @p u itself.
  */

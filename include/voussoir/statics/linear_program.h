@@ -11,8 +11,8 @@ namespace Voussoir
  *
  * It is
  *
- *   minimise sum_e s_e |e| v_e - sum_c F_c . u_c
- *   subject to [u]_e . n_e >= 0 and v_e >= |[u]_e . t_e|,
+ *     minimise sum_e s_e |e| v_e - sum_c F_c . u_c
+ *     subject to [u]_e . n_e >= 0 and v_e >= |[u]_e . t_e|,
  *
  * solved by Ipopt, without any smoothing. Its multipliers are admissible and
  * balanced forces. There are many, and which of them come out depends on where

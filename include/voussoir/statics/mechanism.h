@@ -11,20 +11,31 @@ namespace Voussoir
 {
 /**
  * A motion of the blocks that opens or keeps every contact and in which the
- * load does more work than friction can dissipate: a proof that no admissible
+ * load does more work than friction can dissipate.
+ *
+ * It is a proof that no admissible
  * forces balance the load (the kinematic theorem of limit analysis, Livesley,
  * Int. J. Numer. Meth. Engng 12 (1978) 1853).
  */
 struct Mechanism
 {
   /**
-   * Displacement of each cell, with zero mean in each connected group that does
-   * not rest on the ground; its largest component is one.
+   * Displacement of each of the n_cells() cells, with zero mean in each
+   * connected group that does not rest on the ground, which does not move; its
+   * largest component is one.
    */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** sum_c F_c . u_c, nondimensional. */
+  /**
+   * The work of the loads, nondimensional.
+   *
+   * It is sum_c F_c . u_c.
+   */
   double work;
-  /** sum_e s_e |e| |[u]_e . t_e|, nondimensional. */
+  /**
+   * The dissipation of friction, nondimensional; less than the work.
+   *
+   * It is sum_e s_e |e| |[u]_e . t_e|.
+   */
   double dissipation;
 };
 
@@ -33,6 +44,8 @@ struct Mechanism
  * the load is not carried. Where it closes joints it is first corrected by
  * DiscreteProblem::opening(), which opens all of them; the correction's work
  * and dissipation are counted, so a mechanism that is returned is a proof.
+ *
+ * @return none if @p u proves nothing.
  */
 std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
                                         const std::vector<double> &u);

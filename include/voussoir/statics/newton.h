@@ -16,9 +16,14 @@
 namespace Voussoir
 {
 /**
- * Newton's method for the minimum of sum_e energy_e([u]_e) - sum_c F_c . u_c,
- * in the semismooth sense where the forces have kinks. It is taken step by
- * step, so that a formulation decides on the course.
+ * Newton's method for the displacement, step by step.
+ *
+ * It looks for the minimum of
+ *
+ *     sum_e energy_e([u]_e) - sum_c F_c . u_c,
+ *
+ * in the semismooth sense where the forces have kinks. A formulation decides on
+ * the course.
  *
  * A step aims at the minimum with the proximal term shift / 2 |v - centre|^2
  * added, which bounds it where no joint holds a cell. A line search follows
@@ -68,7 +73,11 @@ public:
   double imbalance() const;
   /** The same with the force -shift (u - centre) of the proximal term. */
   double imbalance(double shift, const std::vector<double> &centre) const;
-  /** Of the last step, (r . A^{-1} r)^(1/2), where r had to be balanced. */
+  /**
+   * The size of the last step, measured by the energy.
+   *
+   * It is (r . A^{-1} r)^(1/2), where r is what the step had to balance.
+   */
   double decrement() const;
   /** The largest change of a force in the last step. */
   double force_change() const;

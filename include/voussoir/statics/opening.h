@@ -15,7 +15,7 @@ namespace Voussoir
  * Where the supports all face one way it is the uniform dilation, with the
  * ground drawn back. Else it is sought by Newton's method as a minimum of
  *
- *   sum_e k_e min([u]_e . n_e - d_e, 0)^2 / 2,
+ *     sum_e k_e min([u]_e . n_e - d_e, 0)^2 / 2,
  *
  * which is zero if and only if every joint can open by d_e.
  */

@@ -12,7 +12,7 @@ enum class Contact
 {
   /** By springs, which choose among the states of the rigid blocks. */
   compliant,
-  /** Without interpenetration, by the constraints [u]_e . n_e >= 0. */
+  /** Without interpenetration, which is a constraint. */
   hard
 };
 
@@ -20,10 +20,10 @@ enum class Contact
  * The energy of one joint, and its derivatives, with smoothed friction. With
  * x = [u]_e . t_e and y = [u]_e . n_e it is
  *
- *   compliant:  s_e |e| h(x) + k_e min(y, 0)^2 / 2,   k_e = |e| / d_e,
- *               with eps_e = s_e d_e;
- *   hard:       s_e |e| h(x), with one eps for all joints (the paper's own
- *               form; contact is a constraint then),
+ *     compliant:  s_e |e| h(x) + k_e min(y, 0)^2 / 2,   k_e = |e| / d_e,
+ *                 with eps_e = s_e d_e;
+ *     hard:       s_e |e| h(x), with one eps for all joints (the paper's own
+ *                 form; contact is a constraint then),
  *
  * where h(x) = sqrt(x^2 + eps_e^2) - eps_e stands for |x|. The tangential force
  * s_e |e| x / sqrt(x^2 + eps_e^2) never exceeds the strength. All

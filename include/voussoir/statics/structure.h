@@ -120,8 +120,9 @@ public:
   add_jump_gradient(const Joint &joint, const Jump &f, double *gradient);
 
   /**
-   * The work of the loads along @p u (n_dofs() numbers), the sum of F_c . u_c
-   * over the bodies of all processes; collective.
+   * The work of the loads along @p u (n_dofs() numbers); collective.
+   *
+   * It is the sum of F_c . u_c over the bodies of all processes.
    */
   double work(const double *u) const;
 

@@ -13,10 +13,12 @@
 namespace Voussoir
 {
 /**
- * Direct substructuring, for a structure that several processes share: each
- * eliminates by CHOLMOD the bodies that touch no body of another process, or
- * only bodies of earlier ones, and the root solves for the others, the coupling
- * bodies, whose matrix is the sum of the Schur complements of all parts.
+ * Direct substructuring, for a structure that several processes share.
+ *
+ * Each eliminates by CHOLMOD the bodies that touch no body of another process,
+ * or only bodies of earlier ones, and the root solves for the others, the
+ * coupling bodies, whose matrix is the sum of the Schur complements of all
+ * parts.
  *
  * So a body couples if it touches a body of a later process. A joint between
  * two processes belongs to the later one, for which the body at its far end, a

@@ -13,7 +13,7 @@ namespace Voussoir
  *
  * It is
  *
- *   |c|^-1 (sum_e f_e (x) (x_e - x_c) + int_c b (x) (x - x_c)),
+ *     |c|^-1 (sum_e f_e (x) (x_e - x_c) + int_c b (x) (x - x_c)),
  *
  * with the force f_e on the cell and the midpoint x_e of each of its edges and
  * the body force b: the mean of any stress with these tractions and div sigma =

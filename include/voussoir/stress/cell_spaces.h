@@ -56,7 +56,7 @@ public:
     dealii::Table<2, double> mass;
     /** The integral of w_j phi_k, a vector, by j and k. */
     dealii::Table<2, dealii::Tensor<1, 2>> moment;
-    /** The integral of phi_k . phi_l, by k and l; only if asked for. */
+    /** The integral of phi_k times phi_l, by k and l; only if asked for. */
     dealii::Table<2, double> flux_mass;
     /** Where w_j is one and the others zero, by j; from the cell's centre. */
     std::vector<dealii::Point<2>> nodes;

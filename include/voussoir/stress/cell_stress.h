@@ -24,11 +24,13 @@ struct SubCellStress
 };
 
 /**
- * The stress of one cell with n sides from the forces on its sides: the rows of
- * sigma in FE_RaviartThomas, with the flux of row r through a side component r
- * of the force on it, spread evenly, and symmetric in the weak sense,
+ * The stress of one cell with n sides from the forces on its sides.
  *
- *   (sigma, j(q)) = 0 for all q in FE_DGQ,  j(q) = [[0, q], [-q, 0]].
+ * The rows of sigma are in FE_RaviartThomas, with the flux of row r through a
+ * side component r of the force on it, spread evenly, and sigma is symmetric in
+ * the weak sense,
+ *
+ *     (sigma, j(q)) = 0 for all q in FE_DGQ,  j(q) = [[0, q], [-q, 0]].
  *
  * Which of these fields is meant, a derived class says. One object serves all
  * cells with n sides, one after the other.

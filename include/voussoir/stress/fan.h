@@ -19,8 +19,8 @@ namespace Voussoir
  * FE_RaviartThomas(0) and FE_DGQ(0), for all tau with zero normal trace and all
  * q
  *
- *   (div sigma, div tau) + (tau, j(p)) = -(b, div tau),
- *   (sigma, j(q))                      = 0,
+ *     (div sigma, div tau) + (tau, j(p)) = -(b, div tau),
+ *     (sigma, j(q))                      = 0,
  *
  * with div sigma and the body force b in the mean over each quadrilateral. So
  * sigma is symmetric in that mean, and div sigma = -b in the sense of least

@@ -20,7 +20,7 @@ namespace Voussoir
  * the resultant and the torque of the forces on the cell. So the divergence is
  * known beforehand,
  *
- *   div sigma = -b + a + omega R(pi/2) (x - x_c),
+ *     div sigma = -b + a + omega R(pi/2) (x - x_c),
  *
  * the rigid acceleration that the unbalanced force and torque would give a
  * block of unit density: a = 0 where the forces balance, omega = 0 where their
@@ -28,9 +28,9 @@ namespace Voussoir
  * unit compliance with weak symmetry (Arnold, Falk and Winther, Mathematics of
  * Computation 76 (2007), 1699): for all tau with zero normal trace, w and q
  *
- *   (sigma, tau) + (v, div tau) + (tau, j(p)) = 0,
- *   (div sigma, w) = (-b + a + omega R(pi/2) (x - x_c), w),
- *   (sigma, j(q))  = 0.
+ *     (sigma, tau) + (v, div tau) + (tau, j(p)) = 0,
+ *     (div sigma, w) = (-b + a + omega R(pi/2) (x - x_c), w),
+ *     (sigma, j(q))  = 0.
  */
 class LeastNorm : public CellStress
 {
