@@ -7,11 +7,11 @@ namespace Voussoir
 /**
  * Make the machine's BLAS safe to call, where it is OpenBLAS.
  *
- * Threads and
- * processes are the program's own, so that OpenBLAS gets one thread a call; and
- * if it is built for programs without threads (libopenblas0-serial), which
- * cannot be called by several at a time, the program takes one thread, too.
- * To be called after the start of deal.II, which sets their number.
+ * Threads and processes are the program's own, so that OpenBLAS gets one thread
+ * a call; and if it is built for programs without threads
+ * (libopenblas0-serial), which cannot be called by several at a time, the
+ * program takes one thread, too. To be called after the start of deal.II, which
+ * sets their number.
  */
 void prepare_blas();
 } // namespace Voussoir

@@ -12,10 +12,9 @@ namespace Voussoir
 /**
  * The mean of @p f over the straight edge from @p a to @p b.
  *
- * It is exact to rounding
- * for polynomials of degree five, and by halving the parts that contribute most
- * to the error also for functions with jumps, such as a load on a part of an
- * edge.
+ * It is exact to rounding for polynomials of degree five, and by halving the
+ * parts that contribute most to the error also for functions with jumps, such
+ * as a load on a part of an edge.
  *
  * @param a,b the ends; lengths.
  * @param f the function of the place, of any unit.

@@ -8,11 +8,10 @@ namespace Voussoir
  * From here on, in Debug, end the program by the signal SIGFPE wherever an
  * invalid operation is carried out.
  *
- * Such are 0/0, inf - inf, the root of a negative
- * number, the conversion of what no integer holds, and also < or > (but not ==)
- * of a NaN. What makes a NaN is then found where it is made. Threads started
- * later, and TBB's tasks, do as the thread that called this; call it first in
- * main().
+ * Such are 0/0, inf - inf, the root of a negative number, the conversion of
+ * what no integer holds, and also < or > (but not ==) of a NaN. What makes a
+ * NaN is then found where it is made. Threads started later, and TBB's tasks,
+ * do as the thread that called this; call it first in main().
  *
  * @return whether they are trapped: in Debug with glibc, which alone has the
  *   functions for it.

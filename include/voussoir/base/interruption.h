@@ -14,10 +14,10 @@ namespace Voussoir
  * While this lives, SIGINT, SIGTERM and SIGHUP end the program wherever it is,
  * also inside a library, and leave nothing half done.
  *
- * What an Uninterrupted has
- * left to be undone is undone, one message on standard error says how the
- * results were left, and the exit status is 128 plus the number of the signal.
- * For main(), before MPI starts; one may live at a time.
+ * What an Uninterrupted has left to be undone is undone, one message on
+ * standard error says how the results were left, and the exit status is 128
+ * plus the number of the signal. For main(), before MPI starts; one may live at
+ * a time.
  *
  * The handler of the signals only wakes a thread, which waits until no
  * Uninterrupted lives, and does the rest. So nothing else has to look for

@@ -31,9 +31,9 @@ public:
  * The unknowns @p u, body by body with two components each, as columns of
  * @p n_components unknowns a body.
  *
- * That is, for a system of one component all first
- * components and then all second ones, which it is solved for one after the
- * other; for one of two components @p u itself.
+ * That is, for a system of one component all first components and then all
+ * second ones, which it is solved for one after the other; for one of two
+ * components @p u itself.
  */
 std::vector<double> to_columns(const std::vector<double> &u,
                                unsigned int n_components);

@@ -22,9 +22,9 @@ struct LoadPart
  * The work of the parts of the load along the displacements u_c, one for each
  * cell.
  *
- * The parts are the traction on each straight side of
- * the packing that is loaded, of the body force and of the forces on cells of
- * each name, the most work first. The works add up to sum_c F_c . u_c.
+ * They are those of the traction on each straight side of the packing that is
+ * loaded, of the body force and of the forces on cells of each name, the most
+ * work first. The works add up to sum_c F_c . u_c.
  */
 std::vector<LoadPart>
 load_parts(const Scene &scene,

@@ -13,9 +13,9 @@ namespace Voussoir
  * A motion of the blocks that opens or keeps every contact and in which the
  * load does more work than friction can dissipate.
  *
- * It is a proof that no admissible
- * forces balance the load (the kinematic theorem of limit analysis, Livesley,
- * Int. J. Numer. Meth. Engng 12 (1978) 1853).
+ * It is a proof that no admissible forces balance the load (the kinematic
+ * theorem of limit analysis, Livesley, Int. J. Numer. Meth. Engng 12 (1978)
+ * 1853).
  */
 struct Mechanism
 {

@@ -10,11 +10,10 @@ namespace Voussoir
 /**
  * The refined reconstruction, the stress of least norm.
  *
- * On SubTriangulation::thirds(), with
- * FE_RaviartThomas(k) and FE_DGQ(k), of all weakly symmetric sigma with the
- * given tractions those for which div sigma = -b holds best, in the sense of
- * least squares of the moments with FE_DGQ(k), and of these the one of least
- * L2 norm.
+ * On SubTriangulation::thirds(), with FE_RaviartThomas(k) and FE_DGQ(k), of all
+ * weakly symmetric sigma with the given tractions those for which div sigma =
+ * -b holds best, in the sense of least squares of the moments with FE_DGQ(k),
+ * and of these the one of least L2 norm.
  *
  * Here the fluxes can meet all moments of div sigma that are compatible with
  * the resultant and the torque of the forces on the cell. So the divergence is
