@@ -52,14 +52,14 @@ def follow(link, path):
     return None, file if os.path.exists(file) and not file.startswith("..") else None
 
 
-def convert(text, path, classes, titles):
+def convert(text, path, names, titles):
     def replace(m):
         in_table = text[text.rfind("\n", 0, m.start()) + 1:m.end()].lstrip().startswith("|")
         if m["hashes"]:
             title, _, label = next(titles)
             return f"{m['hashes']} {title} {{#{label}}}"
         if m["code"]:
-            if re.fullmatch(r"\w+(::\w+)*(\(\))?", m["code"]) and re.match(r"\w+", m["code"])[0] in classes:
+            if re.fullmatch(r"\w+(::\w+)*(\(\))?", m["code"]) and re.match(r"\w+", m["code"])[0] in names:
                 return f'<code>@ref Voussoir::{m["code"]} "{m["code"]}"</code>'
             # Doxygen knows no | in the code of a table.
             return re.sub(r" *((?:\\\|)+) *", r"` <code>\1</code> `", m[0]) if in_table else m[0]
@@ -77,11 +77,15 @@ def convert(text, path, classes, titles):
     return PART.sub(replace, text)
 
 
+def names_of_voussoir():
+    """What the headers declare at the beginning of a line."""
+    declared = r"^(?:class|struct|enum class) (\w+)\b(?!;)|^(?:\w.*[ &*])?(\w+)(?:\(| = .*;)"
+    headers = glob.glob("include/voussoir/**/*.h", recursive=True)
+    return {a or b for h in headers for a, b in re.findall(declared, read(h), re.M)}
+
+
 page = os.path.relpath(sys.argv[1])
-classes = set()
-if page in FOR_DEVELOPERS:
-    for header in glob.glob("include/voussoir/**/*.h", recursive=True):
-        classes |= set(re.findall(r"^(?:class|struct|enum class) (\w+)\b(?!;)", read(header), re.M))
+names = names_of_voussoir() if page in FOR_DEVELOPERS else ()
 # The title comes first; what may be before it is a comment.
 text = re.sub(r"\A(?:<!--.*?-->|\s)+(?=# )", lambda m: "\n" * m[0].count("\n"), read(page), flags=re.S)
-print(convert(text, page, classes, iter(headings(page))), end="")
+print(convert(text, page, names, iter(headings(page))), end="")
