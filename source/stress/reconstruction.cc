@@ -177,7 +177,7 @@ StressField reconstruct_stress(const Packing &packing,
   const unsigned int block = std::max(1024U, n_cells / 20);
   for (unsigned int begin = 0; begin < n_cells; begin += block)
   {
-    terminal.progress("Stress", text("cell ", begin, " of ", n_cells));
+    terminal.progress(begin, n_cells, "cells");
     const auto reconstruct_cells = [&](const unsigned int b,
                                        const unsigned int e) {
       std::unique_ptr<Scratch> &scratch = scratches.get();
