@@ -18,8 +18,11 @@ namespace Voussoir
 template <typename Enum>
 struct Choice
 {
+  /** What the entry is bound to takes this value. */
   Enum value;
+  /** Its name in a .prm file; without |. */
   std::string name;
+  /** The end of a sentence that begins with the name, for the documentation. */
   std::string meaning;
 };
 
@@ -27,6 +30,12 @@ struct Choice
  * Declare an entry that accepts exactly the names in @p choices, and bind it to
  * @p value, whose present state is the default. The documentation lists the
  * choices from the same table, so that it cannot go out of date.
+ *
+ * @param prm in the section of the entry.
+ * @param entry its name.
+ * @param value must outlive @p prm.
+ * @param choices in the order in which they are documented.
+ * @param documentation what the entry chooses; a sentence.
  */
 template <typename Enum>
 void add_choice(dealii::ParameterHandler &prm,

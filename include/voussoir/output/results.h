@@ -19,59 +19,80 @@ namespace Voussoir
 /** What is known of every run, whatever came out of it. */
 struct RunRecord
 {
+  /** @param scene must outlive this object. */
   explicit RunRecord(const Scene &scene) : scene(scene)
   {
   }
 
+  /** What was given. */
   const Scene &scene;
-
+  /** The entry `Title`. */
   std::string title;
   /** How many were started, also if the root solved alone. */
   unsigned int n_processes = 1;
+  /** Formulation::name(). */
   std::string formulation;
+  /** Formulation::selection(). */
   std::string selection;
   /** Why the solver stopped. */
   std::string outcome;
   /** Of forces that were read, why the solver that found them stopped. */
   std::string earlier_outcome;
+  /** Solution::n_iterations. */
   unsigned int n_iterations = 0;
+  /** Solution::n_evaluations. */
   unsigned int n_evaluations = 0;
-  /** See Solution. */
+  /** Solution::seconds. */
   std::map<std::string, double> solver_seconds;
 
   /** Wall clock time of each stage, in seconds. */
   std::map<std::string, double> timings;
 };
 
-/** All that a run found whose load is carried, in the user's units. */
+/**
+ * All that a run found whose load is carried, in the user's units. Vectors have
+ * an element for each interface or for each cell of the scene's packing.
+ */
 struct Results : RunRecord
 {
+  /** With nothing found yet. */
   explicit Results(RunRecord run) : RunRecord(std::move(run))
   {
   }
 
+  /** f_e^n <= 0 and f_e^t of each interface; S L. */
   InterfaceForces forces;
-  /** See Solution. */
+  /** Solution::correction. */
   std::optional<double> correction;
+  /** @{ */
   /** Of each interface, or empty if the formulation does not tell. */
   std::vector<bool> never_pressed, always_sliding;
+  /** @} */
+  /** u_c of each cell, see Solution::displacement; L. */
   std::vector<dealii::Tensor<1, 2>> displacement;
+  /** How good the forces are. */
   Certificate certificate;
+  /** Of each straight support. */
   std::vector<Reaction> reactions;
+  /** residual_torques() of each cell, S L^2; empty if not asked for. */
   std::vector<double> torques;
+  /** cell_mean_stresses() of each cell, S; empty if not asked for. */
   std::vector<dealii::Tensor<2, 2>> mean_stresses;
+  /** In the sub-cells of each cell; empty if not asked for. */
   StressField stress;
 };
 
 /** All that a run found whose load is not carried, in the user's units. */
 struct Collapse : RunRecord
 {
+  /** With nothing found yet. */
   explicit Collapse(RunRecord run) : RunRecord(std::move(run))
   {
   }
 
   /** Of each cell along the mechanism; the largest component is one. */
   std::vector<dealii::Tensor<1, 2>> displacement;
+  /** How good a proof the mechanism is. */
   MechanismCertificate proof;
   /** What drives the mechanism, the most work first. */
   std::vector<LoadPart> parts;

@@ -35,6 +35,7 @@ inline std::array<double, 9> tensor(const dealii::Tensor<2, 2> &t)
 /** What is derived from the symmetric part of a stress, in its unit. */
 struct StressInvariants
 {
+  /** @param stress sigma_ij, of plane stress. */
   explicit StressInvariants(const dealii::Tensor<2, 2> &stress)
   {
     // By Mohr's circle.
