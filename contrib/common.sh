@@ -1,4 +1,4 @@
-# What contrib/run and contrib/test share; to be sourced by them.
+# What the scripts of contrib share; to be sourced by them.
 
 # The project's top directory.
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
