@@ -16,7 +16,8 @@ DEFINITION = r"^ {0,3}(?P<name>\[[^]\n]+\]:) +(?P<meant>\S+)"
 CODE = r"(?<!`)(?P<tick>`+)(?!`)(?P<code>(?:.|\n(?! *\n))+?)(?<!`)(?P=tick)(?!`)"
 LINK = (r"(?P<image>!?)\[(?P<text>(?:[^][`]|`[^`]*`|\[[^][]*\])*)\]"
         r"\((?P<to>[^()\s]+)(?:\s+\"[^\"]*\")?\)")
-PART = re.compile(rf"{BLOCK}|{HEADING}|{DEFINITION}|\\.|{CODE}|{LINK}|\bVoussoir\b(?!::)", re.M)
+STRONG = r"(?<![\w*])(?P<stars>\*\*?)(?=[^\s*])(?P<strong>(?:`[^`]*`|[^*`\n]|\n(?! *\n))+?)(?P=stars)(?![\w*])"
+PART = re.compile(rf"{BLOCK}|{HEADING}|{DEFINITION}|\\.|{CODE}|{LINK}|{STRONG}|\bVoussoir\b(?!::)", re.M)
 DECLARED = re.compile(r"^(?:class|struct|enum class) (\w+)\b(?!;)|^(?:\w.*[ &*])?(\w+)(?:\(| = .*;)", re.M)
 
 
@@ -59,6 +60,9 @@ def convert(m):
         if re.search(r"^ *\|.*\Z", m.string[:m.start()], re.M):
             words = re.sub(r"( *)((?:\\\|)+)( *)", r"``\1<code>\2</code>\3``", words)
         return f"``{words}``".replace("````", "") if "'" in words or words != m["code"] else m[0]
+    if m["strong"]:  # which Doxygen does not see before some letters
+        tag = "strong" if len(m["stars"]) == 2 else "em"
+        return f"<{tag}>{PART.sub(convert, m['strong'])}</{tag}>"
     link = m["to"] or m["meant"]
     if not link:
         return "%" + m[0] if m[0] == "Voussoir" else m[0]
