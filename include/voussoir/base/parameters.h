@@ -22,7 +22,7 @@ struct Choice
   Enum value;
   /** Its name in a .prm file; without |. */
   std::string name;
-  /** The end of a sentence that begins with the name, for the documentation. */
+  /** What the documentation says of it, behind its name and a colon. */
   std::string meaning;
 };
 

@@ -99,7 +99,7 @@ struct IpoptResult
  * find_collapse() is asked.
  *
  * @param problem whose displacements are the first unknowns.
- * @param program to be solved; its value() and gradient() are called in turn.
+ * @param program to be solved.
  * @param controls of Ipopt.
  * @param terminal sees the iterations.
  * @throws SolverError if Ipopt ends without a point and without a mechanism.
