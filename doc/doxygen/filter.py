@@ -1,9 +1,8 @@
-"""Turn a Markdown page that is written for GitHub into one for Doxygen.
+"""filter.py page.md, from the top directory: a page for GitHub as one for Doxygen.
 
-Usage, from the top directory: filter.py page.md; the result is on the standard
-output. Headings get GitHub's names as labels, behind the name of their page.
-Links to pages and headings lead there, links to other files become the names
-of these, and a link to nothing a reference that Doxygen complains of.
+Headings get GitHub's names as labels, behind the name of their page. Links to
+pages and headings lead there, links to other files become the names of these,
+and a link to nothing becomes a reference that Doxygen complains of.
 """
 import os
 import re
@@ -37,14 +36,14 @@ def headings(path):
 
 def follow(link):
     """Where a link leads: an address in the manual or elsewhere, or a file."""
-    if re.match(r"[a-z]+:|//", link):
-        return link, None
     path, _, anchor = link.partition("#")
     path = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
     if os.path.isfile(path) and re.fullmatch(r"README\.md|doc/.*\.md", path):
         html = ("index" if path == "README.md" else Path(path).stem) + ".html"
         labels = [label for _, slug, label in headings(path) if slug == anchor]
         return f"{html}#{labels[0]}" if labels else None if anchor else html, None
+    if re.match(r"[a-z]+:|//", link):
+        return link, None
     return None, path if os.path.exists(path) and not path.startswith("..") else None
 
 
