@@ -15,6 +15,7 @@
 #include <voussoir/simulation.h>
 #include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
+#include <voussoir/unused_settings.h>
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -92,11 +93,12 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   friction.add_parameters(prm);
   stress.add_parameters(prm);
   prm.enter_subsection("Output");
-  prm.add_parameter("Verbosity", verbosity,
-                    "0: the closing summary alone; 1: also the stages and, on a "
-                    "screen, the progress of long ones; 2: also the iterations "
-                    "of the solver.",
-                    Integer(0, 2));
+  prm.add_parameter(
+      "Verbosity", verbosity,
+      "0: the closing summary alone; 1: also the stages and, on a "
+      "screen, the progress of long ones; 2: also the iterations "
+      "of the solver.",
+      Integer(0, 2));
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
@@ -124,6 +126,8 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                      const std::filesystem::path &directory)
 {
   terminal.set_verbosity(verbosity);
+  for (const std::string &warning : unused_settings(prm))
+    terminal.warning(warning);
   const ResultDirectory check_early(output_directory);
   for (const std::filesystem::path &file : packing.input_files(directory))
     check_early.spare(file);

@@ -172,9 +172,9 @@ StressField reconstruct_stress(const Packing &packing,
     }
   };
 
-  // In blocks, for a progress line between them.
+  // In blocks, to say between them how far this has come.
   dealii::Threads::ThreadLocalStorage<std::unique_ptr<Scratch>> scratches;
-  const unsigned int block = std::max(1024U, n_cells / 20);
+  const unsigned int block = std::max(1024U, n_cells / 100);
   for (unsigned int begin = 0; begin < n_cells; begin += block)
   {
     terminal.progress(begin, n_cells, "cells");

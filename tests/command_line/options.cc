@@ -78,6 +78,16 @@ int main()
              "--set", "Packing/polygons/File=notched.wkt"})
                 .rfind("Warning", 0) == 0);
 
+  // What belongs to another choice has no effect, and is named.
+  std::cout << run({"sub/scene.prm", "--quiet", "--set",
+                    "Packing/wall/Courses=3", "--set", "Packing/wall/Width=2",
+                    "--set", "Solver/least energy/Modulus=7", "--set",
+                    "Stress/Refinements=1"});
+  check("what is used is not named",
+        run({"sub/scene.prm", "--quiet", "--set", "Accuracy=fine", "--set",
+             "Stress/Refinements=1"})
+            .empty());
+
   // What is not asked for is not written, and no older file stays.
   const auto files_with = [](const std::string &setting) {
     run({"sub/scene.prm", "--set", setting});
