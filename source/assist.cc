@@ -11,8 +11,7 @@ namespace Voussoir
 {
 void assist(const Team &team)
 {
-  std::ostream nowhere(nullptr);
-  Terminal silent(nowhere, 0); // the root says what there is to say
+  Terminal &silent = Terminal::silent(); // the root says what there is to say
   std::optional<StressPart> stress;
   for (;;)
     switch (team.wait())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
+#include <voussoir/base/reference.h>
 #include <voussoir/command_line.h>
 #include <voussoir/simulation.h>
 #include <voussoir/version.h>
@@ -34,6 +35,8 @@ struct Arguments
   std::string file;
   std::vector<std::string> assignments;
   bool print_parameters = false;
+  bool print_reference = false;
+  bool quiet = false;
   bool help = false;
   bool version = false;
 };
@@ -46,7 +49,10 @@ po::options_description visible_options()
       "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
       "print-parameters",
       "print every parameter with its value and documentation, as .prm")(
-      "help", "print this help")("version", "print the version");
+      "print-reference",
+      "print the manual's page on all parameters, as Markdown")(
+      "quiet", "print warnings and errors only")("help", "print this help")(
+      "version", "print the version");
   return options;
 }
 
@@ -90,14 +96,29 @@ Arguments parse(const std::vector<std::string> &words)
   if (values.count("set"))
     arguments.assignments = values["set"].as<std::vector<std::string>>();
   arguments.print_parameters = values.count("print-parameters") > 0;
+  arguments.print_reference = values.count("print-reference") > 0;
+  arguments.quiet = values.count("quiet") > 0;
   arguments.help = values.count("help") > 0;
   arguments.version = values.count("version") > 0;
   return arguments;
 }
 
-void run(const Arguments &arguments, std::ostream &out, const Team &team)
+/** Print, and see to it that all of it arrives. */
+void print(std::ostream &out, const std::string &text)
 {
-  Terminal terminal(out);
+  if (!(out << text << std::flush))
+    throw InputError("The parameters cannot be written to where the output "
+                     "goes; is the disk full?");
+}
+
+void run(const Arguments &arguments,
+         std::ostream &out,
+         const Team &team,
+         const Screen &screen)
+{
+  Terminal terminal(out, 1, screen);
+  if (arguments.quiet)
+    terminal.be_quiet();
   Simulation simulation(terminal, team);
   dealii::ParameterHandler prm;
   simulation.add_parameters(prm);
@@ -106,16 +127,18 @@ void run(const Arguments &arguments, std::ostream &out, const Team &team)
   for (const std::string &assignment : arguments.assignments)
     assign_parameter(prm, assignment);
 
+  std::ostringstream text;
+  if (arguments.print_reference)
+  {
+    write_reference(text, prm);
+    return print(out, text.str());
+  }
   if (arguments.print_parameters)
   {
-    std::ostringstream text;
     prm.print_parameters(text,
                          dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder);
-    if (!(out << text.str() << std::flush))
-      throw InputError("The parameters cannot be written to where the output "
-                       "goes; is the disk full?");
-    return;
+    return print(out, text.str());
   }
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
@@ -127,20 +150,29 @@ void run(const Arguments &arguments, std::ostream &out, const Team &team)
                  fs::proximate(fs::canonical(arguments.file).parent_path()));
 }
 
-int fail(std::ostream &error,
+/** Where the one message of a run that fails goes. */
+struct ErrorStream
+{
+  std::ostream &out;
+  const Screen &screen;
+};
+
+int fail(const ErrorStream &error,
          const ExitStatus status,
          const std::string &message)
 {
-  error << "voussoir: " << message << std::endl;
+  error.out << error.screen.bad("voussoir:") << ' ' << message << std::endl;
   return static_cast<int>(status);
 }
 } // namespace
 
 int run_command_line(const std::vector<std::string> &words,
                      std::ostream &out,
-                     std::ostream &error,
-                     const Team &team)
+                     std::ostream &error_out,
+                     const Team &team,
+                     const Screens &screens)
 {
+  const ErrorStream error{error_out, screens.error};
   try
   {
     const Arguments arguments = parse(words);
@@ -161,7 +193,7 @@ int run_command_line(const std::vector<std::string> &words,
       out << "voussoir " << VOUSSOIR_VERSION << '\n';
       return 0;
     }
-    run(arguments, out, team);
+    run(arguments, out, team, screens.out);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)

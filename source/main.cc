@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
+#include <unistd.h>
 
 int main(int argc, char **argv)
 {
@@ -22,8 +23,10 @@ int main(int argc, char **argv)
   int status = 0;
   if (team.is_root())
   {
+    const Voussoir::Screens screens = {Voussoir::screen_behind(STDOUT_FILENO),
+                                       Voussoir::screen_behind(STDERR_FILENO)};
     status = Voussoir::run_command_line({argv + 1, argv + argc}, std::cout,
-                                        std::cerr, team);
+                                        std::cerr, team, screens);
     team.call(Voussoir::Team::Task::none);
   }
   else

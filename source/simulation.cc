@@ -2,16 +2,20 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
+#include <voussoir/output/blocks_vtu.h>
 #include <voussoir/output/csv.h>
+#include <voussoir/output/interfaces_vtu.h>
 #include <voussoir/output/messages.h>
 #include <voussoir/output/packing_files.h>
+#include <voussoir/output/pvd.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/stress_pieces.h>
+#include <voussoir/output/stress_vtu.h>
 #include <voussoir/output/summary.h>
-#include <voussoir/output/vtu.h>
 #include <voussoir/simulation.h>
 #include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
+#include <voussoir/unused_settings.h>
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -38,6 +42,21 @@ constexpr double frictionless_ratio = 1e9;
 /** How many supports are named on the terminal. */
 constexpr unsigned int n_shown_supports = 4;
 
+bool is_loaded(const Scene &scene)
+{
+  return scene.has_body_force || !scene.on_cells.empty() ||
+         std::any_of(scene.traction.begin(), scene.traction.end(),
+                     [](const auto &g) { return g.norm() > 0.; });
+}
+
+/** Join @p grids, if there are any, for who opens one file only. */
+void write_collection(ResultDirectory &files,
+                      const std::vector<std::string> &grids)
+{
+  if (!grids.empty())
+    files.write("results.pvd",
+                [&](std::ostream &out) { write_pvd(out, grids); });
+}
 } // namespace
 
 Simulation::Simulation(Terminal &terminal, const Team &team)
@@ -74,18 +93,20 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   friction.add_parameters(prm);
   stress.add_parameters(prm);
   prm.enter_subsection("Output");
-  prm.add_parameter("Verbosity", verbosity,
-                    "0: the closing summary alone; 1: also the stages; 2: also "
-                    "the iterations of the solver.",
-                    Integer(0, 2));
+  prm.add_parameter(
+      "Verbosity", verbosity,
+      "0: the closing summary alone; 1: also the stages and, on a "
+      "screen, the progress of long ones; 2: also the iterations "
+      "of the solver.",
+      Integer(0, 2));
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
        {ResultFiles::csv, "csv",
         "interfaces.csv and cells.csv, or those of the mechanism."},
        {ResultFiles::vtu, "vtu",
-        "interfaces.vtu and, unless 'Accuracy = draft', stress.vtu, or that "
-        "of the mechanism."},
+        "blocks.vtu, interfaces.vtu and, unless 'Accuracy = draft', "
+        "stress.vtu, or that of the mechanism; and results.pvd."},
        {ResultFiles::none, "none", "neither."}},
       "Which results are written besides summary.json and parameters.prm. A "
       "stress that is not written is not reconstructed.");
@@ -105,6 +126,8 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                      const std::filesystem::path &directory)
 {
   terminal.set_verbosity(verbosity);
+  for (const std::string &warning : unused_settings(prm))
+    terminal.warning(warning);
   const ResultDirectory check_early(output_directory);
   for (const std::filesystem::path &file : packing.input_files(directory))
     check_early.spare(file);
@@ -115,6 +138,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   if (team.size() > 1)
     terminal.stage("Processes", std::to_string(team.size()));
   timer.enter_subsection("packing");
+  terminal.begin("Packing");
   const Scene scene = make_scene(directory);
   terminal.stage(
       "Packing",
@@ -130,6 +154,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
     return finish(read_forces(*earlier, scene), prm);
 
   timer.enter_subsection("statics");
+  terminal.begin("Statics");
   const Formulation &formulation = solver.formulation();
   const DiscreteProblem problem(scene);
   const Solution solution =
@@ -166,7 +191,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
 
 Scene Simulation::make_scene(const std::filesystem::path &directory) const
 {
-  Packing blocks = packing.make_packing(directory);
+  Packing blocks = packing.make_packing(directory, terminal);
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);
@@ -178,6 +203,7 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
 Results Simulation::read_forces(EarlierRun &earlier, const Scene &scene)
 {
   timer.enter_subsection("statics");
+  terminal.begin("Statics");
   Results results = earlier.results(scene);
   results.title = title;
   results.n_processes = team.size();
@@ -227,8 +253,9 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   timer.leave_subsection();
 
   timer.enter_subsection("stress");
+  terminal.begin("Stress");
   results.reactions = reactions(scene, results.forces);
-  if (writes(ResultFiles::csv))
+  if (writes(ResultFiles::csv) || writes(ResultFiles::vtu))
   {
     results.torques = residual_torques(scene, results.forces);
     results.mean_stresses = cell_mean_stresses(scene, results.forces);
@@ -254,7 +281,8 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   timer.leave_subsection();
 
   timer.enter_subsection("output");
-  ResultDirectory files(output_directory);
+  terminal.begin("Output");
+  ResultDirectory files(output_directory, terminal);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
@@ -263,15 +291,32 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
     add("interfaces.csv", write_interfaces_csv);
     add("cells.csv", write_cells_csv);
   }
+  // In the order in which one covers the other where they are shown together.
+  std::vector<std::string> grids;
   if (writes(ResultFiles::vtu))
-    add("interfaces.vtu", write_interfaces_vtu);
+  {
+    add("blocks.vtu", write_blocks_vtu);
+    grids.push_back("blocks.vtu");
+  }
   if (own_part)
+  {
     write_stress_pieces(files, *own_part, team);
+    grids.push_back("stress.pvtu");
+  }
   else if (reconstruct)
+  {
     files.write("stress.vtu", [&](std::ostream &out) {
       write_stress_vtu(out,
                        {scene.packing, results.stress, results.displacement});
     });
+    grids.push_back("stress.vtu");
+  }
+  if (writes(ResultFiles::vtu))
+  {
+    add("interfaces.vtu", write_interfaces_vtu);
+    grids.push_back("interfaces.vtu");
+  }
+  write_collection(files, grids);
   publish(files, results, prm);
   show_summary(terminal, results);
 }
@@ -293,7 +338,8 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
         std::numeric_limits<double>::infinity();
   collapse.parts = load_parts(collapse.scene, collapse.displacement);
   timer.enter_subsection("output");
-  ResultDirectory files(output_directory);
+  terminal.begin("Output");
+  ResultDirectory files(output_directory, terminal);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, collapse); });
   };
@@ -301,6 +347,7 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
   if (writes(ResultFiles::vtu))
   {
     add("mechanism.vtu", write_mechanism_vtu);
+    write_collection(files, {"mechanism.vtu"});
     to_look_at.push_back("mechanism.vtu");
   }
   if (writes(ResultFiles::csv))
@@ -310,7 +357,7 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
     to_look_at.push_back("mechanism_joints.csv");
   }
   publish(files, collapse, prm);
-  terminal.summary("Status", "collapse");
+  terminal.status("collapse", false);
   throw LoadNotCarried(
       message_of(collapse, boost::algorithm::join(to_look_at, " and ")));
 }
@@ -348,7 +395,11 @@ void Simulation::check_certificate(const Results &results) const
   const std::string &outcome = results.earlier_outcome.empty()
                                    ? results.outcome
                                    : results.earlier_outcome;
-  if (outcome != "converged" && outcome != nothing_to_balance)
+  if (!is_loaded(results.scene))
+    terminal.warning(
+        "no load acts on the packing, so that all forces are zero. "
+        "The section 'Loads' gives loads.");
+  else if (outcome != "converged" && outcome != nothing_to_balance)
     terminal.warning(text(
         "the solver ", outcome,
         ". The forces are balanced and admissible to what is said below, but "

@@ -25,7 +25,7 @@ inline Voussoir::CellLoops imported_cells(
   prm.set("File", file);
   for (const auto &[name, value] : parameters)
     prm.set(name, value);
-  return generator.generate("");
+  return generator.generate("", Voussoir::Terminal::silent());
 }
 
 /** The number of cells, interfaces and boundary edges that are expected. */

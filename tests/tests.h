@@ -89,7 +89,8 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
   prm.set("Bricks per course", static_cast<long int>(n_bricks));
   prm.set("Width", width);
   prm.set("Height", height);
-  return Voussoir::Packing(generator.generate(""));
+  return Voussoir::Packing(
+      generator.generate("", Voussoir::Terminal::silent()));
 }
 
 /** A scene with one strength everywhere, under the tractions g(x, n). */

@@ -2,6 +2,7 @@
 #ifndef voussoir_command_line_h
 #define voussoir_command_line_h
 
+#include <voussoir/base/screen.h>
 #include <voussoir/base/team.h>
 
 #include <iosfwd>
@@ -10,6 +11,13 @@
 
 namespace Voussoir
 {
+/** What is behind the standard streams. */
+struct Screens
+{
+  Screen out;   /**< of what is found */
+  Screen error; /**< of what went wrong */
+};
+
 /**
  * The program: read the arguments and the .prm file, run, and report.
  *
@@ -17,13 +25,15 @@ namespace Voussoir
  * @param out takes the stages and the summary.
  * @param error takes the one message of a run that did not solve its scene.
  * @param team the processes that help; this one is the root.
+ * @param screens whether the streams write to screens.
  * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
  *   the solver failed. Never throws.
  */
 int run_command_line(const std::vector<std::string> &arguments,
                      std::ostream &out,
                      std::ostream &error,
-                     const Team &team = Team());
+                     const Team &team = Team(),
+                     const Screens &screens = {});
 } // namespace Voussoir
 
 #endif

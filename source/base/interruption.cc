@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/interruption.h>
+#include <voussoir/base/screen.h>
 
 #include <atomic>
 #include <cerrno>
@@ -83,8 +84,10 @@ void say(const int number)
   for (const Signal &signal : signals)
     if (signal.number == number)
       name = signal.name;
-  const std::string message = std::string("voussoir: Interrupted by ") + name +
-                              "; " + shared().state + "\n";
+  // On a screen there may be "^C", or how far the run had come.
+  const std::string message =
+      std::string(screen_behind(STDERR_FILENO).overwrites ? clear_line : "") +
+      "voussoir: Interrupted by " + name + "; " + shared().state + "\n";
   // Not by std::cerr, nor without asking: who reads it may have stopped.
   pollfd terminal = {STDERR_FILENO, POLLOUT, 0};
   if (poll(&terminal, 1, patience_with_terminal) == 1)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
+#include <voussoir/base/reference.h>
 
 #include <fstream>
 #include <regex>
@@ -47,6 +48,21 @@ std::string explain(const dealii::ExceptionBase &exception,
       place = "Line " + line + " of " + place;
   }
   message = std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
+  std::smatch found;
+  const auto is = [&](const char *pattern) {
+    return std::regex_match(message, found, std::regex(pattern));
+  };
+  if (is("The entry value (.*) for the entry named (.*) does not match the "
+         "given pattern: (\\[.*\\])\\.?"))
+    return place + ": '" + found[2].str() + "' is '" + found[1].str() +
+           "', but must be " + text_of_pattern(found[3]) + ".";
+  if (is("No entry with name '(.*)' was declared in the current subsection\\."))
+    return place + ": there is no parameter '" + found[1].str() +
+           "' in this section.";
+  if (is("There is no such subsection to be entered: (.*)"))
+    return place + ": there is no section '" +
+           std::regex_replace(found[1].str(), std::regex("\\.$"), "") +
+           "' here.";
   if (message.back() != '.')
     message += '.';
   return place + ": " + message;

@@ -3,18 +3,32 @@
 
 #include <iomanip>
 #include <ostream>
+#include <sstream>
 
 namespace Voussoir
 {
 namespace
 {
-constexpr auto progress_interval = std::chrono::seconds(2);
 constexpr int name_width = 14;
 } // namespace
 
-Terminal::Terminal(std::ostream &out, const unsigned int verbosity)
-    : out(out), level(verbosity), last_line(std::chrono::steady_clock::now())
+Terminal::Terminal(std::ostream &out,
+                   const unsigned int verbosity,
+                   const Screen &screen)
+    : out(out), screen(screen), level(verbosity)
 {
+}
+
+Terminal &Terminal::silent()
+{
+  static std::ostream nowhere(nullptr);
+  static Terminal terminal(nowhere, 0);
+  return terminal;
+}
+
+void Terminal::be_quiet()
+{
+  quiet = true;
 }
 
 void Terminal::set_verbosity(const unsigned int verbosity)
@@ -24,35 +38,77 @@ void Terminal::set_verbosity(const unsigned int verbosity)
 
 unsigned int Terminal::verbosity() const
 {
-  return level;
+  return quiet ? 0 : level;
+}
+
+void Terminal::begin(const std::string &name)
+{
+  // Not beside the iterations, which Ipopt writes by itself.
+  if (!screen.overwrites || verbosity() != 1)
+    return;
+  if (!in_progress)
+    in_progress = std::make_unique<ProgressLine>(out, screen);
+  in_progress->begin(name);
 }
 
 void Terminal::stage(const std::string &name, const std::string &found)
 {
-  if (level >= 1)
+  if (in_progress)
+    in_progress->end();
+  if (verbosity() >= 1)
     line(name, found);
 }
 
-void Terminal::progress(const std::string &name, const std::string &state)
+void Terminal::progress(const std::string &state)
 {
-  if (level >= 1 &&
-      std::chrono::steady_clock::now() - last_line >= progress_interval)
-    line("  " + name, state);
+  if (in_progress)
+    in_progress->say(state);
+}
+
+void Terminal::progress(const std::size_t done,
+                        const std::size_t total,
+                        const std::string &things)
+{
+  if (in_progress)
+    in_progress->count(done, total, things);
+}
+
+void Terminal::iteration(const std::string &solver, const std::string &state)
+{
+  if (verbosity() >= 2)
+    line("  " + solver, state);
+  else
+    progress(state);
 }
 
 void Terminal::warning(const std::string &message)
 {
-  line("Warning", message);
+  // Padded here, since the width of a colour is not that of its characters.
+  const std::string name = "Warning";
+  line(screen.doubtful(name) + std::string(name_width - name.size(), ' '),
+       message);
 }
 
 void Terminal::summary(const std::string &name, const std::string &value)
 {
-  line(name, value);
+  if (in_progress)
+    in_progress->end();
+  if (!quiet)
+    line(name, value);
+}
+
+void Terminal::status(const std::string &value, const bool is_good)
+{
+  summary("Status", is_good ? screen.good(value) : screen.bad(value));
 }
 
 void Terminal::line(const std::string &name, const std::string &text)
 {
-  out << std::left << std::setw(name_width) << name << ' ' << text << std::endl;
-  last_line = std::chrono::steady_clock::now();
+  std::ostringstream words;
+  words << std::left << std::setw(name_width) << name << ' ' << text << '\n';
+  if (in_progress)
+    in_progress->write(words.str());
+  else
+    out << words.str() << std::flush;
 }
 } // namespace Voussoir

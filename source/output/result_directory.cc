@@ -20,9 +20,10 @@ namespace
 {
 /** Every file that any run may write: its results, and the packing. */
 const std::vector<std::string> all_result_files = {
-    "interfaces.csv", "cells.csv",     "interfaces.vtu", "stress.vtu",
-    "stress.pvtu",    "mechanism.csv", "mechanism.vtu",  "mechanism_joints.csv",
-    "parameters.prm", "summary.json"};
+    "interfaces.csv",       "cells.csv",      "blocks.vtu",
+    "interfaces.vtu",       "stress.vtu",     "stress.pvtu",
+    "mechanism.csv",        "mechanism.vtu",  "results.pvd",
+    "mechanism_joints.csv", "parameters.prm", "summary.json"};
 const std::vector<std::string> all_packing_files = {
     "packing.wkt", "packing.off", "packing_centres.txt"};
 
@@ -34,8 +35,8 @@ bool is_piece(const std::string &name)
 }
 } // namespace
 
-ResultDirectory::ResultDirectory(fs::path directory_in)
-    : directory(std::move(directory_in))
+ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
+    : directory(std::move(directory_in)), terminal(terminal)
 {
   if (directory.empty())
     throw InputError("'Output directory' is empty; name a directory.");
@@ -110,6 +111,7 @@ void ResultDirectory::write(const std::string &name,
     errno = 0;
     out.open(staging / name);
   }
+  terminal.progress("writing " + name);
   writer(out);
   out.close();
   if (!out)

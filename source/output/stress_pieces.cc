@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/stress_pieces.h>
-#include <voussoir/output/vtu.h>
+#include <voussoir/output/stress_vtu.h>
 
 #include <cerrno>
 #include <cstring>

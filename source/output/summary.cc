@@ -143,7 +143,7 @@ void show_summary(Terminal &terminal, const Results &results)
     most_compressed = std::min(most_compressed,
                                results.forces.normal[e] / interfaces[e].length);
 
-  terminal.summary("Status", "solved");
+  terminal.status("solved", true);
   terminal.summary("Selection", results.selection);
   if (!results.earlier_outcome.empty())
     terminal.summary("Forces", results.outcome);

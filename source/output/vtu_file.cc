@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <lz4.h>
+#include <numeric>
 #include <ostream>
 
 namespace Voussoir
@@ -72,27 +73,42 @@ void write_head(std::ostream &out, const Array &array, const char *element)
 }
 } // namespace
 
-VtuFile::VtuFile(const Shape shape,
-                 const std::size_t n_points,
-                 const Fill<double> &coordinates,
-                 const std::size_t n_cells,
-                 const Fill<std::int64_t> &corners)
-    : points(make_array("Points", 3, n_points, coordinates))
+VtuFile::VtuFile(const Items<double> &places,
+                 const Array &connectivity,
+                 const Items<std::int64_t> &ends,
+                 const Shape shape)
+    : points(make_array("Points", 3, places.number, places.fill)),
+      cells({connectivity, make_array("offsets", 1, ends.number, ends.fill)})
 {
-  const unsigned int n_corners = shape == Shape::line ? 2 : 4;
-  Array connectivity = make_array("connectivity", n_corners, n_cells, corners);
-  connectivity.n_components = 1; // as VTK has it; an item is still a cell
-  const Fill<std::int64_t> offsets = [n_corners](auto begin, auto end,
-                                                 std::int64_t *values) {
-    for (std::size_t i = begin; i < end; ++i)
-      *values++ = n_corners * (i + 1);
-  };
   const Fill<std::uint8_t> types = [shape](auto begin, auto end,
                                            std::uint8_t *values) {
     std::fill_n(values, end - begin, static_cast<std::uint8_t>(shape));
   };
-  cells = {connectivity, make_array("offsets", 1, n_cells, offsets),
-           make_array("types", 1, n_cells, types)};
+  cells.push_back(make_array("types", 1, ends.number, types));
+}
+
+VtuFile VtuFile::quadrilaterals(const Items<double> &points,
+                                const Items<std::int64_t> &corners)
+{
+  Array connectivity =
+      make_array("connectivity", 4, corners.number, corners.fill);
+  connectivity.n_components = 1; // as VTK has it; an item is still a cell
+  const Fill<std::int64_t> ends = [](auto begin, auto end, auto *values) {
+    for (; begin < end; ++begin)
+      *values++ = 4 * (begin + 1);
+  };
+  return {points, connectivity, {corners.number, ends}, Shape::quadrilateral};
+}
+
+VtuFile VtuFile::separate(const Shape shape,
+                          const Items<double> &points,
+                          const Items<std::int64_t> &ends)
+{
+  const Fill<std::int64_t> in_order = [](auto begin, auto end, auto *values) {
+    std::iota(values, values + (end - begin), begin);
+  };
+  return {points, make_array("connectivity", 1, points.number, in_order), ends,
+          shape};
 }
 
 template <typename Number>
@@ -113,21 +129,28 @@ VtuFile::Array VtuFile::make_array(const std::string &name,
 }
 
 template <typename Number>
-void VtuFile::add_field(const std::string &name,
-                        const unsigned int n_components,
-                        const Fill<Number> &values)
+void VtuFile::add_cell_field(const std::string &name,
+                             const unsigned int n_components,
+                             const Fill<Number> &values)
 {
-  const std::size_t n_cells = cells.front().n_items;
-  fields.push_back(make_array(name, n_components, n_cells, values));
+  const std::size_t n_cells = cells.back().n_items;
+  cell_fields.push_back(make_array(name, n_components, n_cells, values));
 }
-template void
-VtuFile::add_field(const std::string &, unsigned int, const Fill<double> &);
-template void VtuFile::add_field(const std::string &,
-                                 unsigned int,
-                                 const Fill<std::int32_t> &);
-template void VtuFile::add_field(const std::string &,
-                                 unsigned int,
-                                 const Fill<std::uint8_t> &);
+template void VtuFile::add_cell_field(const std::string &,
+                                      unsigned int,
+                                      const Fill<double> &);
+template void VtuFile::add_cell_field(const std::string &,
+                                      unsigned int,
+                                      const Fill<std::int32_t> &);
+template void VtuFile::add_cell_field(const std::string &,
+                                      unsigned int,
+                                      const Fill<std::uint8_t> &);
+
+void VtuFile::add_point_vector(const std::string &name,
+                               const Fill<double> &values)
+{
+  point_fields.push_back(make_array(name, 3, points.n_items, values));
+}
 
 void VtuFile::write(std::ostream &out) const
 {
@@ -144,12 +167,14 @@ void VtuFile::write(std::ostream &out) const
   };
   write_begin(out, "UnstructuredGrid");
   out << ">\n<Piece NumberOfPoints=\"" << points.n_items
-      << "\" NumberOfCells=\"" << cells.front().n_items << "\">\n<Points>\n";
+      << "\" NumberOfCells=\"" << cells.back().n_items << "\">\n<Points>\n";
   announce(points);
   out << "</Points>\n<Cells>\n";
   std::for_each(cells.begin(), cells.end(), announce);
-  out << "</Cells>\n<CellData>\n";
-  std::for_each(fields.begin(), fields.end(), announce);
+  out << "</Cells>\n<PointData>\n";
+  std::for_each(point_fields.begin(), point_fields.end(), announce);
+  out << "</PointData>\n<CellData>\n";
+  std::for_each(cell_fields.begin(), cell_fields.end(), announce);
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n"
          "<AppendedData encoding=\"raw\">\n_";
 
@@ -168,15 +193,17 @@ void VtuFile::write(std::ostream &out) const
 void VtuFile::write_record(std::ostream &out,
                            const std::vector<std::string> &pieces) const
 {
+  const auto announce = [&](const Array &array) {
+    write_head(out, array, "PDataArray");
+    out << "/>\n";
+  };
   write_begin(out, "PUnstructuredGrid");
   out << " GhostLevel=\"0\">\n<PPoints>\n";
-  write_head(out, points, "PDataArray");
-  out << "/>\n</PPoints>\n<PCellData>\n";
-  for (const Array &field : fields)
-  {
-    write_head(out, field, "PDataArray");
-    out << "/>\n";
-  }
+  announce(points);
+  out << "</PPoints>\n<PPointData>\n";
+  std::for_each(point_fields.begin(), point_fields.end(), announce);
+  out << "</PPointData>\n<PCellData>\n";
+  std::for_each(cell_fields.begin(), cell_fields.end(), announce);
   out << "</PCellData>\n";
   for (const std::string &piece : pieces)
     out << "<Piece Source=\"" << piece << "\"/>\n";

@@ -214,7 +214,8 @@ void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
                     Double(0.));
 }
 
-CellLoops ArchGenerator::generate(const std::filesystem::path &) const
+CellLoops ArchGenerator::generate(const std::filesystem::path &,
+                                  Terminal &) const
 {
   check_measures();
   const HalfArch half =

@@ -70,10 +70,10 @@ PackingParameters::input_files(const std::filesystem::path &directory) const
   return generators[chosen]->input_files(directory);
 }
 
-Packing
-PackingParameters::make_packing(const std::filesystem::path &directory) const
+Packing PackingParameters::make_packing(const std::filesystem::path &directory,
+                                        Terminal &terminal) const
 {
-  Packing packing(generators[chosen]->generate(directory));
+  Packing packing(generators[chosen]->generate(directory, terminal));
   assign_groups(packing, groups);
   return packing;
 }

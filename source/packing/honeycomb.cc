@@ -39,7 +39,8 @@ void HoneycombGenerator::add_parameters(dealii::ParameterHandler &prm)
       "How the hexagons stand.");
 }
 
-CellLoops HoneycombGenerator::generate(const std::filesystem::path &) const
+CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
+                                       Terminal &) const
 {
   check_number_of_cells(double(n_columns) * n_rows,
                         "'Packing/honeycomb/Columns' and 'Rows'");

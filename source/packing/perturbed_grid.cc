@@ -91,7 +91,8 @@ std::vector<Point<2>> PerturbedGridGenerator::make_vertices() const
   return vertices;
 }
 
-CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &) const
+CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &,
+                                           Terminal &) const
 {
   check_number_of_cells(double(n_columns) * n_rows,
                         "'Packing/perturbed grid/Columns' and 'Rows'");

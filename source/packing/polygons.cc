@@ -49,8 +49,8 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       Anything());
 }
 
-CellLoops
-PolygonGenerator::generate(const std::filesystem::path &directory) const
+CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
+                                     Terminal &) const
 {
   if (file.empty())
     throw InputError("'Packing/Generator' is 'polygons', but 'Packing/polygons/"

@@ -108,8 +108,8 @@ void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
                     Integer(0, 10000));
 }
 
-CellLoops
-VoronoiGenerator::generate(const std::filesystem::path &directory) const
+CellLoops VoronoiGenerator::generate(const std::filesystem::path &directory,
+                                     Terminal &terminal) const
 {
   const ConvexPolygon polygon = make_domain();
   const CellSize size(cell_size, "Packing/Voronoi/Cell size");
@@ -118,6 +118,7 @@ VoronoiGenerator::generate(const std::filesystem::path &directory) const
   CellLoops cells = voronoi_cells(generators, polygon);
   for (unsigned int step = 0; step < n_lloyd_steps; ++step)
   {
+    terminal.progress(step, n_lloyd_steps, "Lloyd steps");
     generators.points = weighted_centroids(cells, size);
     cells = voronoi_cells(generators, polygon);
   }

@@ -124,7 +124,8 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
                     Double(0.));
 }
 
-CellLoops WallGenerator::generate(const std::filesystem::path &) const
+CellLoops WallGenerator::generate(const std::filesystem::path &,
+                                  Terminal &) const
 {
   if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
       height <= 0.)

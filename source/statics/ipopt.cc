@@ -188,8 +188,8 @@ public:
                              Ipopt::IpoptCalculatedQuantities *) override
   {
     result.n_iterations = iteration;
-    terminal.progress("Ipopt", text("iteration ", iteration, ", imbalance ",
-                                    inf_du, ", interpenetration ", inf_pr));
+    terminal.progress(text("iteration ", iteration, ", imbalance ", inf_du,
+                           ", interpenetration ", inf_pr));
     result.mechanism = find_mechanism(problem, latest);
     if (!result.mechanism && !asked && result.n_iterations >= n_before_doubt)
     {

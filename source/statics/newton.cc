@@ -349,12 +349,8 @@ Solution minimise(const SharedProblem &problem,
       solution.outcome = "stopped at the limit of rounding";
     else
     {
-      const std::string state =
-          text("iteration ", n, ", imbalance ", imbalance);
-      if (terminal.verbosity() >= 2)
-        terminal.stage("  Newton", state);
-      else
-        terminal.progress("Newton", state);
+      terminal.iteration("Newton",
+                         text("iteration ", n, ", imbalance ", imbalance));
       if ((solution.mechanism = advance()))
         solution.outcome = "stopped by a proof of collapse";
     }

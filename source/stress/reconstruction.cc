@@ -172,12 +172,12 @@ StressField reconstruct_stress(const Packing &packing,
     }
   };
 
-  // In blocks, for a progress line between them.
+  // In blocks, to say between them how far this has come.
   dealii::Threads::ThreadLocalStorage<std::unique_ptr<Scratch>> scratches;
-  const unsigned int block = std::max(1024U, n_cells / 20);
+  const unsigned int block = std::max(1024U, n_cells / 100);
   for (unsigned int begin = 0; begin < n_cells; begin += block)
   {
-    terminal.progress("Stress", text("cell ", begin, " of ", n_cells));
+    terminal.progress(begin, n_cells, "cells");
     const auto reconstruct_cells = [&](const unsigned int b,
                                        const unsigned int e) {
       std::unique_ptr<Scratch> &scratch = scratches.get();

@@ -57,12 +57,13 @@ int main()
          "subsection Loads\n set Traction = -nx; -ny\nend\n";
   const std::string out = run({"sub/scene.prm"});
   check("the scene runs", out.find("solved") != std::string::npos);
-  for (const char *file : {"interfaces.csv", "cells.csv", "interfaces.vtu",
-                           "stress.vtu", "parameters.prm", "summary.json"})
+  for (const char *file :
+       {"interfaces.csv", "cells.csv", "blocks.vtu", "interfaces.vtu",
+        "stress.vtu", "results.pvd", "parameters.prm", "summary.json"})
     check(file, fs::file_size(std::string("output/scene/") + file) > 0);
   check("nothing is left over",
         std::distance(fs::directory_iterator("output/scene"),
-                      fs::directory_iterator()) == 6);
+                      fs::directory_iterator()) == 8);
   std::cout << read("output/scene/interfaces.csv");
 
   // Quiet shows the summary alone, of at most ten lines.
@@ -70,6 +71,22 @@ int main()
       run({"sub/scene.prm", "--set", "Output/Verbosity=0"});
   check("at most ten lines",
         std::count(quiet.begin(), quiet.end(), '\n') <= 10);
+
+  check("--quiet shows nothing", run({"sub/scene.prm", "--quiet"}).empty());
+  check("but warnings",
+        run({"sub/scene.prm", "--quiet", "--set", "Packing/Generator=polygons",
+             "--set", "Packing/polygons/File=notched.wkt"})
+                .rfind("Warning", 0) == 0);
+
+  // What belongs to another choice has no effect, and is named.
+  std::cout << run({"sub/scene.prm", "--quiet", "--set",
+                    "Packing/wall/Courses=3", "--set", "Packing/wall/Width=2",
+                    "--set", "Solver/least energy/Modulus=7", "--set",
+                    "Stress/Refinements=1"});
+  check("what is used is not named",
+        run({"sub/scene.prm", "--quiet", "--set", "Accuracy=fine", "--set",
+             "Stress/Refinements=1"})
+            .empty());
 
   // What is not asked for is not written, and no older file stays.
   const auto files_with = [](const std::string &setting) {
@@ -82,7 +99,8 @@ int main()
   using Names = std::set<std::string>;
   const Names always = {"parameters.prm", "summary.json"};
   const Names csv = {"interfaces.csv", "cells.csv"};
-  const Names vtu = {"interfaces.vtu", "stress.vtu"};
+  const Names vtu = {"blocks.vtu", "interfaces.vtu", "stress.vtu",
+                     "results.pvd"};
   const auto also = [](Names a, const Names &b) {
     a.insert(b.begin(), b.end());
     return a;

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 from paraview.servermanager import Fetch
-from paraview.simple import (XMLPartitionedUnstructuredGridReader,
+from paraview.simple import (PVDReader, XMLPartitionedUnstructuredGridReader,
                              XMLUnstructuredGridReader)
 from vtk.util.numpy_support import vtk_to_numpy
 
@@ -51,10 +51,26 @@ class Grid:
         grid = Fetch(reader)
         self.points = vtk_to_numpy(grid.GetPoints().GetData())
         self.corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-        data = grid.GetCellData()
+        self.first = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+        self.fields = self.arrays(grid.GetCellData())
+        self.point_fields = self.arrays(grid.GetPointData())
+
+    @staticmethod
+    def arrays(data):
         arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
-        self.fields = {array.GetName(): vtk_to_numpy(array)
-                       for array in arrays}
+        return {array.GetName(): vtk_to_numpy(array) for array in arrays}
+
+    def owner(self):
+        """The cell of each point, where cells share none."""
+        return np.repeat(np.arange(len(self.first) - 1), np.diff(self.first))
+
+    def areas(self):
+        """Of polygons that share no points, by the sum of cross products."""
+        x, y = self.points[:, 0], self.points[:, 1]
+        after = np.arange(1, len(x) + 1)
+        after[self.first[1:] - 1] = self.first[:-1]
+        return 0.5 * np.add.reduceat(x * y[after] - x[after] * y,
+                                     self.first[:-1])
 
     def expect_types(self, integers):
         for name, values in self.fields.items():
@@ -62,10 +78,9 @@ class Grid:
                    integers.get(name, "float64"))
 
 
-def components(reader):
-    return {reader.CellData.GetArray(i).Name:
-            reader.CellData.GetArray(i).GetNumberOfComponents()
-            for i in range(reader.CellData.GetNumberOfArrays())}
+def components(data):
+    return {data.GetArray(i).Name: data.GetArray(i).GetNumberOfComponents()
+            for i in range(data.GetNumberOfArrays())}
 
 
 def expect_pieces(whole, directory):
@@ -75,6 +90,9 @@ def expect_pieces(whole, directory):
     expect("fields of the pieces", list(joined.fields), list(whole.fields))
     for name, values in whole.fields.items():
         expect_equal(f"{name} of the pieces", joined.fields[name], values)
+    expect_equal("displacement of the pieces",
+                 joined.point_fields["displacement"],
+                 whole.point_fields["displacement"])
     expect_equal("points of the pieces", joined.points, whole.points)
     expect_equal("corners of the pieces", joined.corners, whole.corners)
 
@@ -84,8 +102,8 @@ n_cells = len(list(csv.DictReader(open(f"{directory}/cells.csv"))))
 expect("cells", n_cells, 78)
 
 interfaces = read("interfaces.vtu")
-expect("fields of interfaces.vtu", components(interfaces),
-       {name: 1 for name in
+expect("fields of interfaces.vtu", components(interfaces.CellData),
+       {"force": 3} | {name: 1 for name in
         ("normal_force", "tangential_force", "normal_stress",
          "tangential_stress", "strength", "utilisation", "cell_minus",
          "cell_plus")})
@@ -105,11 +123,52 @@ for name in ("normal_force", "tangential_force", "strength", "utilisation",
 expect_equal("ends", grid.points[grid.corners].reshape(-1, 6)[:, [0, 1, 3, 4]],
              columns("interfaces.csv", "x0", "y0", "x1", "y1"))
 
+normals = columns("interfaces.csv", "nx", "ny")
+tangents = normals[:, ::-1] * [-1, 1]
+expect_equal("force", grid.fields["force"][:, :2],
+             columns("interfaces.csv", "normal_force") * normals +
+             columns("interfaces.csv", "tangential_force") * tangents)
+
+# One polygon for each block, which shares no points.
+blocks = read("blocks.vtu")
+expect("fields of blocks.vtu", components(blocks.CellData),
+       {"cell": 1, "group": 1, "load": 3, "stress": 9,
+        "principal_stress_1": 1, "principal_stress_2": 1, "von_mises": 1,
+        "torque": 1})
+expect("point fields of blocks.vtu", components(blocks.PointData),
+       {"displacement": 3})
+grid = Grid(blocks)
+grid.expect_types({"cell": "int32", "group": "int32"})
+expect_equal("blocks", grid.fields["cell"], np.arange(n_cells))
+expect_equal("points of blocks", grid.corners, np.arange(len(grid.points)))
+if not np.allclose(grid.areas(), columns("cells.csv", "area")[:, 0],
+                   rtol=1e-12):
+    sys.exit("the polygons have not the areas of the blocks")
+expect_equal("load", grid.fields["load"][:, :2],
+             columns("cells.csv", "load_x", "load_y"))
+expect_equal("mean stress", grid.fields["stress"][:, [0, 1, 3, 4]],
+             columns("cells.csv", "sxx", "sxy", "syx", "syy"))
+expect_equal("torque", grid.fields["torque"],
+             columns("cells.csv", "torque")[:, 0])
+expect_equal("displacement of blocks",
+             grid.point_fields["displacement"][:, :2],
+             columns("cells.csv", "ux", "uy")[grid.owner()])
+
+# All of it at once, in the order in which one covers the other.
+together_reader = PVDReader(FileName=f"{directory}/results.pvd")
+parts = Fetch(together_reader)
+expect("parts of results.pvd",
+       [parts.GetMetaData(i).Get(parts.NAME())
+        for i in range(parts.GetNumberOfBlocks())],
+       ["blocks", "stress", "interfaces"])
+
 stress = read("stress.vtu")
-expect("fields of stress.vtu", components(stress),
+expect("fields of stress.vtu", components(stress.CellData),
        {"stress": 9, "principal_stress_1": 1, "principal_stress_2": 1,
         "von_mises": 1, "skew": 1, "div": 3, "cell": 1, "group": 1,
-        "displacement": 3, "reconstructed": 1})
+        "reconstructed": 1})
+expect("point fields of stress.vtu", components(stress.PointData),
+       {"displacement": 3})
 # A side of the wall for each side of a cell: two per interface and one each
 # for the boundary edges, 6 + 7 below and above and 12 on either side.
 expect("sub-cells", stress.GetDataInformation().GetNumberOfCells(),
@@ -122,8 +181,10 @@ expect("bounds", [round(b, 6) for b in bounds], [0, 1, 0, 1, 0, 0])
 grid = Grid(stress)
 grid.expect_types({"cell": "int32", "group": "int32",
                    "reconstructed": "uint8"})
-expect_equal("displacement", grid.fields["displacement"][:, :2],
-             columns("cells.csv", "ux", "uy")[grid.fields["cell"]])
+corners_of_cells = np.repeat(grid.fields["cell"], 4)
+expect_equal("displacement",
+             grid.point_fields["displacement"][grid.corners][:, :2],
+             columns("cells.csv", "ux", "uy")[corners_of_cells])
 
 # The sub-cells of a cell, whose areas add up to its own, share the centre.
 quads = grid.points[grid.corners.reshape(-1, 4)][:, :, :2]
@@ -139,18 +200,21 @@ expect_equal("centres", quads[:, 0],
 # The courses slide on each other: the top one moves by one mean block, the
 # root of 1/78, to the right and the bottom one to the left.
 mechanism = read("mechanism.vtu", collapse)
-expect("fields of mechanism.vtu", components(mechanism),
-       {"displacement": 3, "cell": 1})
-expect("sub-cells of mechanism.vtu",
-       mechanism.GetDataInformation().GetNumberOfCells(),
-       2 * len(rows) + 6 + 7 + 24)
-block = 78 ** -0.5
-expect_range(mechanism, "displacement", 1, 0, 0)
-low, high = mechanism.CellData.GetArray("displacement").GetRange(0)
-expect("largest displacement", round(max(-low, high), 6), round(block, 6))
+expect("fields of mechanism.vtu", components(mechanism.CellData),
+       {"cell": 1, "group": 1})
+grid = Grid(mechanism)
+expect_equal("blocks of the mechanism", grid.fields["cell"],
+             np.arange(n_cells))
 bounds = mechanism.GetDataInformation().GetBounds()
-expect("bounds of the moved blocks", [round(b, 5) for b in bounds],
-       [round(b, 5) for b in (low, 1 + high, 0, 1, 0, 0)])
+expect("bounds of the blocks at rest", [round(b, 6) for b in bounds],
+       [0, 1, 0, 1, 0, 0])
+displacement = grid.point_fields["displacement"]
+expect("largest displacement", round(abs(displacement).max(), 6),
+       round(78 ** -0.5, 6))
+if abs(displacement[:, 1:]).max() > 1e-9:
+    sys.exit("the courses do not slide, or not only")
+top, bottom = displacement[-1, 0], displacement[0, 0]
+expect("directions", (top > 0, bottom < 0), (True, True))
 
 # The stress [[-1, 0.3], [0.3, -2]] in every sub-cell.
 stress = read("stress.vtu", uniform)
@@ -180,8 +244,10 @@ expect_equal("stress", whole.fields["stress"].T,
               zero, zero, zero])
 expect_equal("div", whole.fields["div"].T, [side, -0.1 * cell, zero])
 expect_equal("skew", whole.fields["skew"], 0.7 * cell)
-expect_equal("displacement", whole.fields["displacement"].T,
-             [1. / 3. + cell, 1. / 7. - cell, zero])
+owner = np.repeat(cell, 4)
+expect_equal("displacement",
+             whole.point_fields["displacement"][whole.corners].T,
+             [1. / 3. + owner, 1. / 7. - owner, np.zeros(len(owner))])
 expect_equal("reconstructed", whole.fields["reconstructed"],
              (cell != 1) & (cell != 29999))
 expect_pieces(whole, pieces)

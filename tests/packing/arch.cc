@@ -17,7 +17,7 @@ CellLoops generate(const std::string &settings)
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return generator.generate("");
+  return generator.generate("", Terminal::silent());
 }
 
 /** Cells c and n-1-c are mirror images; the groups are named as expected. */

@@ -18,7 +18,7 @@ Packing generate(const std::string &settings)
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate("."));
+  return Packing(generator.generate(".", Terminal::silent()));
 }
 
 /** How far lengths and angles are from those of a regular hexagon. */

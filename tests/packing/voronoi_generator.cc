@@ -16,7 +16,7 @@ Packing generate(const std::string &settings)
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate("."));
+  return Packing(generator.generate(".", Terminal::silent()));
 }
 
 /** Standard deviation of the areas over their mean. */

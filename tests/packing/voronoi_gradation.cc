@@ -17,7 +17,7 @@ Packing generate(const std::string &settings)
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate("."));
+  return Packing(generator.generate(".", Terminal::silent()));
 }
 
 /** The root of the mean area of the cells with centres between two x. */

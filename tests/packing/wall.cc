@@ -81,7 +81,7 @@ Packing bonded(const std::string &bond, const unsigned int n)
   prm.set("Height", 5.);
   prm.set("Bricks per course", static_cast<long int>(n));
   prm.set("Width", 4. * n);
-  return Packing(generator.generate(""));
+  return Packing(generator.generate("", Terminal::silent()));
 }
 
 void check_bonds(const unsigned int n)

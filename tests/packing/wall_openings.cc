@@ -17,7 +17,7 @@ CellLoops generate(const std::string &settings)
       "set Width = 20\nset Height = 10\nset Courses = 10\n"
       "set Bricks per course = 5\nset Lintel bearing = 1\n" +
       settings);
-  return generator.generate("");
+  return generator.generate("", Terminal::silent());
 }
 
 std::string box(const dealii::Point<2> &low, const dealii::Point<2> &high)

@@ -50,7 +50,7 @@ InterfaceForces from_start(const Scene &scene,
       u.push_back(A[i] * x + 3.);
   Newton newton(problem, law, system, u);
   std::ostringstream nowhere;
-  Terminal quiet(nowhere, 0);
+  Terminal &quiet = Terminal::silent();
   return dimensional_forces(problem, minimise(
                                          SharedProblem(problem), newton,
                                          {1e-10, 200, 1e-7},

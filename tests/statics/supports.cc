@@ -189,8 +189,9 @@ int main()
   prm.set("Abutment height", 2.);
   for (const double strength : {16., 20., 21.4, 21.5})
   {
-    const Scene piers = under_weight(Packing(generator.generate("")), strength,
-                                     22., "y < 0.001");
+    const Scene piers =
+        under_weight(Packing(generator.generate("", Terminal::silent())),
+                     strength, 22., "y < 0.001");
     const DiscreteProblem problem(piers);
     check("arch on held piers: clamped", problem.opening().empty());
     const Solution solution = Solver(least_energy).solve(problem);

@@ -3,6 +3,7 @@
 #define voussoir_output_result_directory_h
 
 #include <voussoir/base/interruption.h>
+#include <voussoir/base/terminal.h>
 
 #include <filesystem>
 #include <functional>
@@ -25,8 +26,10 @@ public:
   /**
    * @throws InputError if nothing can be written there; so a long run does not
    *   find that out at its end. Nothing is created yet.
+   * @param terminal is told which file is being written.
    */
-  explicit ResultDirectory(std::filesystem::path directory);
+  explicit ResultDirectory(std::filesystem::path directory,
+                           Terminal &terminal = Terminal::silent());
   /**
    * @throws InputError if @p input is one of the files that a run may write
    * here: it would be lost.
@@ -69,6 +72,7 @@ private:
   void discard();
 
   std::filesystem::path directory;
+  Terminal &terminal;
   std::filesystem::path staging;
   /** The directories that were made for the results, the innermost first. */
   std::vector<std::filesystem::path> created;

@@ -12,8 +12,8 @@
 namespace Voussoir
 {
 /**
- * Writes an unstructured grid of cells of one shape, with values that are
- * constant in each, as VTK's XML: a .vtu file, or a .pvtu file that lists
+ * Writes an unstructured grid as VTK's XML, with values that are constant in
+ * each cell and values at the points: a .vtu file, or a .pvtu file that lists
  * several of these as the pieces of one grid.
  *
  * Numbers are binary, appended to the XML in blocks that LZ4 compresses. No
@@ -26,8 +26,9 @@ public:
   /** VTK's number for the shape of the cells. */
   enum class Shape : std::uint8_t
   {
-    line = 3,
-    quadrilateral = 9
+    line = 3,         /**< two points */
+    polygon = 7,      /**< any number of points, around it */
+    quadrilateral = 9 /**< four points, around it */
   };
 
   /**
@@ -39,24 +40,43 @@ public:
   using Fill =
       std::function<void(std::size_t begin, std::size_t end, Number *values)>;
 
+  /** Points, or cells: how many, and what there is of each. */
+  template <typename Number>
+  struct Items
+  {
+    std::size_t number; /**< of the points or cells */
+    Fill<Number> fill;  /**< three coordinates (L), or what the grid asks for */
+  };
+
   /**
-   * @param points gives three coordinates of each point; lengths.
-   * @param corners gives the points of each cell: two, or four around it.
+   * A grid of quadrilaterals on @p points that they may share.
+   *
+   * @param corners of each the numbers of the four points around it.
    */
-  VtuFile(Shape shape,
-          std::size_t n_points,
-          const Fill<double> &points,
-          std::size_t n_cells,
-          const Fill<std::int64_t> &corners);
+  static VtuFile quadrilaterals(const Items<double> &points,
+                                const Items<std::int64_t> &corners);
+
+  /**
+   * A grid of cells of the same @p shape that share no points: those of the
+   * first come first.
+   *
+   * @param ends of each cell how many points it and those before it have.
+   */
+  static VtuFile separate(Shape shape,
+                          const Items<double> &points,
+                          const Items<std::int64_t> &ends);
 
   /**
    * Give every cell @p n_components values: three make a vector and nine a
    * tensor, row by row. Number is double, int32_t or uint8_t.
    */
   template <typename Number>
-  void add_field(const std::string &name,
-                 unsigned int n_components,
-                 const Fill<Number> &values);
+  void add_cell_field(const std::string &name,
+                      unsigned int n_components,
+                      const Fill<Number> &values);
+
+  /** Give every point three values, a vector. */
+  void add_point_vector(const std::string &name, const Fill<double> &values);
 
   /** Write the .vtu; @p out must be able to go back. */
   void write(std::ostream &out) const;
@@ -81,10 +101,16 @@ private:
                           const Fill<Number> &values);
   static void write_data(std::ostream &out, const Array &array);
 
+  VtuFile(const Items<double> &points,
+          const Array &connectivity,
+          const Items<std::int64_t> &ends,
+          Shape shape);
+
   Array points;
   /** connectivity, offsets and types. */
   std::vector<Array> cells;
-  std::vector<Array> fields;
+  std::vector<Array> cell_fields;
+  std::vector<Array> point_fields;
 };
 } // namespace Voussoir
 

@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_generator_h
 #define voussoir_packing_generator_h
 
+#include <voussoir/base/terminal.h>
 #include <voussoir/packing/packing.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -32,9 +33,11 @@ public:
    * Make the packing.
    *
    * @param directory where relative paths among the parameters start.
+   * @param terminal is told how far that has come, where it can be long.
    * @throws InputError if the parameters describe no packing.
    */
-  virtual CellLoops generate(const std::filesystem::path &directory) const = 0;
+  virtual CellLoops generate(const std::filesystem::path &directory,
+                             Terminal &terminal) const = 0;
 
   /** The files that generate() reads. */
   virtual std::vector<std::filesystem::path>
@@ -64,7 +67,8 @@ public:
   input_files(const std::filesystem::path &directory) const;
 
   /** The packing that the parameters describe; see PackingGenerator. */
-  Packing make_packing(const std::filesystem::path &directory) const;
+  Packing make_packing(const std::filesystem::path &directory,
+                       Terminal &terminal) const;
 
 private:
   std::vector<std::unique_ptr<PackingGenerator>> generators;

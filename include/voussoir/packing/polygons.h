@@ -18,7 +18,8 @@ public:
   std::string name() const override;
   std::string meaning() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
-  CellLoops generate(const std::filesystem::path &directory) const override;
+  CellLoops generate(const std::filesystem::path &directory,
+                     Terminal &terminal) const override;
   std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const override;
 

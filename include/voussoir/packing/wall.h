@@ -28,7 +28,8 @@ public:
   std::string name() const override;
   std::string meaning() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
-  CellLoops generate(const std::filesystem::path &directory) const override;
+  CellLoops generate(const std::filesystem::path &directory,
+                     Terminal &terminal) const override;
 
 private:
   Bond bond = Bond::running;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_blocks_vtu_h
+#define voussoir_output_blocks_vtu_h
+
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+
+namespace Voussoir
+{
+/**
+ * The blocks as a VTK unstructured grid of polygons, one for each cell, that
+ * share no points. Cell data are cell, group (its number in summary.json), load
+ * (the vector F_c, S L), stress (the mean stress, nine components row by row),
+ * principal_stress_1 >= principal_stress_2 and von_mises of that (S), and
+ * torque, the residual one about the centre (S L^2). Point data is the
+ * displacement (L).
+ */
+void write_blocks_vtu(std::ostream &out, const Results &results);
+
+/**
+ * The blocks where they are, as polygons, with the mechanism as displacement
+ * (point data), the largest component of which is the mean size of a cell (the
+ * root of its mean area): warped by it they show the mechanism. Cell data are
+ * cell and group.
+ */
+void write_mechanism_vtu(std::ostream &out, const Collapse &collapse);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_interfaces_vtu_h
+#define voussoir_output_interfaces_vtu_h
+
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+
+namespace Voussoir
+{
+/**
+ * The interfaces as a VTK unstructured grid of lines. Cell data are force, the
+ * vector f_e^n n_e + f_e^t t_e on c-, normal_force and tangential_force, its
+ * components (S L), normal_stress and tangential_stress, the same over |e| (S),
+ * strength (S), utilisation, and cell_minus and cell_plus, the numbers of the
+ * cells, -1 for the ground; and never_pressed and always_sliding, if the
+ * formulation finds out (see Results).
+ */
+void write_interfaces_vtu(std::ostream &out, const Results &results);
+} // namespace Voussoir
+
+#endif

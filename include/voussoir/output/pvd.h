@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_pvd_h
+#define voussoir_output_pvd_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The .pvd that makes one data set of @p files beside it, for ParaView, each
+ * named as its file is up to the dot. What comes later covers what is in the
+ * same place, so that lines go last.
+ */
+void write_pvd(std::ostream &out, const std::vector<std::string> &files);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_stress_vtu_h
+#define voussoir_output_stress_vtu_h
+
+#include <voussoir/packing/packing.h>
+#include <voussoir/stress/reconstruction.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What stress.vtu shows: some cells and the stress inside them. */
+struct StressedCells
+{
+  /** The cells. */
+  const Packing &packing;
+  /** In their sub-cells. */
+  const StressField &stress;
+  /** Of each cell; L. */
+  const std::vector<dealii::Tensor<1, 2>> &displacement;
+  /** The number of the first cell, if others are elsewhere. */
+  unsigned int first_cell = 0;
+};
+
+/**
+ * The stress as a VTK unstructured grid of the sub-cells. Cell data are the
+ * tensor stress (nine components, row by row), principal_stress_1 >=
+ * principal_stress_2, von_mises (of plane stress), skew, the root of the mean
+ * square of (sigma_yx - sigma_xy)/2, div, cell, group (its number in
+ * summary.json), and reconstructed, which is 0 where the cell's mean stress had
+ * to stand in; point data is the displacement. All in double precision, but for
+ * numbers and marks, which are integers.
+ */
+void write_stress_vtu(std::ostream &out, const StressedCells &cells);
+
+/**
+ * The .pvtu that makes one grid of @p pieces, .vtu files with the same fields,
+ * by their names beside it.
+ */
+void write_stress_pvtu(std::ostream &out,
+                       const StressedCells &cells,
+                       const std::vector<std::string> &pieces);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_unused_settings_h
+#define voussoir_unused_settings_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Sentences for the user on entries that were given a value and that the run
+ * does not look at, since they belong to another generator, formulation or
+ * accuracy: one sentence for each section.
+ */
+std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm);
+} // namespace Voussoir
+
+#endif

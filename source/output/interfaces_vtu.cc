@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/interfaces_vtu.h>
+#include <voussoir/output/vtu_file.h>
+#include <voussoir/output/vtu_values.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <tuple>
+
+namespace Voussoir
+{
+using VtuValues::scalar;
+using VtuValues::vector;
+
+namespace
+{
+/** A grid of one line for each interface. */
+VtuFile lines_of(const std::vector<Packing::Interface> &interfaces)
+{
+  const auto points = [&](std::size_t p, std::size_t end, double *place) {
+    for (; p < end; ++p)
+    {
+      const Packing::Interface &i = interfaces[p / 2];
+      const auto x = vector(p % 2 == 0 ? i.start : i.end);
+      place = std::copy(x.begin(), x.end(), place);
+    }
+  };
+  const auto ends = [](std::size_t e, std::size_t end, std::int64_t *place) {
+    for (; e < end; ++e)
+      *place++ = 2 * (e + 1);
+  };
+  return VtuFile::separate(VtuFile::Shape::line,
+                           {2 * interfaces.size(), points},
+                           {interfaces.size(), ends});
+}
+} // namespace
+
+void write_interfaces_vtu(std::ostream &out, const Results &results)
+{
+  const Scene &scene = results.scene;
+  const InterfaceForces &forces = results.forces;
+  const auto &interfaces = scene.packing.interfaces();
+  VtuFile file = lines_of(interfaces);
+  const auto add = [&](const std::string &name, const auto &value) {
+    using Components = decltype(value(0));
+    using Number = typename Components::value_type;
+    file.add_cell_field<Number>(
+        name, std::tuple_size<Components>::value,
+        [value](std::size_t e, const std::size_t end, Number *place) {
+          for (; e < end; ++e)
+          {
+            const Components components = value(e);
+            place = std::copy(components.begin(), components.end(), place);
+          }
+        });
+  };
+  add("force", [&](std::size_t e) {
+    return vector(forces.on_cell_minus(interfaces[e], e));
+  });
+  add("normal_force", [&](std::size_t e) { return scalar(forces.normal[e]); });
+  add("tangential_force",
+      [&](std::size_t e) { return scalar(forces.tangential[e]); });
+  add("normal_stress", [&](std::size_t e) {
+    return scalar(forces.normal[e] / interfaces[e].length);
+  });
+  add("tangential_stress", [&](std::size_t e) {
+    return scalar(forces.tangential[e] / interfaces[e].length);
+  });
+  add("strength", [&](std::size_t e) { return scalar(scene.strength[e]); });
+  add("utilisation",
+      [&](std::size_t e) { return scalar(utilisation(scene, forces, e)); });
+  add("cell_minus", [&](std::size_t e) {
+    return scalar(std::int32_t(interfaces[e].cell_minus));
+  });
+  add("cell_plus", [&](std::size_t e) {
+    const unsigned int plus = interfaces[e].cell_plus;
+    return scalar(plus == scene.packing.ground() ? -1 : std::int32_t(plus));
+  });
+  const auto add_mark = [&](const std::string &name,
+                            const std::vector<bool> &marks) {
+    if (!marks.empty())
+      add(name,
+          [&marks](std::size_t e) { return scalar(std::uint8_t(marks[e])); });
+  };
+  add_mark("never_pressed", results.never_pressed);
+  add_mark("always_sliding", results.always_sliding);
+  file.write(out);
+}
+} // namespace Voussoir

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/stress_vtu.h>
+#include <voussoir/output/vtu_file.h>
+#include <voussoir/output/vtu_values.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+namespace Voussoir
+{
+using dealii::Point;
+using VtuValues::cell_of;
+using VtuValues::scalar;
+using VtuValues::StressInvariants;
+using VtuValues::tensor;
+using VtuValues::vector;
+
+namespace
+{
+/**
+ * The points of a cell's sub-cells: the centre, and triangle by triangle those
+ * that are its own: all but the centre and those on the spoke to its second
+ * vertex, which belong to the next triangle.
+ */
+struct SubCellPoints
+{
+  explicit SubCellPoints(const SubTriangulation &cut);
+
+  /** A corner of a sub-cell: point @p number of the triangle @p later. */
+  struct Corner
+  {
+    bool is_centre;
+    unsigned int later, number;
+  };
+
+  std::vector<SubTriangulation::Vertex> own;
+  /** Around each sub-cell of a triangle. */
+  std::vector<std::array<Corner, 4>> corners;
+};
+
+SubCellPoints::SubCellPoints(const SubTriangulation &cut)
+{
+  const auto number = [this](const double a, const double b) {
+    const auto found = std::find_if(own.begin(), own.end(), [&](const auto &v) {
+      return v.a == a && v.b == b;
+    });
+    const unsigned int n = found - own.begin();
+    if (found == own.end())
+      own.push_back({a, b});
+    return n;
+  };
+  for (const SubTriangulation::Quadrilateral &sub_cell : cut.of_triangle())
+  {
+    std::array<Corner, 4> around;
+    const std::array<unsigned int, 4> lexicographic = {{0, 1, 3, 2}};
+    for (unsigned int v = 0; v < 4; ++v)
+    {
+      const auto [a, b] = sub_cell[lexicographic[v]];
+      if (a == 0. && b == 0.)
+        around[v] = {true, 0, 0};
+      else if (a == 0.)
+        around[v] = {false, 1, number(b, 0.)};
+      else
+        around[v] = {false, 0, number(a, b)};
+    }
+    corners.push_back(around);
+  }
+}
+
+/**
+ * The grid of stress.vtu: the sub-cells as quadrilaterals, with their fields.
+ * Those of one cell share their points, and those of different cells do not:
+ * cells are bodies of their own, which may part.
+ */
+class StressGrid
+{
+public:
+  explicit StressGrid(const StressedCells &shown);
+  StressGrid(const StressGrid &) = delete; // file asks this object
+
+  const VtuFile &as_file() const
+  {
+    return file;
+  }
+
+private:
+  void add_fields();
+  /**
+   * Add a field from @p values(cell, k), the array of its components in
+   * sub-cell k, which are counted through all cells of the packing.
+   */
+  template <typename Values>
+  void add(const std::string &name, const Values &values);
+  /** Fill points with @p value(cell, k), k counting the points of the cell. */
+  template <typename Value>
+  void fill_points(std::size_t begin,
+                   std::size_t end,
+                   double *place,
+                   const Value &value) const;
+  void
+  fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
+
+  std::size_t first_point(unsigned int cell) const;
+  std::size_t first_sub_cell(unsigned int cell) const;
+  Point<2> point(unsigned int cell, unsigned int k) const;
+  /** What a cell is called in the whole packing. */
+  unsigned int number_of(unsigned int cell) const
+  {
+    return shown.first_cell + cell;
+  }
+
+  const StressedCells shown;
+  const Packing &packing;
+  const SubCellPoints points;
+  VtuFile file;
+};
+
+StressGrid::StressGrid(const StressedCells &shown)
+    : shown(shown), packing(shown.packing), points(shown.stress.cut),
+      file(VtuFile::quadrilaterals(
+          {first_point(packing.n_cells()),
+           [this](auto begin, auto end, double *place) {
+             fill_points(begin, end, place, [this](auto... cell_and_k) {
+               return point(cell_and_k...);
+             });
+           }},
+          {first_sub_cell(packing.n_cells()), [this](auto... arguments) {
+             fill_corners(arguments...);
+           }}))
+{
+  add_fields();
+}
+
+void StressGrid::add_fields()
+{
+  using Cell = unsigned int;
+  const auto &sub_cells = shown.stress.sub_cells;
+  const auto invariants = [&sub_cells](const std::size_t k) {
+    return StressInvariants(sub_cells[k].stress);
+  };
+  add("stress", [&](Cell, auto k) { return tensor(sub_cells[k].stress); });
+  add("principal_stress_1",
+      [=](Cell, auto k) { return scalar(invariants(k).principal_1); });
+  add("principal_stress_2",
+      [=](Cell, auto k) { return scalar(invariants(k).principal_2); });
+  add("von_mises",
+      [=](Cell, auto k) { return scalar(invariants(k).von_mises); });
+  add("skew", [&](Cell, auto k) { return scalar(sub_cells[k].skew); });
+  add("div", [&](Cell, auto k) { return vector(sub_cells[k].divergence); });
+  add("cell",
+      [this](Cell c, auto) { return scalar(std::int32_t(number_of(c))); });
+  add("group",
+      [this](Cell c, auto) { return scalar(std::int32_t(packing.group(c))); });
+  add("reconstructed", [this](Cell c, auto) {
+    const auto &undetermined = shown.stress.undetermined;
+    return scalar(std::uint8_t(!std::binary_search(
+        undetermined.begin(), undetermined.end(), number_of(c))));
+  });
+  file.add_point_vector("displacement", [this](auto begin, auto end,
+                                               double *place) {
+    fill_points(begin, end, place,
+                [this](Cell c, unsigned int) { return shown.displacement[c]; });
+  });
+}
+
+template <typename Values>
+void StressGrid::add(const std::string &name, const Values &values)
+{
+  using Components = decltype(values(0, std::size_t()));
+  using Number = typename Components::value_type;
+  file.add_cell_field<Number>(
+      name, std::tuple_size<Components>::value,
+      [=](std::size_t k, const std::size_t end, Number *place) {
+        const auto first = [this](unsigned int c) {
+          return first_sub_cell(c);
+        };
+        unsigned int c = cell_of(k, packing.n_cells(), first);
+        for (; k < end; ++k)
+        {
+          c += (k == first(c + 1));
+          const Components components = values(c, k);
+          place = std::copy(components.begin(), components.end(), place);
+        }
+      });
+}
+
+template <typename Value>
+void StressGrid::fill_points(const std::size_t begin,
+                             const std::size_t end,
+                             double *place,
+                             const Value &value) const
+{
+  const auto first = [this](const unsigned int c) {
+    return first_point(c);
+  };
+  unsigned int c = cell_of(begin, packing.n_cells(), first);
+  for (std::size_t p = begin; p < end; ++p)
+  {
+    c += (p == first(c + 1));
+    const auto components = vector(value(c, p - first(c)));
+    place = std::copy(components.begin(), components.end(), place);
+  }
+}
+
+void StressGrid::fill_corners(const std::size_t begin,
+                              const std::size_t end,
+                              std::int64_t *place) const
+{
+  const auto first = [this](const unsigned int c) {
+    return first_sub_cell(c);
+  };
+  unsigned int c = cell_of(begin, packing.n_cells(), first);
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    c += (k == first(c + 1));
+    const unsigned int side = (k - first(c)) / points.corners.size();
+    for (const auto &corner : points.corners[k % points.corners.size()])
+      *place++ = first_point(c) +
+                 (corner.is_centre
+                      ? 0
+                      : 1 + corner.number +
+                            points.own.size() *
+                                ((side + corner.later) % packing.n_sides(c)));
+  }
+}
+
+std::size_t StressGrid::first_point(const unsigned int cell) const
+{
+  return cell + points.own.size() * packing.first_side(cell);
+}
+
+std::size_t StressGrid::first_sub_cell(const unsigned int cell) const
+{
+  return points.corners.size() * packing.first_side(cell);
+}
+
+/** Point @p k of a cell: the centre, and then its own of each triangle. */
+Point<2> StressGrid::point(const unsigned int cell, const unsigned int k) const
+{
+  const Point<2> &centre = packing.centre(cell);
+  if (k == 0)
+    return centre;
+  const unsigned int side = (k - 1) / points.own.size();
+  const auto [a, b] = points.own[(k - 1) % points.own.size()];
+  // In this form vertices, and the middles of sides, are the same to the last
+  // bit from both cells.
+  return (1. - a - b) * centre + a * packing.vertex(cell, side) +
+         b * packing.vertex(cell, side + 1);
+}
+} // namespace
+
+void write_stress_vtu(std::ostream &out, const StressedCells &cells)
+{
+  StressGrid(cells).as_file().write(out);
+}
+
+void write_stress_pvtu(std::ostream &out,
+                       const StressedCells &cells,
+                       const std::vector<std::string> &pieces)
+{
+  StressGrid(cells).as_file().write_record(out, pieces);
+}
+} // namespace Voussoir
