@@ -24,7 +24,7 @@ OTHERS = [
     "instead.", "face each other across a narrow gap near", "within the matching tolerance",
     "The packing, supports and strengths must be those of the run that the forces are from; "
     "leave 'Forces from' empty to solve.", "A file or directory cannot be used:",
-    "There is not enough memory for this packing.", "Interrupted by",
+    "There is not enough memory for this packing.", "Interrupted by", "no effect, since",
     "An unexpected error, which is a defect of the program, ended the run:",
     "nothing to balance", "stopped at a looser tolerance", "failed to restore feasibility",
     "failed to compute a step", "ended with Ipopt's status"]
