@@ -8,13 +8,14 @@ warned of. An error of input explains itself if it says what to do, or what is
 expected; a refusal also if that stands in the sentence around it. All others must be
 quoted in doc/troubleshooting.md, at least with their longest literal.
 """
-import os
 import re
 import sys
+from pathlib import Path
 
 CALLS = re.compile(
-    r"throw (?P<InputError>InputError\()|throw (?P<SolverError>SolverError\()|terminal\."
-    r"(?P<warning>warning\()|notices\.(?P<notice>push_back\()|(?P<refusal>\b(?:refuse\w*|differ)\()")
+    r"throw (?P<InputError>InputError\()|throw (?P<SolverError>SolverError\()"
+    r"|terminal\.(?P<warning>warning\()|notices\.(?P<notice>push_back\()"
+    r"|\b(?P<refusal>(?:refuse\w*|differ)\()")
 OUTCOME = re.compile(r"\boutcome = \"([^\"]*)\";")
 # Parts of sentences that are put together elsewhere.
 OTHERS = [
@@ -103,21 +104,16 @@ def check_file(code, manual):
 
 
 def main(top):
-    with open(os.path.join(top, "doc", "troubleshooting.md"), encoding="utf-8") as page:
-        manual = normal(page.read())
+    manual = normal(Path(top, "doc", "troubleshooting.md").read_text("utf-8"))
     counts, failures, literals = [0, 0], [], ""
-    for folder, _, files in sorted(os.walk(os.path.join(top, "source"))):
-        for file in sorted(files):
-            with open(os.path.join(folder, file), encoding="utf-8") as stream:
-                code = without_comments(stream.read())
-            n_messages, n_quoted, unexplained = check_file(code, manual)
-            counts = [counts[0] + n_messages, counts[1] + n_quoted]
-            failures += [f"{file}:{line}: {text}" for line, text in unexplained]
-            failures += [f"{file}: the outcome '{outcome}'" for outcome in
-                         OUTCOME.findall(code) if outcome not in manual]
-            literals += "\n".join(message(code)[0])
-    with open(os.path.join(top, "include/voussoir/statics/formulation.h")) as header:
-        literals += header.read()
+    for file in sorted([*Path(top, "source").rglob("*.cc"), *Path(top, "include").rglob("*.h")]):
+        code = without_comments(file.read_text("utf-8"))
+        n_messages, n_quoted, unexplained = check_file(code, manual)
+        counts = [counts[0] + n_messages, counts[1] + n_quoted]
+        failures += [f"{file.name}:{line}: {text}" for line, text in unexplained]
+        failures += [f"{file.name}: the outcome '{outcome}'"
+                     for outcome in OUTCOME.findall(code) if outcome not in manual]
+        literals += "\n".join(message(code)[0])
     for text in OTHERS:
         if text not in manual or text not in literals:
             failures.append(("" if text in literals else "nor in source/: ") + text)
@@ -128,5 +124,4 @@ def main(top):
 
 
 if __name__ == "__main__":
-    HERE = os.path.dirname(os.path.abspath(__file__))
-    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else os.path.join(HERE, "..", "..")))
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]))
