@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Every message that the program can print explains itself or is explained:
+
+    messages.py [TOP DIRECTORY OF THE PROJECT]
+
+Messages are the string literals in source/ of what is thrown, refused, noticed or
+warned of. An error of input explains itself if it says what to do, or what is
+expected; a refusal also if that stands in the sentence around it. All others must be
+quoted in doc/troubleshooting.md, at least with their longest literal.
+"""
+import re
+import sys
+from pathlib import Path
+
+CALLS = re.compile(
+    r"throw (?P<InputError>InputError\()|throw (?P<SolverError>SolverError\()"
+    r"|terminal\.(?P<warning>warning\()|notices\.(?P<notice>push_back\()"
+    r"|\b(?P<refusal>(?:refuse\w*|differ)\()")
+OUTCOME = re.compile(r"\boutcome = \"([^\"]*)\";")
+# Parts of sentences that are put together elsewhere.
+OTHERS = [
+    "The load is not carried: along a mechanism of the blocks that closes no joint it does",
+    "work that friction does not resist", "Not convex:",
+    "cells is not determined by the forces on their edges, and their mean stress is written "
+    "instead.", "face each other across a narrow gap near", "within the matching tolerance",
+    "The packing, supports and strengths must be those of the run that the forces are from; "
+    "leave 'Forces from' empty to solve.", "A file or directory cannot be used:",
+    "There is not enough memory for this packing.", "Interrupted by", "no effect, since",
+    "An unexpected error, which is a defect of the program, ended the run:",
+    "nothing to balance", "stopped at a looser tolerance", "failed to restore feasibility",
+    "failed to compute a step", "ended with Ipopt's status"]
+# An imperative that begins a clause, what is expected, or two entries that contradict
+# each other.
+INSTRUCTION = re.compile(
+    r"(^|[.,;:] |\b(or|and|so|then) )(change|choose|close|copy|cut|delete|draw|enlarge|give|"
+    r"join|keep|leave|lower|make|merge|move|name|open|redraw|reduce|remove|rename|repeat|run|"
+    r"save|see|set|take|try|write)\b|\b(must|expected|needs?|should be|not of the form|has at "
+    r"least|only .* may|there may be|the nearest are|reaches from|a cell is one loop|a line "
+    r"holds one|have the numbers from)\b|' is '[^']*', but '", re.IGNORECASE)
+HANDED_ON = re.compile(r"\b(fault|reason|where|advice|same_scene|here)\b")
+TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|'(?:[^'\\\n]|\\.)'|\"((?:[^\"\\]|\\.)*)\"", re.DOTALL)
+
+
+def normal(text):
+    return " ".join(text.split())
+
+
+def without_comments(code):
+    """Nor characters, such as '('; strings are left as they are."""
+    return TOKEN.sub(lambda token: token.group() if token.group()[0] == '"'
+                     else "\n" * token.group().count("\n"), code)
+
+
+def arguments(code, begin):
+    """From behind an opening parenthesis to the closing one."""
+    depth, i = 1, begin
+    while i < len(code) and depth:
+        literal = TOKEN.match(code, i)
+        depth += 0 if literal else {"(": 1, ")": -1}.get(code[i], 0)
+        i = literal.end() if literal else i + 1
+    return code[begin:i - 1]
+
+
+def message(call):
+    """The literals, joined where nothing is between them, and what follows the last."""
+    found, end = [], 0
+    for literal in TOKEN.finditer(call):
+        text = literal.group(1).replace('\\"', '"')
+        if found and not call[end:literal.start()].strip():
+            found[-1] += text
+        else:
+            found.append(text)
+        end = literal.end()
+    return [normal(text) for text in found], call[end:]
+
+
+def is_quoted(literals, manual):
+    longest = max(literals, key=len)
+    if len(longest.split()) >= 3:
+        return longest in manual
+    return "**" + "...".join(literals) in manual.replace(" ", "")
+
+
+def check_file(code, manual):
+    """How many messages there are and are quoted, and those that are unexplained."""
+    calls = [(match, arguments(code, match.end())) for match in CALLS.finditer(code)]
+    around = any(re.search(r"\b(fault|reason)\b", call) and
+                 INSTRUCTION.search(" ... ".join(message(call)[0]))
+                 for match, call in calls if match.lastgroup == "InputError")
+    n_messages, n_quoted, unexplained = 0, 0, []
+    for match, call in calls:
+        kind = match.lastgroup
+        literals, tail = message(call)
+        if not any(literals) or HANDED_ON.search(tail):
+            continue  # what it ends with is looked at by itself
+        text = " ... ".join(literals)
+        quoted = is_quoted(literals, manual)
+        explains = INSTRUCTION.search(text) or kind == "refusal" and around
+        n_messages += 1
+        n_quoted += quoted
+        if not quoted and not (explains and kind in ("InputError", "refusal")):
+            unexplained.append((code.count("\n", 0, match.start()) + 1, text))
+    return n_messages, n_quoted, unexplained
+
+
+def main(top):
+    manual = normal(Path(top, "doc", "troubleshooting.md").read_text("utf-8"))
+    counts, failures, literals = [0, 0], [], ""
+    for file in sorted([*Path(top, "source").rglob("*.cc"), *Path(top, "include").rglob("*.h")]):
+        code = without_comments(file.read_text("utf-8"))
+        n_messages, n_quoted, unexplained = check_file(code, manual)
+        counts = [counts[0] + n_messages, counts[1] + n_quoted]
+        failures += [f"{file.name}:{line}: {text}" for line, text in unexplained]
+        failures += [f"{file.name}: the outcome '{outcome}'"
+                     for outcome in OUTCOME.findall(code) if outcome not in manual]
+        literals += "\n".join(message(code)[0])
+    for text in OTHERS:
+        if text not in manual or text not in literals:
+            failures.append(("" if text in literals else "nor in source/: ") + text)
+    for failure in failures:
+        print(f"not in doc/troubleshooting.md: {failure}")
+    print(f"{counts[0]} messages, {counts[1]} of them quoted, {len(failures)} unexplained")
+    return 0 if not failures and counts[0] > 100 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]))
