@@ -103,6 +103,14 @@ Arguments parse(const std::vector<std::string> &words)
   return arguments;
 }
 
+/** Where the program writes, and what is behind that. */
+struct Streams
+{
+  std::ostream &out;
+  std::ostream &error;
+  const Screens &screens;
+};
+
 /** Print, and see to it that all of it arrives. */
 void print(std::ostream &out, const std::string &text)
 {
@@ -111,12 +119,12 @@ void print(std::ostream &out, const std::string &text)
                      "goes; is the disk full?");
 }
 
-void run(const Arguments &arguments,
-         std::ostream &out,
-         const Team &team,
-         const Screen &screen)
+void run(const Arguments &arguments, const Streams &streams, const Team &team)
 {
-  Terminal terminal(out, 1, screen);
+  // What remains of a quiet run are warnings, which belong to the errors.
+  Terminal terminal = arguments.quiet
+                          ? Terminal(streams.error, 1, streams.screens.error)
+                          : Terminal(streams.out, 1, streams.screens.out);
   if (arguments.quiet)
     terminal.be_quiet();
   Simulation simulation(terminal, team);
@@ -131,14 +139,14 @@ void run(const Arguments &arguments,
   if (arguments.print_reference)
   {
     write_reference(text, prm);
-    return print(out, text.str());
+    return print(streams.out, text.str());
   }
   if (arguments.print_parameters)
   {
     prm.print_parameters(text,
                          dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder);
-    return print(out, text.str());
+    return print(streams.out, text.str());
   }
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
@@ -150,29 +158,23 @@ void run(const Arguments &arguments,
                  fs::proximate(fs::canonical(arguments.file).parent_path()));
 }
 
-/** Where the one message of a run that fails goes. */
-struct ErrorStream
-{
-  std::ostream &out;
-  const Screen &screen;
-};
-
-int fail(const ErrorStream &error,
+int fail(const Streams &streams,
          const ExitStatus status,
          const std::string &message)
 {
-  error.out << error.screen.bad("voussoir:") << ' ' << message << std::endl;
+  streams.error << streams.screens.error.bad("voussoir:") << ' ' << message
+                << std::endl;
   return static_cast<int>(status);
 }
 } // namespace
 
 int run_command_line(const std::vector<std::string> &words,
                      std::ostream &out,
-                     std::ostream &error_out,
+                     std::ostream &error,
                      const Team &team,
                      const Screens &screens)
 {
-  const ErrorStream error{error_out, screens.error};
+  const Streams streams{out, error, screens};
   try
   {
     const Arguments arguments = parse(words);
@@ -193,34 +195,34 @@ int run_command_line(const std::vector<std::string> &words,
       out << "voussoir " << VOUSSOIR_VERSION << '\n';
       return 0;
     }
-    run(arguments, out, team, screens.out);
+    run(arguments, streams, team);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)
   {
-    return fail(error, ExitStatus::bad_input, e.what());
+    return fail(streams, ExitStatus::bad_input, e.what());
   }
   catch (const std::filesystem::filesystem_error &e)
   {
-    return fail(error, ExitStatus::bad_input,
+    return fail(streams, ExitStatus::bad_input,
                 std::string("A file or directory cannot be used: ") + e.what());
   }
   catch (const LoadNotCarried &e)
   {
-    return fail(error, ExitStatus::load_not_carried, e.what());
+    return fail(streams, ExitStatus::load_not_carried, e.what());
   }
   catch (const SolverError &e)
   {
-    return fail(error, ExitStatus::solver_failed, e.what());
+    return fail(streams, ExitStatus::solver_failed, e.what());
   }
   catch (const std::bad_alloc &)
   {
-    return fail(error, ExitStatus::solver_failed,
+    return fail(streams, ExitStatus::solver_failed,
                 "There is not enough memory for this packing.");
   }
   catch (const std::exception &e)
   {
-    return fail(error, ExitStatus::solver_failed,
+    return fail(streams, ExitStatus::solver_failed,
                 std::string("An unexpected error, which is a defect of the "
                             "program, ended the run:\n") +
                     e.what());

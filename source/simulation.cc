@@ -161,8 +161,8 @@ void Simulation::run(const dealii::ParameterHandler &prm,
       formulation.solve(problem, solver.controls(), terminal);
   terminal.stage("Statics",
                  text(formulation.name(), ": ", solution.outcome, " after ",
-                      solution.n_iterations, " iterations, ",
-                      solution.n_evaluations, " evaluations"));
+                      counted(solution.n_iterations, "iteration"), ", ",
+                      counted(solution.n_evaluations, "evaluation")));
   timer.leave_subsection();
 
   RunRecord record(scene);
@@ -331,7 +331,10 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
                            proof.closing_violation,
                            " of its size and the ratio of work to dissipation "
                            "is ",
-                           proof.work_over_dissipation, "."));
+                           proof.work_over_dissipation,
+                           ", which proves nothing. Try 'Formulation = least "
+                           "energy', or a load farther from what the packing "
+                           "can carry."));
 
   if (proof.work_over_dissipation > frictionless_ratio)
     collapse.proof.work_over_dissipation =
@@ -348,7 +351,7 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
   {
     add("mechanism.vtu", write_mechanism_vtu);
     write_collection(files, {"mechanism.vtu"});
-    to_look_at.push_back("mechanism.vtu");
+    to_look_at.push_back("results.pvd");
   }
   if (writes(ResultFiles::csv))
   {
@@ -382,8 +385,9 @@ void Simulation::check_certificate(const Results &results) const
           "that the forces are from, and 'Solver/Tolerance' must not be less; "
           "or leave 'Forces from' empty to solve."));
     throw SolverError(text(
-        "The solver ", results.outcome, " after ", results.n_iterations,
-        " iterations, without forces that balance the load: the certificate "
+        "The solver ", results.outcome, " after ",
+        counted(results.n_iterations, "iteration"),
+        ", without forces that balance the load: the certificate "
         "finds a residual of ",
         certificate.equilibrium_residual, " and a violation of ",
         certificate.admissibility_violation,
@@ -397,11 +401,11 @@ void Simulation::check_certificate(const Results &results) const
                                    : results.earlier_outcome;
   if (!is_loaded(results.scene))
     terminal.warning(
-        "no load acts on the packing, so that all forces are zero. "
+        "No load acts on the packing, so that all forces are zero. "
         "The section 'Loads' gives loads.");
   else if (outcome != "converged" && outcome != nothing_to_balance)
     terminal.warning(text(
-        "the solver ", outcome,
+        "The solver ", outcome,
         ". The forces are balanced and admissible to what is said below, but "
         "may differ from those of the named selection."));
 }
@@ -431,6 +435,10 @@ void Simulation::publish(ResultDirectory &files,
     write_summary_json(out, found); // last: it marks a complete set
   });
   files.publish();
-  terminal.stage("Output", "written to " + output_directory);
+  terminal.stage("Output",
+                 "written to " + output_directory +
+                     (writes(ResultFiles::vtu)
+                          ? "; results.pvd opens all of it in ParaView"
+                          : ""));
 }
 } // namespace Voussoir

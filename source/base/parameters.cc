@@ -47,7 +47,6 @@ std::string explain(const dealii::ExceptionBase &exception,
     if (is_file)
       place = "Line " + line + " of " + place;
   }
-  message = std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
   std::smatch found;
   const auto is = [&](const char *pattern) {
     return std::regex_match(message, found, std::regex(pattern));
@@ -56,13 +55,15 @@ std::string explain(const dealii::ExceptionBase &exception,
          "given pattern: (\\[.*\\])\\.?"))
     return place + ": '" + found[2].str() + "' is '" + found[1].str() +
            "', but must be " + text_of_pattern(found[3]) + ".";
-  if (is("No entry with name '(.*)' was declared in the current subsection\\."))
+  if (is("No entry with name <(.*)> was declared in the current subsection\\."))
     return place + ": there is no parameter '" + found[1].str() +
            "' in this section.";
-  if (is("There is no such subsection to be entered: (.*)"))
-    return place + ": there is no section '" +
-           std::regex_replace(found[1].str(), std::regex("\\.$"), "") +
-           "' here.";
+  if (is("There is no such subsection to be entered: (.*?)\\.?"))
+    return place + ": there is no section '" + found[1].str() + "' here.";
+  if (is("The line <(.*)> could not be parsed: .*"))
+    return place + ": '" + found[1].str() +
+           "' is neither 'set NAME = VALUE' nor 'subsection NAME' nor 'end'.";
+  message = std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
   if (message.back() != '.')
     message += '.';
   return place + ": " + message;

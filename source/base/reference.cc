@@ -106,8 +106,8 @@ std::string text_of_pattern(const std::string &description)
     return text_of_range("a whole number", found[1], found[2]);
   if (is("\\[Selection (.*?) ?\\]"))
     return "one of " + quoted(found[1]);
-  if (is("\\[List of '(.*)' of length (\\d+)\\.\\.\\.(\\d+) \\(inclusive\\)"
-         "(?: separated by '(.*)')?\\]"))
+  if (is("\\[List of <(.*)> of length (\\d+)\\.\\.\\.(\\d+) \\(inclusive\\)"
+         "(?: separated by <(.*)>)?\\]"))
   {
     const std::string separator = found[4].matched ? found[4].str() : ",";
     const std::string length = found[2] == found[3]

@@ -129,8 +129,9 @@ void assign_groups(Packing &packing, const std::string &groups)
     if (!any)
       throw InputError("The condition '" + condition + "' of the group '" +
                        name +
-                       "' in 'Packing/Groups' is met by no cell; x and "
-                       "y are the coordinates of a cell's centre.");
+                       "' in 'Packing/Groups' is met by no cell; change it, or "
+                       "leave the group out. x and y are the coordinates of a "
+                       "cell's centre.");
   }
 }
 } // namespace Voussoir

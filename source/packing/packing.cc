@@ -140,7 +140,10 @@ void Packing::check_shape(const unsigned int c)
   }
   // A positive area still allows a loop that winds twice.
   if (turning > 3. * dealii::numbers::PI)
-    refuse(c, vertex(c, 0), "crosses itself; its loop winds more than once.");
+    refuse(
+        c, vertex(c, 0),
+        "crosses itself: its loop winds more than once; draw it as one simple "
+        "loop.");
 
   const Point<2> &centre = mesh.centres[c];
   for (unsigned int i = 0; i < n_sides(c); ++i)
@@ -149,7 +152,9 @@ void Packing::check_shape(const unsigned int c)
     if (cross(side, centre - vertex(c, i)) > 0.)
       continue;
     if (convex)
-      refuse(c, centre, "does not have its centre inside; move the centre.");
+      refuse(c, centre,
+             "does not have its centre inside; move the point or line of "
+             "'Points file' or 'Centres file' that it is from.");
     refuse(c, vertex(c, i),
            text("is not convex, and the side that begins there cannot be seen "
                 "from its centre ",

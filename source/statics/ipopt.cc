@@ -308,7 +308,7 @@ std::string describe(const Ipopt::ApplicationReturnStatus status)
   case Ipopt::Error_In_Step_Computation:
     return "failed to compute a step";
   default:
-    return text("ended with Ipopt's status ", static_cast<int>(status));
+    return text("ended with the status ", static_cast<int>(status));
   }
 }
 } // namespace
@@ -353,7 +353,9 @@ IpoptResult solve_with_ipopt(const DiscreteProblem &problem,
   if (result.mechanism)
     result.outcome = "stopped by a proof of collapse";
   else if (result.x.empty())
-    throw SolverError("Ipopt " + result.outcome + ".");
+    throw SolverError("Ipopt " + result.outcome +
+                      " before its first iteration. Try 'Formulation = least "
+                      "energy', which does without Ipopt.");
   return result;
 }
 

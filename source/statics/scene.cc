@@ -137,8 +137,9 @@ void Scene::check_balance(const std::vector<double> &size) const
            ? " Nothing supports the packing, so the total force must be zero; "
              "change the loads, or choose 'Supports/Where'."
            : " What floats touches neither the ground nor what rests on it: "
-             "close the gaps, for example by a larger matching tolerance, or "
-             "change 'Supports/Where'."));
+             "support it by 'Supports/Where', balance its loads, or, if it was "
+             "read from a file with gaps, close them or enlarge 'Packing/"
+             "polygons/Matching tolerance'."));
 }
 
 /** A cell by itself carries nothing: what is left of its load is rounding. */

@@ -86,9 +86,9 @@ std::vector<std::string> undetermined_cells(const Scene &scene,
   if (field.undetermined.empty())
     return {};
   const unsigned int c = field.undetermined.front();
-  return {text("The stress inside ", field.undetermined.size(),
-               " cells is not determined by the forces on their edges, and "
-               "their mean stress is written instead. The first is cell ",
+  return {text("The stress inside ", counted(field.undetermined.size(), "cell"),
+               " is not determined by the forces on their edges, and "
+               "the mean stress is written instead. The first is cell ",
                c, " at ", text_of_point(scene.packing.centre(c)),
                "; summary.json lists all.")};
 }

@@ -80,9 +80,10 @@ int main()
         last.empty() || last.substr(last.rfind('\r')) == clear_line);
   screen.width = 20;
   shown = shown_on(screen);
-  check("not wider than the screen",
-        shown.rfind(std::string(clear_line) + "  Stress: 10 of 10" + clear_line,
-                    0) == 0);
+  check(
+      "not wider than the screen",
+      shown.rfind(std::string(clear_line) + "  Stress: 10 of 100" + clear_line,
+                  0) == 0);
 
   const auto terminal_says = [](const Screen &screen, const bool quiet) {
     std::ostringstream out;

@@ -21,14 +21,14 @@ OUTCOME = re.compile(r"\boutcome = \"([^\"]*)\";")
 OTHERS = [
     "The load is not carried: along a mechanism of the blocks that closes no joint it does",
     "work that friction does not resist", "Not convex:",
-    "cells is not determined by the forces on their edges, and their mean stress is written "
-    "instead.", "face each other across a narrow gap near", "within the matching tolerance",
+    "is not determined by the forces on their edges, and the mean stress is written instead.",
+    "face each other across a narrow gap near", "within the matching tolerance",
     "The packing, supports and strengths must be those of the run that the forces are from; "
     "leave 'Forces from' empty to solve.", "A file or directory cannot be used:",
     "There is not enough memory for this packing.", "Interrupted by", "no effect, since",
     "An unexpected error, which is a defect of the program, ended the run:",
     "nothing to balance", "stopped at a looser tolerance", "failed to restore feasibility",
-    "failed to compute a step", "ended with Ipopt's status"]
+    "failed to compute a step", "ended with the status"]
 # An imperative that begins a clause, what is expected, or two entries that contradict
 # each other.
 INSTRUCTION = re.compile(

@@ -73,19 +73,22 @@ int main()
         std::count(quiet.begin(), quiet.end(), '\n') <= 10);
 
   check("--quiet shows nothing", run({"sub/scene.prm", "--quiet"}).empty());
-  check("but warnings",
-        run({"sub/scene.prm", "--quiet", "--set", "Packing/Generator=polygons",
-             "--set", "Packing/polygons/File=notched.wkt"})
-                .rfind("Warning", 0) == 0);
+  const auto quiet_warnings = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"sub/scene.prm", "--quiet"});
+    std::ostringstream out, error;
+    Voussoir::run_command_line(words, out, error);
+    return out.str().empty() ? error.str() : "FAILED: " + out.str();
+  };
+  std::cout << quiet_warnings({"--set", "Loads/Traction=0; 0"});
 
   // What belongs to another choice has no effect, and is named.
-  std::cout << run({"sub/scene.prm", "--quiet", "--set",
-                    "Packing/wall/Courses=3", "--set", "Packing/wall/Width=2",
-                    "--set", "Solver/least energy/Modulus=7", "--set",
-                    "Stress/Refinements=1"});
+  std::cout << quiet_warnings({"--set", "Packing/wall/Courses=3", "--set",
+                               "Packing/wall/Width=2", "--set",
+                               "Solver/least energy/Modulus=7", "--set",
+                               "Stress/Refinements=1"});
   check("what is used is not named",
-        run({"sub/scene.prm", "--quiet", "--set", "Accuracy=fine", "--set",
-             "Stress/Refinements=1"})
+        quiet_warnings(
+            {"--set", "Accuracy=fine", "--set", "Stress/Refinements=1"})
             .empty());
 
   // What is not asked for is not written, and no older file stays.
