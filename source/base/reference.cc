@@ -110,11 +110,16 @@ std::string text_of_pattern(const std::string &description)
          "(?: separated by <(.*)>)?\\]"))
   {
     const std::string separator = found[4].matched ? found[4].str() : ",";
-    const std::string length = found[2] == found[3]
-                                   ? found[2].str()
-                                   : found[2].str() + " to " + found[3].str();
+    const std::string low = found[2], high = found[3];
+    std::string values = "values";
+    if (low == high)
+      values = low + " values";
+    else if (high != "2147483647")
+      values = low + " to " + high + " values";
+    else if (low != "0")
+      values = "at least " + low + " values";
     const std::string element = text_of_pattern(found[1]);
-    return length + " values separated by '" + separator + "'" +
+    return values + " separated by '" + separator + "'" +
            (element == "any text" ? "" : ", each " + element);
   }
   return description;

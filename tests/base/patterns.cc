@@ -25,6 +25,8 @@ int main()
   show(Integer(0, 2));
   show(Selection("least energy|linear program"));
   show(List(Anything(), 2, 2, ";"));
+  show(List(Double(), 0));
+  show(List(Double(), 2));
   show(List(List(Double(), 2, 2, ","), 1, 3, ";"));
   show(DirectoryName()); // not in use: as deal.II says it
 }
