@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""What README.md and the tutorial quote is what the program prints:
+
+    quotations.py VOUSSOIR TOP DIRECTORY OF THE PROJECT
+
+Numbers are compared to five digits, and those below 1e-9 count as zero: they are
+rounding.
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+NUMBER = re.compile(r"-?\d+\.?\d*(e[-+]?\d+)?")
+
+
+def rounded(text):
+    def five_digits(number):
+        value = float(number.group())
+        return f"{0 if abs(value) < 1e-9 else value:.5g}"
+    text = re.sub(r"written to [^;]*;", "written to ...;", text)
+    return NUMBER.sub(five_digits, text)
+
+
+def quotation(page, begin):
+    """The indented block of a page that begins so, without the indentation."""
+    found = re.search(rf"^    {begin}.*(?:\n(?:    .*|)$)*", page, re.MULTILINE)
+    if not found:
+        sys.exit(f"no block begins with '{begin}'")
+    lines = [line[4:] for line in found.group().splitlines()]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def expect(what, found, quoted):
+    if found != quoted:
+        sys.exit(f"{what} is quoted as\n{quoted}\nand is\n{found}")
+
+
+program, top = sys.argv[1], Path(sys.argv[2])
+readme = (top / "README.md").read_text()
+tutorial = (top / "doc/tutorial.md").read_text()
+scene = top / "prm/tutorial_wall.prm"
+
+
+def run(file, *settings):
+    words = [program, str(file), "--set", "Output directory=quotations"]
+    for setting in settings:
+        words += ["--set", setting]
+    return subprocess.run(words, capture_output=True, text=True)
+
+
+expect("prm/tutorial_wall.prm", scene.read_text(),
+       quotation(tutorial, "# A wall with a door"))
+for name, page, file in (("README.md", readme, top / "prm/shear_wall.prm"),
+                         ("the tutorial", tutorial, scene)):
+    expect(f"the output in {name}", rounded(run(file).stdout),
+           rounded(quotation(page, "Packing  ")))
+
+push = "Loads/Body force=4; -20"
+expect("the collapse in the tutorial",
+       rounded(run(scene, push, "Friction/Strength=10.09").stderr),
+       rounded(quotation(tutorial, "voussoir: The load is not carried")))
+# Its answers: no friction is needed under weight, and 10.1 with the push.
+for settings, status in ((("Friction/Strength=0",), 0),
+                         ((push, "Friction/Strength=10.1001"), 0),
+                         ((push, "Friction/Strength=10.0999"), 3)):
+    expect(f"the status with {settings}", run(scene, *settings).returncode, status)
+own = readme[readme.index("## Write your own scene"):]
+Path("readme.prm").write_text(quotation(own, "set Output directory"))
+expect("the status of the scene in README.md", run("readme.prm").returncode, 0)
+print("The quotations are right")
