@@ -41,8 +41,9 @@ def parse(arguments):
                         "the largest")
     parser.add_argument("--width", type=int, default=800, help="in pixels")
     parser.add_argument("--columns", type=int, help="panels in a row")
-    parser.add_argument("--titles", nargs="+", help="of the panels; end them by --; "
-                        "default: the selection, if there are several panels")
+    parser.add_argument("--titles", type=lambda text: text.split(";"), help="of the "
+                        "panels, as 'one; two'; default: the selection, if there "
+                        "are several panels")
     parser.add_argument("--sub-cells", action="store_true",
                         help="crosses of the sub-cells, not of the blocks")
     parser.add_argument("--fraction", type=float, default=0.5,
@@ -109,6 +110,8 @@ class Picture:
             return f"principal stresses; an arm as long as its block is wide: {limit}"
         if self.name == "chains":
             return f"normal forces; the widest line: {limit}"
+        if self.name == "blocks":
+            return "groups of blocks"
         if self.name == "utilisation":
             return "utilisation of friction; at 1 an interface slides"
         if self.name in ("mechanism", "animation"):
@@ -212,7 +215,7 @@ def draw(picture, options, bounds=None):
                        line * layer.line_width)
         if titles:
             figure.text(middle[0], middle[1] + layout.height / 2 + 0.4 * layout.font,
-                        titles[i], layout.font, layout.width)
+                        titles[i].strip(), layout.font, layout.width)
     x, y = layout.size[0] / 2, 0.5 * layout.font
     figure.text(x, y + 2.2 * layout.font, picture.legend_title(), layout.font,
                 options.width - 2 * layout.gap)
