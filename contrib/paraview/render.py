@@ -143,13 +143,13 @@ class Layout:
         self.bounds = bounds
         self.columns = min(n, options.columns or 3)
         self.rows = -(-n // self.columns)
-        self.font = float(np.clip(width / 50, 8, 40))
+        self.font = float(np.clip(width / 50, 11, 40))
         self.gap = round(max(6, width / 50))
         self.title = 2.0 * self.font if titled else 0
         self.legend = 4.2 * self.font
         self.width = (width - self.gap) / self.columns - self.gap
         extents = [high - low for low, high in bounds]
-        self.height = min(self.width * max(y / x for x, y in extents), 0.8 * width)
+        self.height = min(self.width * max(y / x for x, y in extents), width)
         self.size = (width, round(self.rows * (self.height + self.title + self.gap) +
                                   self.gap + self.legend))
 
