@@ -56,12 +56,13 @@ PICTURES = [
      ("--width", "500")),
     ("rubble_wall", "rubble_wall", OWN, "sigma_yy", ()),
     ("rubble_wall_blocks", "rubble_wall", OWN, "blocks", ()),
-    ("graded_hexagon", "graded_hexagon", OWN, "sigma_xx", ("--width", "700")),
+    ("graded_hexagon", "graded_hexagon", OWN, "sigma_xx",
+     ("--width", "700", "--limit", "2.6")),
     ("graded_hexagon_principal", "graded_hexagon", OWN, "principal",
      ("--width", "700")),
     ("million_cells", "million_cells",
      (("Packing/Voronoi/Number of points=10000",),), "sigma_xx",
-     ("--width", "500")),
+     ("--width", "500", "--limit", "3.6")),
 ]
 
 
