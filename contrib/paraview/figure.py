@@ -13,6 +13,11 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws all else
 
 INK = (0.15, 0.15, 0.15)
 
+# All figures share it, since to open one takes time.
+window = vtkRenderWindow()
+window.SetOffScreenRendering(1)
+window.SetMultiSamples(8)
+
 
 def poly_data(points, offsets, corners, lines):
     """Of points (n, 3)."""
@@ -29,11 +34,9 @@ class Figure:
     def __init__(self, width, height):
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(1)
-        self.window.SetMultiSamples(8)
-        self.window.SetSize(width, height)
-        self.window.AddRenderer(self.renderer)
+        window.SetSize(width, height)
+        window.GetRenderers().RemoveAllItems()
+        window.AddRenderer(self.renderer)
         self.layers = 0
         camera = self.renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
@@ -87,9 +90,9 @@ class Figure:
                  np.arange(4 * n), colours)
 
     def image(self):
-        self.window.Render()
+        window.Render()
         grab = vtkWindowToImageFilter()
-        grab.SetInput(self.window)
+        grab.SetInput(window)
         grab.SetInputBufferTypeToRGB()
         grab.ReadFrontBufferOff()
         grab.Update()

@@ -181,9 +181,11 @@ def draw_bar(figure, picture, x, y, layout):
     values = np.linspace(low, 1, 256)
     figure.rectangles(edges[:-1], edges[1:], y + 1.25 * font, y + 1.95 * font,
                       interpolate(picture.view.scale, values))
-    for part in np.linspace(0, 1, 5):
+    n_labels = 5 if width > 20 * font else 3
+    for part in np.linspace(0, 1, n_labels):
         value = picture.limit * (low + (1 - low) * part)
-        figure.text(x + (part - 0.5) * width, y, f"{value:.3g}", 0.9 * font)
+        figure.text(x + (part - 0.5) * width, y, f"{value:.3g}", 0.9 * font,
+                    0.9 * width / (n_labels - 1))
 
 
 def draw_swatches(figure, swatches, x, y, layout):
@@ -277,6 +279,10 @@ def main(arguments):
             render(options.view, options.picture, results, options)
     except NotThere as error:
         print(f"render.py: {error}", file=sys.stderr)
+        return 2
+    except KeyError as error:  # a field of a file, by its name
+        print(f"render.py: The results have no {error}; make them again with this "
+              "version of voussoir.", file=sys.stderr)
         return 2
     return 0
 
