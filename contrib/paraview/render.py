@@ -72,6 +72,11 @@ def check(options):
         raise NotThere(f"There is no directory '{folder}' for the picture.")
 
 
+def number(value):
+    text = f"{value:.3g}"
+    return f"{value:.0f}" if "e+" in text and abs(value) < 1e6 else text
+
+
 class Picture:
     """A view of some results, with its scale and legend."""
 
@@ -105,7 +110,7 @@ class Picture:
         return [self.view.layers(r, self.limit, self.options) for r in self.results]
 
     def legend_title(self):
-        limit = f"{self.limit:.3g}"
+        limit = number(self.limit)
         if self.name == "principal":
             return f"principal stresses; an arm as long as its block is wide: {limit}"
         if self.name == "chains":
@@ -119,8 +124,8 @@ class Picture:
         if self.name == "displacement":
             factor = (self.options.fraction * block_size(self.results[0].blocks()) /
                       self.limit)
-            return f"displacement, drawn {factor:.3g} times as large"
-        return f"{self.name}, from {self.low:.3g} to {self.high:.3g}"
+            return f"displacement, drawn {number(factor)} times as large"
+        return f"{self.name}, from {number(self.low)} to {number(self.high)}"
 
     def swatches(self):
         """The colours and words of a legend that is not a bar."""
@@ -184,7 +189,7 @@ def draw_bar(figure, picture, x, y, layout):
     n_labels = 5 if width > 20 * font else 3
     for part in np.linspace(0, 1, n_labels):
         value = picture.limit * (low + (1 - low) * part)
-        figure.text(x + (part - 0.5) * width, y, f"{value:.3g}", 0.9 * font,
+        figure.text(x + (part - 0.5) * width, y, number(value), 0.9 * font,
                     0.9 * width / (n_labels - 1))
 
 

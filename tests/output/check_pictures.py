@@ -132,6 +132,9 @@ def check_colours():
     expect("chains of the arch", share(image[:240], BLUE) > 0.01)
     image = view("utilisation", "pictures/arch", width=600)
     expect("joints that slide", share(image[:240], MOST) > 0.002)
+    image = view("principal", "pictures/arch", width=600, options=["--sub-cells"])
+    expect("crosses of sub-cells", share(image[:240], BLUE) > 0.005 and
+           share(image[:240], RED) > 0.0002)
     image = view("mechanism", "pictures/collapse")
     expect("the middle falls", share(image, MOST) > 0.02)
 
@@ -177,6 +180,14 @@ def check_refusals():
             ([["sigma_xx", to]], "The following arguments are required: DIRECTORY; "
              "see --help.")):
         expect_refusal(*arguments, message)
+    broken = shutil.copytree(arch, "pictures/broken")
+    shutil.copy(f"{arch}/interfaces.vtu", f"{broken}/blocks.vtu")
+    expect_refusal(["principal", to, broken], "The results have no 'stress'; make "
+                   "them again with this version of voussoir.")
+    with open(f"{broken}/blocks.vtu", "w") as file:
+        file.write("no grid")
+    expect_refusal(["principal", to, broken], f"'{broken}' has no blocks.vtu that "
+                   "can be read; its status is 'solved'.")
     done = subprocess.run(["pvbatch", f"{SOURCE}/contrib/paraview/render.py",
                            "sigma_xx", to, "nowhere"], capture_output=True, text=True)
     expect(f"as a program: {done}", (done.returncode, done.stderr) == (
