@@ -63,8 +63,8 @@ def crosses(blocks, limit=None):
     """Two arms a block along the principal directions: begin, end, width, value.
 
     An arm is as long as the root of the block's area where the stress is limit."""
-    area, centre = blocks.areas_and_centroids()
     xx, xy, _, yx, yy = blocks.of_cells["stress"][:, :5].T
+    area, centre = blocks.areas_and_centroids()
     mean, radius = (xx + yy) / 2, np.hypot((xx - yy) / 2, (xy + yx) / 2)
     angle = np.arctan2((xy + yx) / 2, (xx - yy) / 2) / 2
     value = np.concatenate((mean + radius, mean - radius))

@@ -81,6 +81,10 @@ def parse():
             parser.error(f"there is no picture '{name}'")
     if not options.program:
         parser.error("--program is needed; contrib/pictures gives it")
+    if not os.access(options.program, os.X_OK):
+        parser.error(f"there is no program '{options.program}'")
+    if not os.path.isdir(options.output):
+        parser.error(f"there is no directory '{options.output}'")
     return options
 
 

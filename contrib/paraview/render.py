@@ -112,7 +112,8 @@ class Picture:
     def legend_title(self):
         limit = number(self.limit)
         if self.name == "principal":
-            return f"principal stresses; an arm as long as its block is wide: {limit}"
+            cell = "sub-cell" if self.options.sub_cells else "block"
+            return f"principal stresses; an arm as long as its {cell} is wide: {limit}"
         if self.name == "chains":
             return f"normal forces; the widest line: {limit}"
         if self.name == "blocks":
