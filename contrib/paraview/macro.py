@@ -148,6 +148,8 @@ def result_directory(source):
                 file = file if isinstance(file, str) else file[0]
                 return os.path.dirname(os.path.abspath(file))
         source = getattr(source, "Input", None)
+        if source is not None and not hasattr(source, "GetProperty"):
+            source = source[0]  # the first of several
     raise RuntimeError("Open a file of a result directory and select it first.")
 
 
@@ -193,12 +195,15 @@ def read(directory, name, shown_name):
 
 
 def show_mechanism(mechanism, view):
-    from paraview.simple import RenameSource, Show, WarpByVector
+    from paraview.simple import ColorBy, RenameSource, Show, WarpByVector
     warped = WarpByVector(Input=mechanism, Vectors=["POINTS", "displacement"],
                           ScaleFactor=1)
     RenameSource("Mechanism", warped)
     shown = Show(warped, view)
+    ColorBy(shown, ("POINTS", "displacement"))
     shown.SetRepresentationType("Surface With Edges")
+    shown.SetScalarBarVisibility(view, True)
+    flat(shown)
     outline(mechanism, view)
 
 
