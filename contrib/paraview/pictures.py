@@ -1,0 +1,123 @@
+"""Makes the pictures of doc/images; started by contrib/pictures."""
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+
+import render
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+# The selections, beside each other in the pictures of the paper's tests.
+CONTACT = "Solver/smoothed friction/Contact="
+BARRIER = "Solver/analytic centre/Barrier weights="
+SELECTIONS = {
+    "smoothed friction, compliant": ("Formulation=smoothed friction",
+                                     CONTACT + "compliant"),
+    "smoothed friction, hard": ("Formulation=smoothed friction", CONTACT + "hard"),
+    "linear program": ("Formulation=linear program",),
+    "least energy": ("Formulation=least energy",),
+    "analytic centre, edge area": ("Formulation=analytic centre",
+                                   BARRIER + "edge area"),
+    "analytic centre, equal": ("Formulation=analytic centre", BARRIER + "equal")}
+ALL = tuple(SELECTIONS.values())
+SIX = ("--titles", "; ".join(SELECTIONS))
+OWN = ((),)  # as the scene is
+LOW = "Friction/Strength="
+
+# Name of the picture, scene of prm/, settings of each panel, view, and options of
+# render.py. This is the one place where pictures are defined.
+PICTURES = [
+    ("verification_1", "verification_1", ALL, "sigma_xx", (*SIX, "--limit", "2")),
+    ("verification_2", "verification_2", ALL, "sigma_xx", (*SIX, "--limit", "2")),
+    ("shear_wall_selections", "shear_wall", ALL, "sigma_xy",
+     (*SIX, "--limit", "2")),
+    ("shear_wall", "shear_wall", OWN, "sigma_xy", ()),
+    ("shear_wall_collapse", "shear_wall", ((LOW + "0.9",),), "mechanism", ()),
+    ("homogeneous_compression", "homogeneous_compression", ALL, "sigma_xx",
+     (*SIX, "--limit", "4")),
+    ("homogeneous_compression_chains", "homogeneous_compression", ALL, "chains",
+     (*SIX, "--limit", "0.4", "--width", "720")),
+    ("homogeneous_compression_hard", "homogeneous_compression",
+     ((CONTACT + "hard",),), "sigma_xx", ("--limit", "4")),
+    ("wall_with_openings", "wall_with_openings", OWN, "sigma_yy", ("--limit", "120")),
+    ("wall_with_openings_chains", "wall_with_openings", OWN, "chains", ()),
+    ("arch", "arch", OWN, "sigma_yy", ()),
+    ("arch_chains", "arch", OWN, "chains", ()),
+    ("arch_utilisation", "arch", OWN, "utilisation", ()),
+    ("arch_collapse", "arch", ((LOW + "12.9",),), "mechanism", ()),
+    ("pointed_vault", "pointed_vault", OWN, "sigma_yy", ()),
+    ("pointed_vault_principal", "pointed_vault", OWN, "principal", ()),
+    ("retaining_wall", "retaining_wall", OWN, "sigma_xy", ("--width", "500")),
+    ("retaining_wall_principal", "retaining_wall", OWN, "principal",
+     ("--width", "500")),
+    ("retaining_wall_collapse", "retaining_wall", ((LOW + "22",),), "mechanism",
+     ("--width", "500")),
+    ("rubble_wall", "rubble_wall", OWN, "sigma_yy", ()),
+    ("rubble_wall_blocks", "rubble_wall", OWN, "blocks", ()),
+    ("graded_hexagon", "graded_hexagon", OWN, "sigma_xx",
+     ("--width", "700", "--limit", "2.6")),
+    ("graded_hexagon_principal", "graded_hexagon", OWN, "principal",
+     ("--width", "700")),
+    ("million_cells", "million_cells",
+     (("Packing/Voronoi/Number of points=10000",),), "sigma_xx",
+     ("--width", "500", "--limit", "3.6")),
+]
+
+
+def parse():
+    parser = argparse.ArgumentParser(
+        prog="contrib/pictures", description="Makes the pictures of doc/images.")
+    parser.add_argument("--program", metavar="PATH",
+                        help="a built voussoir; by default it is built first")
+    parser.add_argument("--only", nargs="+", metavar="NAME",
+                        help="of the pictures: " + ", ".join(p[0] for p in PICTURES))
+    parser.add_argument("--output", metavar="DIRECTORY",
+                        default=os.path.join(TOP, "doc", "images"))
+    options = parser.parse_args()
+    for name in options.only or ():
+        if name not in [picture[0] for picture in PICTURES]:
+            parser.error(f"there is no picture '{name}'")
+    if not options.program:
+        parser.error("--program is needed; contrib/pictures gives it")
+    if not os.access(options.program, os.X_OK):
+        parser.error(f"there is no program '{options.program}'")
+    if not os.path.isdir(options.output):
+        parser.error(f"there is no directory '{options.output}'")
+    return options
+
+
+def run(program, scene, settings, directory):
+    """The results of a scene, in the directory; a collapse is a result too."""
+    command = [program, os.path.join(TOP, "prm", scene + ".prm"),
+               "--set", "Output directory=" + directory]
+    for setting in settings:
+        command += ["--set", setting]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode not in (0, 3):
+        sys.exit(f"contrib/pictures: {' '.join(command)}: {done.stderr}")
+
+
+def main():
+    options = parse()
+    directories = {}  # of what has been run
+    with tempfile.TemporaryDirectory(prefix="voussoir-pictures-") as results:
+        for name, scene, panels, view, extra in PICTURES:
+            if options.only and name not in options.only:
+                continue
+            print(name, flush=True)
+            for settings in panels:
+                if (scene, settings) not in directories:
+                    directory = os.path.join(results, str(len(directories)))
+                    run(options.program, scene, settings, directory)
+                    directories[scene, settings] = directory
+            status = render.main([view, *extra,
+                                  os.path.join(options.output, name + ".png"),
+                                  *(directories[scene, s] for s in panels)])
+            if status:
+                sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

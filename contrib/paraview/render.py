@@ -1,0 +1,297 @@
+"""Pictures of results, without a screen:
+
+    xvfb-run -a pvbatch contrib/paraview/render.py VIEW PICTURE DIRECTORY...
+
+See --help. In code: main(arguments) returns the exit status.
+"""
+import argparse
+import os
+import sys
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from figure import Figure, write_png
+from voussoir_views import (COMPRESSION, GROUPS, ROUNDING, TENSION, VIEWS, NotThere,
+                            Results, block_size, interpolate)
+
+FRAMES = 24
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise NotThere(f"{message[0].upper()}{message[1:]}; see --help.")
+
+
+def parse(arguments):
+    parser = Parser(prog="render.py", description="Pictures of results of voussoir.")
+    parser.add_argument("view", metavar="VIEW",
+                        help=", ".join(VIEWS) + "; or all: each one that the "
+                        "results allow, in the directory PICTURE")
+    parser.add_argument("picture", metavar="PICTURE",
+                        help="a .png; of an animation also .ogv, or NAME_%%02d.png "
+                        "for numbered frames")
+    parser.add_argument("directories", metavar="DIRECTORY", nargs="+",
+                        help="with results; several are shown side by side, "
+                        "with the same colours")
+    parser.add_argument("--limit", type=float, help="the value at the end of the "
+                        "colours, of the longest cross or widest chain; default: "
+                        "the largest")
+    parser.add_argument("--width", type=int, default=800, help="in pixels")
+    parser.add_argument("--columns", type=int, help="panels in a row")
+    parser.add_argument("--titles", type=lambda text: text.split(";"), help="of the "
+                        "panels, as 'one; two'; default: the selection, if there "
+                        "are several panels")
+    parser.add_argument("--sub-cells", action="store_true",
+                        help="crosses of the sub-cells, not of the blocks")
+    parser.add_argument("--fraction", type=float, default=0.5,
+                        help="of the mean block that the largest displacement is "
+                        "drawn as; default 0.5")
+    return parser.parse_intermixed_args(arguments)
+
+
+def check(options):
+    if options.view not in VIEWS and options.view != "all":
+        raise NotThere(f"There is no view '{options.view}'; choose one of "
+                       f"{', '.join(VIEWS)}, or all.")
+    if options.limit is not None and not 0 < options.limit < np.inf:
+        raise NotThere("The limit must be positive.")
+    if not 100 <= options.width <= 8000:
+        raise NotThere("The width must be between 100 and 8000 pixels.")
+    if options.columns is not None and options.columns < 1:
+        raise NotThere("There must be at least one column.")
+    if options.titles and len(options.titles) != len(options.directories):
+        raise NotThere("Give as many titles as directories.")
+    endings = {"all": ("",), "animation": (".png", ".ogv")}
+    if not options.picture.endswith(endings.get(options.view, (".png",))):
+        raise NotThere(f"A picture is a .png, and '{options.picture}' is not.")
+    folder = os.path.dirname(os.path.abspath(options.picture))
+    if not os.path.isdir(folder):
+        raise NotThere(f"There is no directory '{folder}' for the picture.")
+
+
+def number(value):
+    text = f"{value:.3g}"
+    return f"{value:.0f}" if "e+" in text and abs(value) < 1e6 else text
+
+
+class Picture:
+    """A view of some results, with its scale and legend."""
+
+    def __init__(self, name, results, options):
+        self.name, self.view, self.results = name, VIEWS[name], results
+        self.options = options
+        for result in results:
+            if not result.has(self.view.file):
+                raise NotThere(
+                    f"The view '{name}' needs {self.view.file}, which "
+                    f"'{result.directory}' does not have; its status is "
+                    f"'{result.summary.get('status')}'.")
+        self.find_limit()
+
+    def find_limit(self):
+        self.low, self.high, self.limit = 0.0, 1.0, 1.0
+        if self.view.values is None:
+            return
+        values = np.concatenate([self.view.values(r, self.options)
+                                 for r in self.results])
+        self.low, self.high = values.min(initial=np.inf), values.max(initial=-np.inf)
+        largest = np.abs(values).max(initial=0)
+        if self.view.reference:
+            reference = max(np.abs(self.view.reference(r)).max(initial=0)
+                            for r in self.results)
+            if largest <= ROUNDING * reference:
+                largest, self.low, self.high = reference, 0.0, 0.0
+        self.limit = self.options.limit or largest or 1.0
+
+    def panels(self):
+        return [self.view.layers(r, self.limit, self.options) for r in self.results]
+
+    def legend_title(self):
+        limit = number(self.limit)
+        if self.name == "principal":
+            cell = "sub-cell" if self.options.sub_cells else "block"
+            return f"principal stresses; an arm as long as its {cell} is wide: {limit}"
+        if self.name == "chains":
+            return f"normal forces; the widest line: {limit}"
+        if self.name == "blocks":
+            return "groups of blocks"
+        if self.name == "utilisation":
+            return "utilisation of friction; at 1 an interface slides"
+        if self.name in ("mechanism", "animation"):
+            return "displacement in the mechanism, on the scale of the picture"
+        if self.name == "displacement":
+            factor = (self.options.fraction * block_size(self.results[0].blocks()) /
+                      self.limit)
+            return f"displacement, drawn {number(factor)} times as large"
+        return f"{self.name}, from {number(self.low)} to {number(self.high)}"
+
+    def swatches(self):
+        """The colours and words of a legend that is not a bar."""
+        if self.view.legend == "groups":
+            names = {}
+            for result in self.results:
+                found = np.unique(result.blocks().of_cells["group"])
+                names.update((i, result.groups()[i]) for i in found)
+            return [(GROUPS[i % len(GROUPS)], name) for i, name in sorted(names.items())]
+        if self.view.legend == "chains":
+            return [(COMPRESSION, "compression")]
+        return [(COMPRESSION, "compression"), (TENSION, "tension")]
+
+
+class Layout:
+    """Where in the picture the panels are, in pixels."""
+
+    def __init__(self, bounds, options, titled):
+        n, width = len(bounds), options.width
+        self.bounds = bounds
+        self.columns = min(n, options.columns or 3)
+        self.rows = -(-n // self.columns)
+        self.font = float(np.clip(width / 50, 11, 40))
+        self.gap = round(max(6, width / 50))
+        self.title = 2.0 * self.font if titled else 0
+        self.legend = 4.2 * self.font
+        self.width = (width - self.gap) / self.columns - self.gap
+        extents = [high - low for low, high in bounds]
+        self.height = min(self.width * max(y / x for x, y in extents), width)
+        self.size = (width, round(self.rows * (self.height + self.title + self.gap) +
+                                  self.gap + self.legend))
+
+    def place(self, i):
+        """The middle of panel i, and its pixels for a unit of length."""
+        low, high = self.bounds[i]
+        row, column = divmod(i, self.columns)
+        in_row = min(self.columns, len(self.bounds) - row * self.columns)
+        left = (self.size[0] - in_row * (self.width + self.gap) + self.gap) / 2
+        x = left + column * (self.width + self.gap) + self.width / 2
+        y = self.size[1] - self.gap - row * (self.height + self.title + self.gap)
+        y -= self.title + self.height / 2
+        scale = min(self.width / (high - low)[0], self.height / (high - low)[1])
+        return np.array([x, y]), scale
+
+
+def bounds_of(layers):
+    points = [layer.points for layer in layers if len(layer.points)]
+    return (np.min([p.min(axis=0) for p in points], axis=0),
+            np.max([p.max(axis=0) for p in points], axis=0))
+
+
+def draw_bar(figure, picture, x, y, layout):
+    """The colours between the ends, with the values below them."""
+    font, width = layout.font, layout.size[0] * 0.45
+    signed = picture.view.scale[0][0] < 0 and picture.name != "von_mises"
+    low = -1 if signed else 0
+    edges = np.linspace(0, 1, 257) * width + x - width / 2
+    values = np.linspace(low, 1, 256)
+    figure.rectangles(edges[:-1], edges[1:], y + 1.25 * font, y + 1.95 * font,
+                      interpolate(picture.view.scale, values))
+    n_labels = 5 if width > 20 * font else 3
+    for part in np.linspace(0, 1, n_labels):
+        value = picture.limit * (low + (1 - low) * part)
+        figure.text(x + (part - 0.5) * width, y, number(value), 0.9 * font,
+                    0.9 * width / (n_labels - 1))
+
+
+def draw_swatches(figure, swatches, x, y, layout):
+    font = layout.font
+    pitch = min(9 * font, layout.size[0] / len(swatches))
+    middles = x + pitch * (np.arange(len(swatches)) - (len(swatches) - 1) / 2)
+    figure.rectangles(middles - 1.5 * font, middles + 1.5 * font, y + 1.25 * font,
+                      y + 1.95 * font, np.array([colour for colour, _ in swatches]))
+    for at, (_, words) in zip(middles, swatches):
+        figure.text(at, y, words, 0.9 * font, 0.95 * pitch)
+
+
+def draw(picture, options, bounds=None):
+    """The figure; with bounds, the panels are placed as if these were theirs."""
+    panels = picture.panels()
+    titles = options.titles or (
+        [r.title() for r in picture.results] if len(panels) > 1 else [])
+    layout = Layout(bounds or [bounds_of(p) for p in panels], options, bool(titles))
+    figure = Figure(*layout.size)
+    for i, layers in enumerate(panels):
+        middle, scale = layout.place(i)
+        low, high = layout.bounds[i]
+        n_blocks = len(layers[1].offsets) - 1
+        pixels = scale * np.sqrt(np.prod(high - low) / n_blocks)
+        line = float(np.clip(0.05 * pixels, 0.25, 1.5)) * max(1, options.width / 800)
+        for layer in layers:
+            figure.add((layer.points - (low + high) / 2) * scale + middle,
+                       layer.offsets, layer.corners, layer.colours,
+                       line * layer.line_width)
+        if titles:
+            figure.text(middle[0], middle[1] + layout.height / 2 + 0.4 * layout.font,
+                        titles[i].strip(), layout.font, layout.width)
+    x, y = layout.size[0] / 2, 0.5 * layout.font
+    figure.text(x, y + 2.2 * layout.font, picture.legend_title(), layout.font,
+                options.width - 2 * layout.gap)
+    if picture.view.legend == "bar":
+        draw_bar(figure, picture, x, y, layout)
+    else:
+        draw_swatches(figure, picture.swatches(), x, y, layout)
+    return figure.image()
+
+
+def animate(picture, options, file):
+    """One swing, from rest to the mechanism and back."""
+    options.swing = 1.0
+    bounds = [bounds_of(layers) for layers in picture.panels()]
+    movie = None
+    for i in range(FRAMES):
+        options.swing = (1 - np.cos(2 * np.pi * i / FRAMES)) / 2
+        image = draw(picture, options, bounds)
+        if not file.endswith(".ogv"):
+            write_png(image, file % i)
+            continue
+        if movie is None:
+            movie = vtkOggTheoraWriter()
+            movie.SetFileName(file)
+            movie.SetRate(FRAMES // 2)
+            movie.SetInputData(image)
+            movie.Start()
+        movie.SetInputData(image)
+        movie.Write()
+    if movie:
+        movie.End()
+
+
+def render(name, file, results, options):
+    picture = Picture(name, results, options)
+    if name == "animation":
+        animate(picture, options, file)
+    else:
+        write_png(draw(picture, options), file)
+
+
+def render_all(folder, results, options):
+    os.makedirs(folder, exist_ok=True)
+    for name, view in VIEWS.items():
+        if all(result.has(view.file) for result in results):
+            ending = "ogv" if name == "animation" else "png"
+            render(name, os.path.join(folder, f"{name}.{ending}"), results, options)
+
+
+def main(arguments):
+    vtkObject.GlobalWarningDisplayOff()
+    try:
+        options = parse(arguments)
+        check(options)
+        results = [Results(directory) for directory in options.directories]
+        if options.view == "all":
+            render_all(options.picture, results, options)
+        else:
+            render(options.view, options.picture, results, options)
+    except NotThere as error:
+        print(f"render.py: {error}", file=sys.stderr)
+        return 2
+    except KeyError as error:  # a field of a file, by its name
+        print(f"render.py: The results have no {error}; make them again with this "
+              "version of voussoir.", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

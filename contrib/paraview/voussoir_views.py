@@ -1,0 +1,254 @@
+"""The views of render.py: what of a result is drawn, as layers of lines and
+polygons in the coordinates of the packing."""
+import json
+import os
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from typing import Callable
+
+import numpy as np
+from vtkmodules.vtkIOXML import (
+    vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader)
+
+import macro
+
+_marks = {}
+exec(macro.MARKS, _marks)
+Grid, crosses, chains, ribbons = (
+    _marks[name] for name in ("Grid", "crosses", "chains", "ribbons"))
+
+# From 0 to 1, for what has no sign: utilisation and displacement.
+SEQUENTIAL = [(0, 0.80, 0.84, 0.88), (0.5, 0.96, 0.68, 0.25), (1, 0.55, 0.03, 0.18)]
+# Of groups of blocks, repeated if there are more.
+GROUPS = np.array([(0.85, 0.72, 0.55), (0.58, 0.71, 0.78), (0.72, 0.52, 0.47),
+                   (0.67, 0.76, 0.55), (0.76, 0.66, 0.80), (0.93, 0.86, 0.58)])
+COMPRESSION, TENSION = macro.DIVERGING[0][1:], macro.DIVERGING[-1][1:]
+PALE, GREY, DARK = (0.96, 0.96, 0.96), (0.55, 0.55, 0.55), (0.15, 0.15, 0.15)
+# Less than this part of the largest stress or force of a result is rounding.
+ROUNDING = 1e-9
+
+
+class NotThere(Exception):
+    """What was asked for is not in the results; the message is for the user."""
+
+
+def interpolate(scale, values):
+    at, *rgb = np.array(scale).T
+    return np.column_stack([np.interp(values, at, channel) for channel in rgb])
+
+
+class Results:
+    """The files of a result directory."""
+
+    def __init__(self, directory):
+        self.directory = directory
+        if not os.path.isdir(directory):
+            raise NotThere(f"There is no directory '{directory}'.")
+        try:
+            with open(os.path.join(directory, "summary.json")) as file:
+                self.summary = json.load(file)
+        except (OSError, ValueError):
+            raise NotThere(f"'{directory}' holds no results of voussoir: it has "
+                           "no summary.json that can be read.") from None
+
+    def has(self, name):
+        return os.path.exists(os.path.join(self.directory, name))
+
+    @lru_cache(maxsize=None)
+    def grid(self, name):
+        reader = (vtkXMLPUnstructuredGridReader if name.endswith(".pvtu")
+                  else vtkXMLUnstructuredGridReader)()
+        file = os.path.join(self.directory, name)
+        reader.SetFileName(file)
+        if not self.has(name) or not reader.CanReadFile(file):
+            raise NotThere(f"'{self.directory}' has no {name} that can be read; "
+                           f"its status is '{self.summary.get('status')}'.")
+        reader.Update()
+        return Grid(reader.GetOutput())
+
+    def blocks(self):
+        return self.grid("blocks.vtu")
+
+    def stress(self):
+        """The sub-cells, or the blocks of a run without them (Accuracy = draft)."""
+        for name in ("stress.vtu", "stress.pvtu"):
+            if self.has(name):
+                return self.grid(name)
+        return self.blocks()
+
+    def interfaces(self):
+        return self.grid("interfaces.vtu")
+
+    def mechanism(self):
+        return self.grid("mechanism.vtu")
+
+    def title(self):
+        """The selection, in a few words."""
+        selection = self.summary.get("selection", "").split(":")[0]
+        if selection.startswith("analytic centre"):
+            equal = "equal weights" in selection
+            return "analytic centre, " + ("equal" if equal else "edge area")
+        return selection
+
+    def groups(self):
+        return [group["name"] for group in self.summary["packing"]["groups"]]
+
+
+@dataclass
+class Layer:
+    """Polygons, or lines whose width is that of outlines times line_width."""
+    points: np.ndarray
+    offsets: np.ndarray
+    corners: np.ndarray
+    colours: object
+    line_width: float = 0
+
+
+def fill(grid, colours, points=None):
+    return Layer(grid.points if points is None else points, grid.offsets,
+                 grid.corners, colours)
+
+
+def outline(grid, points=None, colour=DARK, width=1):
+    """Each polygon as a line that returns to its first point."""
+    first, end = grid.offsets[:-1], grid.offsets[1:]
+    closed = np.insert(grid.corners, end, grid.corners[first])
+    return Layer(grid.points if points is None else points,
+                 grid.offsets + np.arange(len(grid.offsets)), closed, colour, width)
+
+
+def marks(begin, end, width, colours):
+    corners = np.arange(4 * len(begin))
+    return Layer(ribbons(begin, end, width), np.arange(0, len(corners) + 1, 4),
+                 corners, colours)
+
+
+def component(name, grid):
+    """sigma_xx and its like, or a scalar."""
+    index = {"sigma_xx": 0, "sigma_xy": 1, "sigma_yy": 4}.get(name)
+    return (grid.of_cells[name] if index is None
+            else grid.of_cells["stress"][:, index])
+
+
+def principal_grid(results, options):
+    return results.stress() if options.sub_cells else results.blocks()
+
+
+def forces(results):
+    cells = results.interfaces().of_cells
+    return np.concatenate((cells["normal_force"], cells["tangential_force"]))
+
+
+def magnitude(grid):
+    """Of the displacement, of each block."""
+    vector = grid.of_points["displacement"][grid.corners[grid.offsets[:-1]]]
+    return np.hypot(vector[:, 0], vector[:, 1])
+
+
+def block_size(grid):
+    return np.sqrt(np.abs(grid.areas_and_centroids()[0]).mean())
+
+
+def stress_layers(name, results, limit, options):
+    grid = results.stress()
+    values = component(name, grid) / limit
+    return [fill(grid, interpolate(macro.DIVERGING, values)),
+            outline(results.blocks())]
+
+
+def mark_colours(value):
+    return np.where(value[:, None] < 0, COMPRESSION, TENSION)
+
+
+def principal_layers(results, limit, options):
+    blocks = results.blocks()
+    *lines, value = crosses(principal_grid(results, options), limit)
+    return [fill(blocks, PALE), outline(blocks, colour=GREY),
+            marks(*lines, mark_colours(value))]
+
+
+def chain_layers(results, limit, options):
+    blocks = results.blocks()
+    *lines, value = chains(blocks, results.interfaces(), limit)
+    return [fill(blocks, PALE), outline(blocks, colour=GREY),
+            marks(*lines, mark_colours(value))]
+
+
+def utilisation_layers(results, limit, options):
+    blocks, interfaces = results.blocks(), results.interfaces()
+    value = interfaces.of_cells.get("utilisation", np.empty(0))
+    order = np.argsort(value, kind="stable")  # the most used on top
+    begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
+    value = value[order]
+    width = block_size(blocks) * np.where(value > 1 - 1e-6, 0.14, 0.07)
+    return [fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+            marks(begin, end, width, interpolate(SEQUENTIAL, value))]
+
+
+def group_layers(results, limit, options):
+    blocks = results.blocks()
+    return [fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
+            outline(blocks)]
+
+
+def moved_layers(grid, factor, limit):
+    moved = grid.points + factor * grid.of_points["displacement"][:, :2]
+    colours = interpolate(SEQUENTIAL, magnitude(grid) / limit)
+    return [fill(grid, colours, moved), outline(grid, moved),
+            outline(grid, colour=GREY, width=0.7)]
+
+
+def displacement_layers(results, limit, options):
+    blocks = results.blocks()
+    return moved_layers(blocks, options.fraction * block_size(blocks) / limit, limit)
+
+
+def mechanism_layers(results, limit, options):
+    return moved_layers(results.mechanism(), getattr(options, "swing", 1.0), limit)
+
+
+@dataclass
+class View:
+    """values: what the scale is for; reference: what makes small values rounding."""
+    file: str
+    layers: Callable
+    values: Callable = None
+    reference: Callable = None
+    scale: list = None
+    legend: str = "bar"
+
+
+def stress_view(name):
+    return View("blocks.vtu", partial(stress_layers, name),
+                lambda results, options: component(name, results.stress()),
+                lambda results: results.stress().of_cells["stress"],
+                macro.DIVERGING)
+
+
+def principal_values(results, options):
+    return crosses(principal_grid(results, options))[-1]
+
+
+def chain_values(results, options):
+    return chains(results.blocks(), results.interfaces())[-1]
+
+
+MECHANISM = View("mechanism.vtu", mechanism_layers,
+                 lambda results, options: magnitude(results.mechanism()),
+                 scale=SEQUENTIAL)
+VIEWS = {
+    **{name: stress_view(name)
+       for name in ("sigma_xx", "sigma_xy", "sigma_yy", "von_mises")},
+    "principal": View("blocks.vtu", principal_layers, principal_values,
+                      lambda results: results.blocks().of_cells["stress"],
+                      legend="principal"),
+    "chains": View("interfaces.vtu", chain_layers, chain_values, forces,
+                   legend="chains"),
+    "utilisation": View("interfaces.vtu", utilisation_layers, scale=SEQUENTIAL),
+    "blocks": View("blocks.vtu", group_layers, legend="groups"),
+    "displacement": View("blocks.vtu", displacement_layers,
+                         lambda results, options: magnitude(results.blocks()),
+                         scale=SEQUENTIAL),
+    "mechanism": MECHANISM,
+    "animation": MECHANISM,
+}
