@@ -103,6 +103,20 @@ Arguments parse(const std::vector<std::string> &words)
   return arguments;
 }
 
+std::string help()
+{
+  std::ostringstream text;
+  text << "Usage: voussoir FILE.prm [options]\n\n"
+          "Computes the contact forces between, and the stresses inside, "
+          "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
+       << visible_options()
+       << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
+          "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
+          "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
+          "results are complete.\n";
+  return text.str();
+}
+
 /** Where the program writes, and what is behind that. */
 struct Streams
 {
@@ -115,8 +129,8 @@ struct Streams
 void print(std::ostream &out, const std::string &text)
 {
   if (!(out << text << std::flush))
-    throw InputError("The parameters cannot be written to where the output "
-                     "goes; is the disk full?");
+    throw InputError("The output cannot be written; is the disk full, or has "
+                     "its reader gone?");
 }
 
 void run(const Arguments &arguments, const Streams &streams, const Team &team)
@@ -180,19 +194,12 @@ int run_command_line(const std::vector<std::string> &words,
     const Arguments arguments = parse(words);
     if (arguments.help)
     {
-      out << "Usage: voussoir FILE.prm [options]\n\n"
-             "Computes the contact forces between, and the stresses inside, "
-             "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
-          << visible_options()
-          << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
-             "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
-             "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
-             "results are complete.\n";
+      print(out, help());
       return 0;
     }
     if (arguments.version)
     {
-      out << "voussoir " << VOUSSOIR_VERSION << '\n';
+      print(out, "voussoir " VOUSSOIR_VERSION "\n");
       return 0;
     }
     run(arguments, streams, team);

@@ -7,24 +7,45 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <unistd.h>
+
+/**
+ * Whether a launcher of MPI stands between, which may show the program a
+ * terminal whatever its own output is (Open MPI; others by PMI or PMIx).
+ */
+bool started_by_mpirun()
+{
+  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr)
+      return true;
+  return false;
+}
 
 int main(int argc, char **argv)
 {
   using namespace dealii;
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;
+  Voussoir::Screens screens;
+  if (!started_by_mpirun()) // asked before MPI sets these variables itself
+    screens = {Voussoir::screen_behind(STDOUT_FILENO),
+               Voussoir::screen_behind(STDERR_FILENO)};
   // Trilinos needs MPI even on one process.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   Voussoir::prepare_blas();
   interruption.listen();
+  // Results are written also if nobody reads what is said of them. (MPI sets
+  // this signal back.)
+  std::signal(SIGPIPE, SIG_IGN);
   const Voussoir::Team team(MPI_COMM_WORLD);
   int status = 0;
   if (team.is_root())
   {
-    const Voussoir::Screens screens = {Voussoir::screen_behind(STDOUT_FILENO),
-                                       Voussoir::screen_behind(STDERR_FILENO)};
+    if (screens.out.overwrites)
+      interruption.clear_screen();
     status = Voussoir::run_command_line({argv + 1, argv + argc}, std::cout,
                                         std::cerr, team, screens);
     team.call(Voussoir::Team::Task::none);

@@ -42,13 +42,6 @@ constexpr double frictionless_ratio = 1e9;
 /** How many supports are named on the terminal. */
 constexpr unsigned int n_shown_supports = 4;
 
-bool is_loaded(const Scene &scene)
-{
-  return scene.has_body_force || !scene.on_cells.empty() ||
-         std::any_of(scene.traction.begin(), scene.traction.end(),
-                     [](const auto &g) { return g.norm() > 0.; });
-}
-
 /** Join @p grids, if there are any, for who opens one file only. */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
@@ -367,47 +360,19 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
 
 void Simulation::check_certificate(const Results &results) const
 {
-  const Certificate &certificate = results.certificate;
   const double limit =
       std::max(largest_accepted_error,
                tolerance_allowance * solver.controls().tolerance);
+  const Certificate &certificate = results.certificate;
   if (!(certificate.equilibrium_residual <= limit) ||
       !(certificate.admissibility_violation <= limit))
   {
     if (!results.earlier_outcome.empty())
-      throw InputError(text(
-          "The forces ", results.outcome,
-          " do not carry the load of this run: "
-          "the certificate finds a residual of ",
-          certificate.equilibrium_residual, " and a violation of ",
-          certificate.admissibility_violation,
-          " of the largest load on a cell. The loads must be those of the run "
-          "that the forces are from, and 'Solver/Tolerance' must not be less; "
-          "or leave 'Forces from' empty to solve."));
-    throw SolverError(text(
-        "The solver ", results.outcome, " after ",
-        counted(results.n_iterations, "iteration"),
-        ", without forces that balance the load: the certificate "
-        "finds a residual of ",
-        certificate.equilibrium_residual, " and a violation of ",
-        certificate.admissibility_violation,
-        " of the largest load on a cell. The load may be close to what the "
-        "packing can carry, or beyond without a proof: try 'Formulation = "
-        "least energy', a larger 'Solver/Maximum iterations', or a smaller "
-        "load."));
+      throw InputError(earlier_forces_rejected(results));
+    throw SolverError(forces_rejected(results));
   }
-  const std::string &outcome = results.earlier_outcome.empty()
-                                   ? results.outcome
-                                   : results.earlier_outcome;
-  if (!is_loaded(results.scene))
-    terminal.warning(
-        "No load acts on the packing, so that all forces are zero. "
-        "The section 'Loads' gives loads.");
-  else if (outcome != "converged" && outcome != nothing_to_balance)
-    terminal.warning(text(
-        "The solver ", outcome,
-        ". The forces are balanced and admissible to what is said below, but "
-        "may differ from those of the named selection."));
+  for (const std::string &warning : doubts_about(results))
+    terminal.warning(warning);
 }
 
 template <typename Found>

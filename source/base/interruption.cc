@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <system_error>
@@ -50,6 +51,7 @@ struct Shared
   std::function<void()> undo;
   std::string state = "nothing was written.";
   bool quiet = false;
+  bool screen = false;
 };
 
 /** Never destroyed: the thread may outlive what std::exit() destroys. */
@@ -78,23 +80,29 @@ extern "C" void wake_on_signal(const int signal)
   errno = error;
 }
 
+/** Not by a stream, nor without asking: who reads it may have stopped. */
+void write_to(const int file_descriptor, const std::string &text)
+{
+  pollfd reader = {file_descriptor, POLLOUT, 0};
+  if (poll(&reader, 1, patience_with_terminal) == 1)
+  {
+    [[maybe_unused]] const ssize_t n =
+        write(file_descriptor, text.data(), text.size());
+  }
+}
+
 void say(const int number)
 {
   const char *name = "a signal";
   for (const Signal &signal : signals)
     if (signal.number == number)
       name = signal.name;
-  // On a screen there may be "^C", or how far the run had come.
-  const std::string message =
-      std::string(screen_behind(STDERR_FILENO).overwrites ? clear_line : "") +
-      "voussoir: Interrupted by " + name + "; " + shared().state + "\n";
-  // Not by std::cerr, nor without asking: who reads it may have stopped.
-  pollfd terminal = {STDERR_FILENO, POLLOUT, 0};
-  if (poll(&terminal, 1, patience_with_terminal) == 1)
-  {
-    [[maybe_unused]] const ssize_t n =
-        write(STDERR_FILENO, message.data(), message.size());
-  }
+  const std::string message = std::string("voussoir: Interrupted by ") + name +
+                              "; " + shared().state + "\n";
+  // How far the run had come, and what a terminal shows of Ctrl-C.
+  if (shared().screen)
+    write_to(STDOUT_FILENO, clear_line);
+  write_to(STDERR_FILENO, message);
 }
 
 /** End the program as @p signal asks, when nothing stands in the way. */
@@ -177,6 +185,12 @@ void Interruption::be_quiet()
 {
   const std::lock_guard<std::mutex> lock(shared().mutex);
   shared().quiet = true;
+}
+
+void Interruption::clear_screen()
+{
+  const std::lock_guard<std::mutex> lock(shared().mutex);
+  shared().screen = true;
 }
 
 Uninterrupted::Uninterrupted() : lock(shared().mutex)

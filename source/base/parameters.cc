@@ -3,14 +3,18 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/reference.h>
 
+#include <algorithm>
 #include <fstream>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 namespace Voussoir
 {
 namespace
 {
+/** A value of the user's, not longer than a message can show. */
+constexpr std::size_t longest_value = 80;
+
 /** Whether @p text begins with @p start; then remove it. */
 bool take(std::string &text, const std::string &start)
 {
@@ -21,9 +25,60 @@ bool take(std::string &text, const std::string &start)
 }
 
 /**
- * What deal.II's parser has to say about a bad entry, as one sentence: without
- * its line breaks and angle brackets. It begins with "Line <7> of file
- * <name>:", which is of use for a file with several lines only.
+ * What stands in @p text between @p begin, with which it starts, and the last
+ * @p end, shortened; nothing if it is of another form. (Not by std::regex,
+ * which takes a stack as deep as the text is long.)
+ */
+std::optional<std::string> between(const std::string &text,
+                                   const std::string &begin,
+                                   const std::string &end)
+{
+  const std::size_t last = text.rfind(end);
+  if (text.compare(0, begin.size(), begin) != 0 || last == std::string::npos ||
+      last < begin.size())
+    return {};
+  std::string found = text.substr(begin.size(), last - begin.size());
+  if (found.size() > longest_value)
+    found = found.substr(0, longest_value) + "...";
+  return found;
+}
+
+/**
+ * What deal.II's parser has to say about a bad entry, in words that a user
+ * knows, if it is one of the usual faults.
+ */
+std::string in_plain_words(const std::string &message)
+{
+  const std::string named = " for the entry named ";
+  const std::string pattern = " does not match the given pattern: ";
+  if (const auto value = between(message, "The entry value ", named))
+  {
+    const std::string rest = message.substr(message.rfind(named));
+    const auto name = between(rest, named, pattern);
+    std::string description = rest.substr(rest.find('['));
+    description.erase(description.rfind(']') + 1);
+    return "'" + *name + "' is '" + *value + "', but must be " +
+           text_of_pattern(description) + ".";
+  }
+  if (const auto name = between(message, "No entry with name <",
+                                "> was declared in the current subsection"))
+    return "there is no parameter '" + *name + "' in this section.";
+  if (const auto name =
+          between(message, "There is no such subsection to be entered: ", "."))
+    return "there is no section '" + *name + "' here.";
+  if (const auto line = between(message, "The line <", "> could not be parsed"))
+    return "'" + *line +
+           "' is neither 'set NAME = VALUE' nor 'subsection NAME' nor 'end'.";
+  std::string other = message;
+  std::replace(other.begin(), other.end(), '<', '\'');
+  std::replace(other.begin(), other.end(), '>', '\'');
+  return other;
+}
+
+/**
+ * What deal.II's parser has to say about a bad entry, as one sentence. It
+ * begins with "Line <7> of file <name>:", which is of use for a file with
+ * several lines only.
  */
 std::string explain(const dealii::ExceptionBase &exception,
                     const std::string &name,
@@ -31,8 +86,9 @@ std::string explain(const dealii::ExceptionBase &exception,
 {
   std::ostringstream out;
   exception.print_info(out);
-  std::string message = std::regex_replace(out.str(), std::regex("\\s+"), " ");
-  message = std::regex_replace(message, std::regex("^ | $"), "");
+  std::string message, word;
+  for (std::istringstream words(out.str()); words >> word;)
+    message += (message.empty() ? "" : " ") + word;
 
   std::string place = is_file ? "'" + name + "'" : name;
   if (take(message, "Line <"))
@@ -47,26 +103,9 @@ std::string explain(const dealii::ExceptionBase &exception,
     if (is_file)
       place = "Line " + line + " of " + place;
   }
-  std::smatch found;
-  const auto is = [&](const char *pattern) {
-    return std::regex_match(message, found, std::regex(pattern));
-  };
-  if (is("The entry value (.*) for the entry named (.*) does not match the "
-         "given pattern: (\\[.*\\])\\.?"))
-    return place + ": '" + found[2].str() + "' is '" + found[1].str() +
-           "', but must be " + text_of_pattern(found[3]) + ".";
-  if (is("No entry with name <(.*)> was declared in the current subsection\\."))
-    return place + ": there is no parameter '" + found[1].str() +
-           "' in this section.";
-  if (is("There is no such subsection to be entered: (.*?)\\.?"))
-    return place + ": there is no section '" + found[1].str() + "' here.";
-  if (is("The line <(.*)> could not be parsed: .*"))
-    return place + ": '" + found[1].str() +
-           "' is neither 'set NAME = VALUE' nor 'subsection NAME' nor 'end'.";
-  message = std::regex_replace(message, std::regex("<([^<>]*)>"), "'$1'");
-  if (message.back() != '.')
+  if (message.empty() || message.back() != '.')
     message += '.';
-  return place + ": " + message;
+  return place + ": " + in_plain_words(message);
 }
 
 void parse(dealii::ParameterHandler &prm,
@@ -101,11 +140,16 @@ void read_parameters(dealii::ParameterHandler &prm,
   // deal.II would look for an included file in the working directory.
   std::string line;
   for (unsigned int number = 1; std::getline(in, line); ++number)
-    if (std::regex_search(line, std::regex("^\\s*(include|INCLUDE)\\s")))
+  {
+    std::istringstream words(line);
+    std::string first;
+    words >> first;
+    if (first == "include" || first == "INCLUDE")
       throw InputError("Line " + std::to_string(number) + " of '" +
                        file.string() +
                        "' includes another file; give all parameters in one, "
                        "or on the command line with --set.");
+  }
   in.clear();
   in.seekg(0);
   parse(prm, in, file.string(), true);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/interruption.h>
 #include <voussoir/base/progress_line.h>
 #include <voussoir/base/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <new>
 #include <ostream>
 #include <sstream>
 
@@ -19,6 +22,11 @@ std::string text_of_time(const double seconds)
   if (s < 3600)
     return text(s / 60, " min ", s % 60, " s");
   return text(s / 3600, " h ", s % 3600 / 60, " min");
+}
+
+double seconds_of(const ProgressLine::Clock::duration time)
+{
+  return std::chrono::duration<double>(time).count();
 }
 
 /** A rate with three digits, and all of them before the point. */
@@ -38,15 +46,14 @@ std::string text_of_progress(const Progress &progress)
   if (progress.total == 0)
     return text_of_time(progress.seconds) +
            (progress.state.empty() ? "" : ", " + progress.state);
-  std::string found =
-      text(progress.done, " of ", progress.total, ' ', progress.things);
-  if (progress.done > 0 && progress.counted_for > 0.)
-  {
-    const double rate = progress.done / progress.counted_for;
-    found += ", " + text_of_rate(rate) + " a second, " +
-             text_of_time((progress.total - progress.done) / rate) + " left";
-  }
-  return found;
+  const std::string found =
+      text(progress.done, " of ", progress.total, ' ', progress.things, ", ");
+  if (progress.done == 0 || !(progress.counted_for > 0.))
+    return found + text_of_time(progress.seconds);
+  const double rate = progress.done / progress.counted_for;
+  const double left = (progress.total - progress.done) / rate - progress.since;
+  return found + text_of_rate(rate) + " a second, " +
+         text_of_time(std::max(left, 1.)) + " left";
 }
 
 ProgressLine::ProgressLine(std::ostream &out,
@@ -82,6 +89,7 @@ void ProgressLine::say(const std::string &state)
 {
   const std::lock_guard<std::mutex> lock(mutex);
   progress.state = state;
+  progress.total = 0; // what was counted is done
 }
 
 void ProgressLine::count(const std::size_t done,
@@ -94,8 +102,8 @@ void ProgressLine::count(const std::size_t done,
   progress.done = done;
   progress.total = total;
   progress.things = things;
-  progress.counted_for =
-      std::chrono::duration<double>(Clock::now() - began_to_count).count();
+  counted = Clock::now();
+  progress.counted_for = seconds_of(counted - began_to_count);
 }
 
 void ProgressLine::end()
@@ -114,12 +122,19 @@ void ProgressLine::write(const std::string &lines)
 
 void ProgressLine::run()
 {
-  std::unique_lock<std::mutex> lock(mutex);
-  while (!leave)
+  for (;;)
   {
-    changed.wait_for(lock, interval);
+    {
+      std::unique_lock<std::mutex> lock(mutex);
+      if (!leave)
+        changed.wait_for(lock, interval);
+      if (leave)
+        return;
+    }
+    const Uninterrupted whole; // nothing is shown behind the last message
+    const std::lock_guard<std::mutex> lock(mutex);
     const Clock::time_point now = Clock::now();
-    if (!leave && !name.empty() && now - began >= patience)
+    if (!name.empty() && now - began >= patience)
       show(now);
   }
 }
@@ -132,11 +147,17 @@ void ProgressLine::clear()
 }
 
 void ProgressLine::show(const Clock::time_point now)
+try
 {
-  progress.seconds = std::chrono::duration<double>(now - began).count();
+  progress.seconds = seconds_of(now - began);
+  progress.since = seconds_of(now - counted);
   // A line that is too long would go on in the next, which is not cleared.
   const std::string line = "  " + name + ": " + text_of_progress(progress);
   out << clear_line << line.substr(0, width - 1) << std::flush;
   shown = true;
+}
+catch (const std::bad_alloc &)
+{
+  // The main thread will say that there is no memory.
 }
 } // namespace Voussoir

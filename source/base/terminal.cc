@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <system_error>
 
 namespace Voussoir
 {
@@ -46,9 +47,16 @@ void Terminal::begin(const std::string &name)
   // Not beside the iterations, which Ipopt writes by itself.
   if (!screen.overwrites || verbosity() != 1)
     return;
-  if (!in_progress)
-    in_progress = std::make_unique<ProgressLine>(out, screen);
-  in_progress->begin(name);
+  try
+  {
+    if (!in_progress)
+      in_progress = std::make_unique<ProgressLine>(out, screen);
+    in_progress->begin(name);
+  }
+  catch (const std::system_error &)
+  {
+    // Without another thread the run goes on as on no screen.
+  }
 }
 
 void Terminal::stage(const std::string &name, const std::string &found)

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <tuple>
 
 namespace Voussoir
 {
@@ -43,17 +42,7 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
   const auto &interfaces = scene.packing.interfaces();
   VtuFile file = lines_of(interfaces);
   const auto add = [&](const std::string &name, const auto &value) {
-    using Components = decltype(value(0));
-    using Number = typename Components::value_type;
-    file.add_cell_field<Number>(
-        name, std::tuple_size<Components>::value,
-        [value](std::size_t e, const std::size_t end, Number *place) {
-          for (; e < end; ++e)
-          {
-            const Components components = value(e);
-            place = std::copy(components.begin(), components.end(), place);
-          }
-        });
+    VtuValues::add_cell_field(file, name, value);
   };
   add("force", [&](std::size_t e) {
     return vector(forces.on_cell_minus(interfaces[e], e));

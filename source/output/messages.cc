@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/messages.h>
+#include <voussoir/statics/formulation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace Voussoir
 {
+namespace
+{
+std::string faults(const Certificate &certificate)
+{
+  return text("a residual of ", certificate.equilibrium_residual,
+              " and a violation of ", certificate.admissibility_violation,
+              " of the largest load on a cell");
+}
+
+bool is_loaded(const Scene &scene)
+{
+  return scene.has_body_force || !scene.on_cells.empty() ||
+         std::any_of(scene.traction.begin(), scene.traction.end(),
+                     [](const auto &g) { return g.norm() > 0.; });
+}
+} // namespace
+
 std::vector<std::string> cells_not_convex(const Packing &packing)
 {
   if (packing.not_convex().empty())
@@ -18,6 +37,42 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
                ". Each can be seen whole from its centre, so the forces on its "
                "sides are those of the model; whether it would interlock with "
                "its neighbours is not looked at.")};
+}
+
+std::string forces_rejected(const Results &results)
+{
+  return text("The solver ", results.outcome, " after ",
+              counted(results.n_iterations, "iteration"),
+              ", without forces that balance the load: the certificate finds ",
+              faults(results.certificate),
+              ". The load may be close to what the packing can carry, or "
+              "beyond without a proof: try 'Formulation = least energy', a "
+              "larger 'Solver/Maximum iterations', or a smaller load.");
+}
+
+std::string earlier_forces_rejected(const Results &results)
+{
+  return text("The forces ", results.outcome,
+              " do not carry the load of this run: the certificate finds ",
+              faults(results.certificate),
+              ". The loads must be those of the run that the forces are from, "
+              "and 'Solver/Tolerance' must not be less; or leave 'Forces from' "
+              "empty to solve.");
+}
+
+std::vector<std::string> doubts_about(const Results &results)
+{
+  if (!is_loaded(results.scene))
+    return {"No load acts on the packing, so that all forces are zero. The "
+            "section 'Loads' gives loads."};
+  const std::string &outcome = results.earlier_outcome.empty()
+                                   ? results.outcome
+                                   : results.earlier_outcome;
+  if (outcome != "converged" && outcome != nothing_to_balance)
+    return {"The solver " + outcome +
+            ". The forces are balanced and admissible to what is said below, "
+            "but may differ from those of the named selection."};
+  return {};
 }
 
 std::string message_of(const Collapse &collapse, const std::string &files)

@@ -11,7 +11,6 @@
 namespace Voussoir
 {
 using dealii::Point;
-using VtuValues::cell_of;
 using VtuValues::scalar;
 using VtuValues::StressInvariants;
 using VtuValues::tensor;
@@ -93,17 +92,25 @@ private:
    */
   template <typename Values>
   void add(const std::string &name, const Values &values);
-  /** Fill points with @p value(cell, k), k counting the points of the cell. */
-  template <typename Value>
-  void fill_points(std::size_t begin,
-                   std::size_t end,
-                   double *place,
-                   const Value &value) const;
   void
   fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
 
   std::size_t first_point(unsigned int cell) const;
   std::size_t first_sub_cell(unsigned int cell) const;
+  auto points_of_cells() const
+  {
+    return VtuValues::ItemsByCell{packing.n_cells(),
+                                  [this](const unsigned int c) {
+                                    return first_point(c);
+                                  }};
+  }
+  auto sub_cells_of_cells() const
+  {
+    return VtuValues::ItemsByCell{packing.n_cells(),
+                                  [this](const unsigned int c) {
+                                    return first_sub_cell(c);
+                                  }};
+  }
   Point<2> point(unsigned int cell, unsigned int k) const;
   /** What a cell is called in the whole packing. */
   unsigned int number_of(unsigned int cell) const
@@ -122,9 +129,10 @@ StressGrid::StressGrid(const StressedCells &shown)
       file(VtuFile::quadrilaterals(
           {first_point(packing.n_cells()),
            [this](auto begin, auto end, double *place) {
-             fill_points(begin, end, place, [this](auto... cell_and_k) {
-               return point(cell_and_k...);
-             });
+             points_of_cells().fill(begin, end, place,
+                                    [this](auto... cell_and_k) {
+                                      return vector(point(cell_and_k...));
+                                    });
            }},
           {first_sub_cell(packing.n_cells()), [this](auto... arguments) {
              fill_corners(arguments...);
@@ -158,11 +166,12 @@ void StressGrid::add_fields()
     return scalar(std::uint8_t(!std::binary_search(
         undetermined.begin(), undetermined.end(), number_of(c))));
   });
-  file.add_point_vector("displacement", [this](auto begin, auto end,
-                                               double *place) {
-    fill_points(begin, end, place,
-                [this](Cell c, unsigned int) { return shown.displacement[c]; });
-  });
+  file.add_point_vector(
+      "displacement", [this](auto begin, auto end, double *place) {
+        points_of_cells().fill(begin, end, place, [this](Cell c, unsigned int) {
+          return vector(shown.displacement[c]);
+        });
+      });
 }
 
 template <typename Values>
@@ -172,58 +181,32 @@ void StressGrid::add(const std::string &name, const Values &values)
   using Number = typename Components::value_type;
   file.add_cell_field<Number>(
       name, std::tuple_size<Components>::value,
-      [=](std::size_t k, const std::size_t end, Number *place) {
-        const auto first = [this](unsigned int c) {
-          return first_sub_cell(c);
-        };
-        unsigned int c = cell_of(k, packing.n_cells(), first);
-        for (; k < end; ++k)
-        {
-          c += (k == first(c + 1));
-          const Components components = values(c, k);
-          place = std::copy(components.begin(), components.end(), place);
-        }
+      [this, values](auto begin, auto end, Number *place) {
+        sub_cells_of_cells().fill(begin, end, place,
+                                  [&](unsigned int c, std::size_t k) {
+                                    return values(c, first_sub_cell(c) + k);
+                                  });
       });
-}
-
-template <typename Value>
-void StressGrid::fill_points(const std::size_t begin,
-                             const std::size_t end,
-                             double *place,
-                             const Value &value) const
-{
-  const auto first = [this](const unsigned int c) {
-    return first_point(c);
-  };
-  unsigned int c = cell_of(begin, packing.n_cells(), first);
-  for (std::size_t p = begin; p < end; ++p)
-  {
-    c += (p == first(c + 1));
-    const auto components = vector(value(c, p - first(c)));
-    place = std::copy(components.begin(), components.end(), place);
-  }
 }
 
 void StressGrid::fill_corners(const std::size_t begin,
                               const std::size_t end,
                               std::int64_t *place) const
 {
-  const auto first = [this](const unsigned int c) {
-    return first_sub_cell(c);
-  };
-  unsigned int c = cell_of(begin, packing.n_cells(), first);
-  for (std::size_t k = begin; k < end; ++k)
-  {
-    c += (k == first(c + 1));
-    const unsigned int side = (k - first(c)) / points.corners.size();
-    for (const auto &corner : points.corners[k % points.corners.size()])
-      *place++ = first_point(c) +
-                 (corner.is_centre
-                      ? 0
-                      : 1 + corner.number +
-                            points.own.size() *
-                                ((side + corner.later) % packing.n_sides(c)));
-  }
+  sub_cells_of_cells().fill(
+      begin, end, place, [&](unsigned int c, std::size_t k) {
+        const unsigned int side = k / points.corners.size();
+        std::array<std::int64_t, 4> numbers;
+        unsigned int v = 0;
+        for (const auto &corner : points.corners[k % points.corners.size()])
+          numbers[v++] = first_point(c) +
+                         (corner.is_centre
+                              ? 0
+                              : 1 + corner.number +
+                                    points.own.size() * ((side + corner.later) %
+                                                         packing.n_sides(c)));
+        return numbers;
+      });
 }
 
 std::size_t StressGrid::first_point(const unsigned int cell) const

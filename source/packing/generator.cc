@@ -11,6 +11,8 @@
 #include <voussoir/packing/voronoi.h>
 #include <voussoir/packing/wall.h>
 
+#include <utility>
+
 namespace Voussoir
 {
 namespace
@@ -73,7 +75,9 @@ PackingParameters::input_files(const std::filesystem::path &directory) const
 Packing PackingParameters::make_packing(const std::filesystem::path &directory,
                                         Terminal &terminal) const
 {
-  Packing packing(generators[chosen]->generate(directory, terminal));
+  CellLoops cells = generators[chosen]->generate(directory, terminal);
+  terminal.progress("looking for interfaces");
+  Packing packing(std::move(cells));
   assign_groups(packing, groups);
   return packing;
 }

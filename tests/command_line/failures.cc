@@ -60,6 +60,9 @@ int main()
   run_with("subsection Friction\n");
   run_with("rubbish\n");
   run_with("subsection Solver\n set Tolerance = -1\nend\n");
+  // However long a value is, a message shows its beginning.
+  run_with("subsection Solver\n set Tolerance = " + std::string(300000, '1') +
+           "x\nend\n");
   run_with("subsection Packing\n subsection Voronoi\n"
            "  set Number of points = 0\n end\nend\n");
 

@@ -53,6 +53,9 @@ public:
    */
   void be_quiet();
 
+  /** Standard output is a screen, of which the last line is to be cleared. */
+  void clear_screen();
+
 private:
   int read_end;
   std::thread waiting;

@@ -24,12 +24,13 @@ struct Progress
   std::string state;       /**< what there is to say, if nothing is counted */
   double seconds = 0.;     /**< since the stage began */
   double counted_for = 0.; /**< seconds in which done was reached */
+  double since = 0.;       /**< seconds since then */
 };
 
 /**
  * "12 s" with the state behind it or, where things are counted, "50 of 200
  * cells, 10 a second, 15 s left"; the remaining time is that at the mean rate
- * so far.
+ * so far. As long as nothing is done there is no rate, but the time.
  */
 std::string text_of_progress(const Progress &progress);
 
@@ -83,7 +84,7 @@ private:
   /** Empty between stages. */
   std::string name;
   Progress progress;
-  Clock::time_point began, began_to_count;
+  Clock::time_point began, began_to_count, counted;
   std::thread thread;
 };
 } // namespace Voussoir

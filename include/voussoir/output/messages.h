@@ -12,6 +12,15 @@ namespace Voussoir
 /** A sentence for the user on the cells that are not convex, or none. */
 std::vector<std::string> cells_not_convex(const Packing &packing);
 
+/** What is wrong with forces that the certificate does not accept. */
+std::string forces_rejected(const Results &results);
+
+/** The same of forces that another run had found. */
+std::string earlier_forces_rejected(const Results &results);
+
+/** Warnings on forces that the certificate accepts. */
+std::vector<std::string> doubts_about(const Results &results);
+
 /**
  * What a run says whose load is not carried.
  *

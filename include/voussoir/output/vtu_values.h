@@ -2,11 +2,16 @@
 #ifndef voussoir_output_vtu_values_h
 #define voussoir_output_vtu_values_h
 
+#include <voussoir/output/vtu_file.h>
+
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <tuple>
 
 namespace Voussoir
 {
@@ -69,6 +74,53 @@ cell_of(const std::size_t i, const unsigned int n_cells, const First &first)
     (first(middle) <= i ? begin : end) = middle;
   }
   return begin;
+}
+
+/** Items of a VtuFile, some to each cell; see cell_of(). */
+template <typename First>
+struct ItemsByCell
+{
+  unsigned int n_cells; /**< of the packing */
+  First first;          /**< the first item of a cell */
+
+  /**
+   * Put the arrays @p value(cell, k), for k counting the items of the cell, of
+   * the items from @p begin to @p end - 1 where @p place says.
+   */
+  template <typename Number, typename Value>
+  void fill(const std::size_t begin,
+            const std::size_t end,
+            Number *place,
+            const Value &value) const
+  {
+    unsigned int c = cell_of(begin, n_cells, first);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      c += (i == first(c + 1));
+      const auto components = value(c, i - first(c));
+      place = std::copy(components.begin(), components.end(), place);
+    }
+  }
+};
+
+template <typename First>
+ItemsByCell(unsigned int, First) -> ItemsByCell<First>;
+
+/** Add to @p file the field of the arrays @p value(cell of the grid). */
+template <typename Value>
+void add_cell_field(VtuFile &file, const std::string &name, const Value &value)
+{
+  using Components = decltype(value(0));
+  using Number = typename Components::value_type;
+  file.add_cell_field<Number>(
+      name, std::tuple_size<Components>::value,
+      [value](std::size_t i, const std::size_t end, Number *place) {
+        for (; i < end; ++i)
+        {
+          const Components components = value(i);
+          place = std::copy(components.begin(), components.end(), place);
+        }
+      });
 }
 } // namespace VtuValues
 } // namespace Voussoir
