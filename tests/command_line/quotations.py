@@ -31,41 +31,50 @@ def quotation(page, begin):
     return "\n".join(lines).rstrip() + "\n"
 
 
-def expect(what, found, quoted):
-    if found != quoted:
-        sys.exit(f"{what} is quoted as\n{quoted}\nand is\n{found}")
-
-
-program, top = sys.argv[1], Path(sys.argv[2])
-readme = (top / "README.md").read_text()
-tutorial = (top / "doc/tutorial.md").read_text()
-scene = top / "prm/tutorial_wall.prm"
-
-
-def run(file, *settings):
+def run(program, file, *settings):
     words = [program, str(file), "--set", "Output directory=quotations"]
     for setting in settings:
         words += ["--set", setting]
     return subprocess.run(words, capture_output=True, text=True)
 
 
-expect("prm/tutorial_wall.prm", scene.read_text(),
-       quotation(tutorial, "# A wall with a door"))
-for name, page, file in (("README.md", readme, top / "prm/shear_wall.prm"),
-                         ("the tutorial", tutorial, scene)):
-    expect(f"the output in {name}", rounded(run(file).stdout),
-           rounded(quotation(page, "Packing  ")))
+def expect(what, found, quoted, ended=None):
+    """With how the run ended, if it is of one."""
+    if found != quoted:
+        print(f"{what} is quoted as\n{quoted}\nand is\n{found}")
+        if ended:
+            print(f"The exit status is {ended.returncode}, and standard error\n{ended.stderr}")
+        sys.exit(1)
 
-push = "Loads/Body force=4; -20"
-expect("the collapse in the tutorial",
-       rounded(run(scene, push, "Friction/Strength=10.09").stderr),
-       rounded(quotation(tutorial, "voussoir: The load is not carried")))
-# Its answers: no friction is needed under weight, and 10.1 with the push.
-for settings, status in ((("Friction/Strength=0",), 0),
-                         ((push, "Friction/Strength=10.1001"), 0),
-                         ((push, "Friction/Strength=10.0999"), 3)):
-    expect(f"the status with {settings}", run(scene, *settings).returncode, status)
-own = readme[readme.index("## Write your own scene"):]
-Path("readme.prm").write_text(quotation(own, "set Output directory"))
-expect("the status of the scene in README.md", run("readme.prm").returncode, 0)
-print("The quotations are right")
+
+def main(program, top):
+    readme = (top / "README.md").read_text("utf-8")
+    tutorial = (top / "doc/tutorial.md").read_text("utf-8")
+    scene = top / "prm/tutorial_wall.prm"
+    expect("prm/tutorial_wall.prm", scene.read_text("utf-8"),
+           quotation(tutorial, "# A wall with a door"))
+    for name, page, file in (("README.md", readme, top / "prm/shear_wall.prm"),
+                             ("the tutorial", tutorial, scene)):
+        ended = run(program, file)
+        expect(f"the output in {name}", rounded(ended.stdout),
+               rounded(quotation(page, "Packing  ")), ended)
+
+    push = "Loads/Body force=4; -20"
+    ended = run(program, scene, push, "Friction/Strength=10.09")
+    expect("the collapse in the tutorial", rounded(ended.stderr),
+           rounded(quotation(tutorial, "voussoir: The load is not carried")), ended)
+    # Its answers: no friction is needed under weight, and 10.1 with the push.
+    for settings, status in ((("Friction/Strength=0",), 0),
+                             ((push, "Friction/Strength=10.1001"), 0),
+                             ((push, "Friction/Strength=10.0999"), 3)):
+        ended = run(program, scene, *settings)
+        expect(f"the status with {settings}", ended.returncode, status, ended)
+    own = readme[readme.index("## Write your own scene"):]
+    Path("readme.prm").write_text(quotation(own, "set Output directory"), "utf-8")
+    ended = run(program, "readme.prm")
+    expect("the status of the scene in README.md", ended.returncode, 0, ended)
+    print("The quotations are right")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], Path(sys.argv[2]))
