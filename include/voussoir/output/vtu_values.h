@@ -103,6 +103,7 @@ struct ItemsByCell
   }
 };
 
+/** So that the type of the function need not be named. */
 template <typename First>
 ItemsByCell(unsigned int, First) -> ItemsByCell<First>;
 
