@@ -105,3 +105,5 @@ def write_png(image, file):
     writer.SetFileName(file)
     writer.SetInputData(image)
     writer.Write()
+    if writer.GetErrorCode():
+        raise OSError(f"'{file}' cannot be written.")
