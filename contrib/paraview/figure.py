@@ -1,7 +1,6 @@
 """A picture that is drawn in pixels, with (0, 0) at its lower left corner."""
 import numpy as np
-from vtkmodules.util.numpy_support import (
-    numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter

@@ -135,7 +135,7 @@ fill(output.VTKObject,
      *chains(*(Grid(grid.VTKObject) for grid in inputs), limit))
 """
 
-# From compression (-1) to tension (1), for all stresses.
+# From compression (-1) to tension (1), for stresses with a sign.
 DIVERGING = [(-1, 0.09, 0.28, 0.60), (-0.5, 0.45, 0.66, 0.85),
              (0, 0.97, 0.97, 0.97),
              (0.5, 0.94, 0.60, 0.45), (1, 0.66, 0.07, 0.12)]
