@@ -1,7 +1,6 @@
 """A picture that is drawn in pixels, with (0, 0) at its lower left corner."""
 import numpy as np
-from vtkmodules.util.numpy_support import (
-    numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -105,3 +104,5 @@ def write_png(image, file):
     writer.SetFileName(file)
     writer.SetInputData(image)
     writer.Write()
+    if writer.GetErrorCode():
+        raise OSError(f"'{file}' cannot be written.")

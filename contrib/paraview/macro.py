@@ -12,13 +12,12 @@ press the macro's button. What is new in the pipeline:
 or, after a collapse, the mechanism, warped, and the blocks at rest. All are
 ordinary sources and filters, whose properties can be changed as always.
 
-ParaView keeps a copy of a macro, so that this file needs no other. MARKS is the
-text of the programmable filters, which a state file takes along; render.py draws
-with the same functions.
+ParaView keeps a copy of a macro, so that this file needs no other. The functions
+that draw are also the text of the programmable filters, which a state file takes
+along, up to the line that says so; render.py draws with the same functions.
 """
 import os
 
-MARKS = '''
 import numpy as np
 from vtkmodules.util.numpy_support import (
     numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy)
@@ -122,21 +121,30 @@ def fill(output, begin, end, width, value):
     output.SetPoints(points)
     output.SetPolys(cells)
     output.GetCellData().AddArray(values)
-'''
-CROSSES = MARKS + '''
+
+
+# The text of the filters ends here.
+
+CROSSES = """
 limit = None  # the stress of an arm as long as the block; None: the largest
 fill(output.VTKObject, *crosses(Grid(inputs[0].VTKObject), limit))
-'''
-CHAINS = MARKS + '''
+"""
+CHAINS = """
 limit = None  # the normal force of the widest line; None: the largest
 fill(output.VTKObject,
      *chains(*(Grid(grid.VTKObject) for grid in inputs), limit))
-'''
+"""
 
-# From compression (-1) to tension (1), for all stresses.
+# From compression (-1) to tension (1), for stresses with a sign.
 DIVERGING = [(-1, 0.09, 0.28, 0.60), (-0.5, 0.45, 0.66, 0.85),
              (0, 0.97, 0.97, 0.97),
              (0.5, 0.94, 0.60, 0.45), (1, 0.66, 0.07, 0.12)]
+
+
+def filter_text(call):
+    """The functions that draw, from the file of the macro, and a call of them."""
+    with open(__file__, encoding="utf-8") as file:
+        return file.read().split("\n# The text of the filters ends here.")[0] + call
 
 
 def result_directory(source):
@@ -217,9 +225,9 @@ def show_stress(directory, view):
         raise RuntimeError(f"'{directory}' has no results with blocks.vtu.")
     colour(Show(stress, view), "stress", view, component=0)
     outline(blocks, view)
-    for name, script, inputs in (("Crosses", CROSSES, blocks),
-                                 ("Chains", CHAINS, [blocks, interfaces])):
-        marks = ProgrammableFilter(Input=inputs, Script=script,
+    for name, call, inputs in (("Crosses", CROSSES, blocks),
+                               ("Chains", CHAINS, [blocks, interfaces])):
+        marks = ProgrammableFilter(Input=inputs, Script=filter_text(call),
                                    OutputDataSetType="vtkPolyData")
         RenameSource(name, marks)
         marks.UpdatePipeline()
@@ -248,5 +256,6 @@ def main():
     Render(view)
 
 
-if __name__ != "macro":  # not where render.py imports it
+# As a program, or by the button: ParaView then runs it in the console.
+if __name__ in ("__main__", "__vtkconsole__"):
     main()

@@ -25,6 +25,7 @@ ALL = tuple(SELECTIONS.values())
 SIX = ("--titles", "; ".join(SELECTIONS))
 OWN = ((),)  # as the scene is
 LOW = "Friction/Strength="
+PUSH = "Loads/Body force=4; -20"
 
 # Name of the picture, scene of prm/, settings of each panel, view, and options of
 # render.py. This is the one place where pictures are defined.
@@ -63,6 +64,11 @@ PICTURES = [
     ("million_cells", "million_cells",
      (("Packing/Voronoi/Number of points=10000",),), "sigma_xx",
      ("--width", "500", "--limit", "3.6")),
+    ("tutorial_stress", "tutorial_wall", OWN, "principal", ()),
+    ("tutorial_utilisation", "tutorial_wall", ((), (PUSH,)), "utilisation",
+     ("--titles", "weight; weight and push")),
+    ("tutorial_mechanism", "tutorial_wall", ((PUSH, LOW + "10.09"),), "mechanism",
+     ()),
 ]
 
 

@@ -6,6 +6,7 @@ See --help. In code: main(arguments) returns the exit status.
 """
 import argparse
 import os
+import re
 import sys
 
 import numpy as np
@@ -64,10 +65,19 @@ def check(options):
         raise NotThere("There must be at least one column.")
     if options.titles and len(options.titles) != len(options.directories):
         raise NotThere("Give as many titles as directories.")
-    endings = {"all": ("",), "animation": (".png", ".ogv")}
-    if not options.picture.endswith(endings.get(options.view, (".png",))):
-        raise NotThere(f"A picture is a .png, and '{options.picture}' is not.")
-    folder = os.path.dirname(os.path.abspath(options.picture))
+    check_picture(options.view, options.picture)
+
+
+def check_picture(view, file):
+    if view == "animation":
+        if not re.fullmatch(r".*\.ogv|[^%]*%(0\d)?d[^%]*\.png", file):
+            raise NotThere("An animation is an .ogv, or frames with a number in their "
+                           f"names, as NAME_%02d.png, and '{file}' is neither.")
+    elif view != "all" and not file.endswith(".png"):
+        raise NotThere(f"A picture is a .png, and '{file}' is not.")
+    if os.path.exists(file) and os.path.isdir(file) != (view == "all"):
+        raise NotThere(f"'{file}' is {'not ' if view == 'all' else ''}a directory.")
+    folder = os.path.dirname(os.path.abspath(file))
     if not os.path.isdir(folder):
         raise NotThere(f"There is no directory '{folder}' for the picture.")
 
@@ -107,7 +117,7 @@ class Picture:
         self.limit = self.options.limit or largest or 1.0
 
     def panels(self):
-        return [self.view.layers(r, self.limit, self.options) for r in self.results]
+        return [self.view.panel(r, self.limit, self.options) for r in self.results]
 
     def legend_title(self):
         limit = number(self.limit)
@@ -172,17 +182,10 @@ class Layout:
         return np.array([x, y]), scale
 
 
-def bounds_of(layers):
-    points = [layer.points for layer in layers if len(layer.points)]
-    return (np.min([p.min(axis=0) for p in points], axis=0),
-            np.max([p.max(axis=0) for p in points], axis=0))
-
-
 def draw_bar(figure, picture, x, y, layout):
     """The colours between the ends, with the values below them."""
     font, width = layout.font, layout.size[0] * 0.45
-    signed = picture.view.scale[0][0] < 0 and picture.name != "von_mises"
-    low = -1 if signed else 0
+    low = picture.view.scale[0][0]
     edges = np.linspace(0, 1, 257) * width + x - width / 2
     values = np.linspace(low, 1, 256)
     figure.rectangles(edges[:-1], edges[1:], y + 1.25 * font, y + 1.95 * font,
@@ -209,15 +212,14 @@ def draw(picture, options, bounds=None):
     panels = picture.panels()
     titles = options.titles or (
         [r.title() for r in picture.results] if len(panels) > 1 else [])
-    layout = Layout(bounds or [bounds_of(p) for p in panels], options, bool(titles))
+    layout = Layout(bounds or [p.bounds() for p in panels], options, bool(titles))
     figure = Figure(*layout.size)
-    for i, layers in enumerate(panels):
+    for i, panel in enumerate(panels):
         middle, scale = layout.place(i)
         low, high = layout.bounds[i]
-        n_blocks = len(layers[1].offsets) - 1
-        pixels = scale * np.sqrt(np.prod(high - low) / n_blocks)
+        pixels = scale * np.sqrt(np.prod(high - low) / panel.n_blocks())
         line = float(np.clip(0.05 * pixels, 0.25, 1.5)) * max(1, options.width / 800)
-        for layer in layers:
+        for layer in panel.layers():
             figure.add((layer.points - (low + high) / 2) * scale + middle,
                        layer.offsets, layer.corners, layer.colours,
                        line * layer.line_width)
@@ -234,27 +236,36 @@ def draw(picture, options, bounds=None):
     return figure.image()
 
 
-def animate(picture, options, file):
-    """One swing, from rest to the mechanism and back."""
+def swing(picture, options):
+    """The images of one swing, from rest to the mechanism and back."""
     options.swing = 1.0
-    bounds = [bounds_of(layers) for layers in picture.panels()]
-    movie = None
+    bounds = [panel.bounds() for panel in picture.panels()]
     for i in range(FRAMES):
         options.swing = (1 - np.cos(2 * np.pi * i / FRAMES)) / 2
-        image = draw(picture, options, bounds)
-        if not file.endswith(".ogv"):
-            write_png(image, file % i)
-            continue
-        if movie is None:
-            movie = vtkOggTheoraWriter()
-            movie.SetFileName(file)
-            movie.SetRate(FRAMES // 2)
-            movie.SetInputData(image)
-            movie.Start()
+        yield draw(picture, options, bounds)
+
+
+def write_movie(images, file):
+    movie = vtkOggTheoraWriter()
+    movie.SetFileName(file)
+    movie.SetRate(FRAMES // 2)
+    for i, image in enumerate(images):
         movie.SetInputData(image)
+        if i == 0:
+            movie.Start()
         movie.Write()
-    if movie:
-        movie.End()
+        if movie.GetError():
+            raise OSError(f"'{file}' cannot be written.")
+    movie.End()
+
+
+def animate(picture, options, file):
+    images = swing(picture, options)
+    if file.endswith(".ogv"):
+        write_movie(images, file)
+        return
+    for i, image in enumerate(images):
+        write_png(image, file % i)
 
 
 def render(name, file, results, options):
@@ -283,7 +294,7 @@ def main(arguments):
             render_all(options.picture, results, options)
         else:
             render(options.view, options.picture, results, options)
-    except NotThere as error:
+    except (NotThere, OSError) as error:
         print(f"render.py: {error}", file=sys.stderr)
         return 2
     except KeyError as error:  # a field of a file, by its name

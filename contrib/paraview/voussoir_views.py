@@ -10,19 +10,14 @@ import numpy as np
 from vtkmodules.vtkIOXML import (
     vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader)
 
-import macro
+from macro import DIVERGING, Grid, chains, crosses, ribbons
 
-_marks = {}
-exec(macro.MARKS, _marks)
-Grid, crosses, chains, ribbons = (
-    _marks[name] for name in ("Grid", "crosses", "chains", "ribbons"))
-
-# From 0 to 1, for what has no sign: utilisation and displacement.
+# From 0 to 1, for what is not negative: utilisation, displacement, von_mises.
 SEQUENTIAL = [(0, 0.80, 0.84, 0.88), (0.5, 0.96, 0.68, 0.25), (1, 0.55, 0.03, 0.18)]
 # Of groups of blocks, repeated if there are more.
 GROUPS = np.array([(0.85, 0.72, 0.55), (0.58, 0.71, 0.78), (0.72, 0.52, 0.47),
                    (0.67, 0.76, 0.55), (0.76, 0.66, 0.80), (0.93, 0.86, 0.58)])
-COMPRESSION, TENSION = macro.DIVERGING[0][1:], macro.DIVERGING[-1][1:]
+COMPRESSION, TENSION = DIVERGING[0][1:], DIVERGING[-1][1:]
 PALE, GREY, DARK = (0.96, 0.96, 0.96), (0.55, 0.55, 0.55), (0.15, 0.15, 0.15)
 # Less than this part of the largest stress or force of a result is rounding.
 ROUNDING = 1e-9
@@ -104,6 +99,25 @@ class Layer:
     line_width: float = 0
 
 
+@dataclass
+class Panel:
+    """A result in a view: polygons, the outlines of the blocks, and what is on top."""
+    polygons: Layer
+    outlines: Layer
+    top: Layer = None
+
+    def layers(self):
+        return [self.polygons, self.outlines] + ([self.top] if self.top else [])
+
+    def n_blocks(self):
+        return len(self.outlines.offsets) - 1
+
+    def bounds(self):
+        """The lower left and the upper right corner."""
+        points = np.concatenate([layer.points for layer in self.layers()])
+        return points.min(axis=0), points.max(axis=0)
+
+
 def fill(grid, colours, points=None):
     return Layer(grid.points if points is None else points, grid.offsets,
                  grid.corners, colours)
@@ -149,69 +163,73 @@ def block_size(grid):
     return np.sqrt(np.abs(grid.areas_and_centroids()[0]).mean())
 
 
-def stress_layers(name, results, limit, options):
+def scale_of(name):
+    return SEQUENTIAL if name == "von_mises" else DIVERGING
+
+
+def stress_panel(name, results, limit, options):
     grid = results.stress()
     values = component(name, grid) / limit
-    return [fill(grid, interpolate(macro.DIVERGING, values)),
-            outline(results.blocks())]
+    return Panel(fill(grid, interpolate(scale_of(name), values)),
+                 outline(results.blocks()))
 
 
 def mark_colours(value):
     return np.where(value[:, None] < 0, COMPRESSION, TENSION)
 
 
-def principal_layers(results, limit, options):
+def principal_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = crosses(principal_grid(results, options), limit)
-    return [fill(blocks, PALE), outline(blocks, colour=GREY),
-            marks(*lines, mark_colours(value))]
+    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY),
+                 marks(*lines, mark_colours(value)))
 
 
-def chain_layers(results, limit, options):
+def chain_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = chains(blocks, results.interfaces(), limit)
-    return [fill(blocks, PALE), outline(blocks, colour=GREY),
-            marks(*lines, mark_colours(value))]
+    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY),
+                 marks(*lines, mark_colours(value)))
 
 
-def utilisation_layers(results, limit, options):
+def utilisation_panel(results, limit, options):
     blocks, interfaces = results.blocks(), results.interfaces()
     value = interfaces.of_cells.get("utilisation", np.empty(0))
     order = np.argsort(value, kind="stable")  # the most used on top
     begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
     value = value[order]
     width = block_size(blocks) * np.where(value > 1 - 1e-6, 0.14, 0.07)
-    return [fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-            marks(begin, end, width, interpolate(SEQUENTIAL, value))]
+    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+                 marks(begin, end, width, interpolate(SEQUENTIAL, value)))
 
 
-def group_layers(results, limit, options):
+def group_panel(results, limit, options):
     blocks = results.blocks()
-    return [fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
-            outline(blocks)]
+    return Panel(fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
+                 outline(blocks))
 
 
-def moved_layers(grid, factor, limit):
+def moved_panel(grid, factor, limit):
     moved = grid.points + factor * grid.of_points["displacement"][:, :2]
     colours = interpolate(SEQUENTIAL, magnitude(grid) / limit)
-    return [fill(grid, colours, moved), outline(grid, moved),
-            outline(grid, colour=GREY, width=0.7)]
+    return Panel(fill(grid, colours, moved), outline(grid, moved),
+                 outline(grid, colour=GREY, width=0.7))
 
 
-def displacement_layers(results, limit, options):
+def displacement_panel(results, limit, options):
     blocks = results.blocks()
-    return moved_layers(blocks, options.fraction * block_size(blocks) / limit, limit)
+    return moved_panel(blocks, options.fraction * block_size(blocks) / limit, limit)
 
 
-def mechanism_layers(results, limit, options):
-    return moved_layers(results.mechanism(), getattr(options, "swing", 1.0), limit)
+def mechanism_panel(results, limit, options):
+    return moved_panel(results.mechanism(), getattr(options, "swing", 1.0), limit)
 
 
 @dataclass
 class View:
     """values: what the scale is for; reference: what makes small values rounding."""
     file: str
-    layers: Callable
+    panel: Callable
     values: Callable = None
     reference: Callable = None
     scale: list = None
@@ -219,10 +237,10 @@ class View:
 
 
 def stress_view(name):
-    return View("blocks.vtu", partial(stress_layers, name),
+    return View("blocks.vtu", partial(stress_panel, name),
                 lambda results, options: component(name, results.stress()),
                 lambda results: results.stress().of_cells["stress"],
-                macro.DIVERGING)
+                scale_of(name))
 
 
 def principal_values(results, options):
@@ -233,20 +251,20 @@ def chain_values(results, options):
     return chains(results.blocks(), results.interfaces())[-1]
 
 
-MECHANISM = View("mechanism.vtu", mechanism_layers,
+MECHANISM = View("mechanism.vtu", mechanism_panel,
                  lambda results, options: magnitude(results.mechanism()),
                  scale=SEQUENTIAL)
 VIEWS = {
     **{name: stress_view(name)
        for name in ("sigma_xx", "sigma_xy", "sigma_yy", "von_mises")},
-    "principal": View("blocks.vtu", principal_layers, principal_values,
+    "principal": View("blocks.vtu", principal_panel, principal_values,
                       lambda results: results.blocks().of_cells["stress"],
                       legend="principal"),
-    "chains": View("interfaces.vtu", chain_layers, chain_values, forces,
+    "chains": View("interfaces.vtu", chain_panel, chain_values, forces,
                    legend="chains"),
-    "utilisation": View("interfaces.vtu", utilisation_layers, scale=SEQUENTIAL),
-    "blocks": View("blocks.vtu", group_layers, legend="groups"),
-    "displacement": View("blocks.vtu", displacement_layers,
+    "utilisation": View("interfaces.vtu", utilisation_panel, scale=SEQUENTIAL),
+    "blocks": View("blocks.vtu", group_panel, legend="groups"),
+    "displacement": View("blocks.vtu", displacement_panel,
                          lambda results, options: magnitude(results.blocks()),
                          scale=SEQUENTIAL),
     "mechanism": MECHANISM,

@@ -90,7 +90,7 @@ def expect_refusal(arguments, message):
     expect(f"status of {arguments}", status == 2)
     expect(f"{found.getvalue()!r}, not {message!r}",
            found.getvalue() == f"render.py: {message}\n")
-    expect("nothing is written", not os.path.exists("pictures/refused.png"))
+    expect("nothing is written", not glob.glob("pictures/**/*refused*", recursive=True))
 
 
 def check_scenes():
@@ -120,6 +120,9 @@ def check_colours():
     image = view("sigma_xx", uniform, uniform, width=500, options=["--limit", "2"])
     expect("panels are beside each other", image.shape[0] < 350 and
            min(share(half, HALF_BLUE) for half in np.split(image, 2, axis=1)) > 0.5)
+    image = view("von_mises", uniform)
+    expect("what is not negative ends in the darkest, and has no blue",
+           share(image, MOST) > 0.6 and share(image, BLUE) + share(image, RED) == 0)
     image = view("sigma_xy", "pictures/homogeneous_compression")
     expect("rounding is white", share(image, WHITE) > 0.3 and
            share(image, BLUE) + share(image, RED) < 0.01)
@@ -156,8 +159,9 @@ def check_extremes():
 
 def check_refusals():
     arch, collapse, to = "pictures/arch", "pictures/collapse", "pictures/refused.png"
-    views = ", ".join(render.VIEWS)
-    os.makedirs("pictures/empty", exist_ok=True)
+    views, here = ", ".join(render.VIEWS), os.getcwd()
+    os.makedirs("pictures/empty")
+    os.makedirs("pictures/folder.png")
     for arguments, message in (
             ([["sigma_zz", to, arch]],
              f"There is no view 'sigma_zz'; choose one of {views}, or all."),
@@ -176,9 +180,28 @@ def check_refusals():
              "Give as many titles as directories."),
             ([["sigma_xx", "refused.jpg", arch]],
              "A picture is a .png, and 'refused.jpg' is not."),
+            ([["sigma_xx", "refused.ogv", arch]],
+             "A picture is a .png, and 'refused.ogv' is not."),
+            ([["sigma_xx", f"{here}/nowhere/refused.png", arch]],
+             f"There is no directory '{here}/nowhere' for the picture."),
+            ([["all", f"{here}/nowhere/pictures", arch]],
+             f"There is no directory '{here}/nowhere' for the picture."),
+            ([["all", f"{arch}/summary.json", arch]],
+             f"'{arch}/summary.json' is not a directory."),
+            ([["sigma_xx", "pictures/folder.png", arch]],
+             "'pictures/folder.png' is a directory."),
+            ([["sigma_xx", "/proc/refused.png", arch]],
+             "'/proc/refused.png' cannot be written."),
+            ([["animation", "/proc/refused.ogv", collapse]],
+             "'/proc/refused.ogv' cannot be written."),
             ([["sigma_xx", to]], "The following arguments are required: DIRECTORY; "
              "see --help.")):
         expect_refusal(*arguments, message)
+    for name in ("", "%s", "%02d%02d", "%%02d", "100%", "%999999d"):
+        file = f"pictures/refused{name}.png"
+        expect_refusal(["animation", file, collapse], "An animation is an .ogv, or "
+                       "frames with a number in their names, as NAME_%02d.png, and "
+                       f"'{file}' is neither.")
     broken = shutil.copytree(arch, "pictures/broken")
     shutil.copy(f"{arch}/interfaces.vtu", f"{broken}/blocks.vtu")
     expect_refusal(["principal", to, broken], "The results have no 'stress'; make "
@@ -194,19 +217,20 @@ def check_refusals():
 
 
 def check_macro():
-    """The macro in a window's pipeline, from results.pvd."""
+    """The macro in a window's pipeline, from results.pvd, run as by its button."""
     from paraview.simple import (FindSource, GetActiveViewOrCreate, OpenDataFile,
                                  SaveScreenshot, SetActiveSource)
     with open(f"{SOURCE}/contrib/paraview/macro.py") as file:
         macro = compile(file.read(), "macro", "exec")
+    as_button = {"__name__": "__vtkconsole__", "__file__": file.name}
     for directory, names in (("arch", {"Stress": 84, "Outlines": 21, "Crosses": 42,
                                        "Chains": 42}),
                              ("collapse", {"Mechanism": 21, "At rest": 21})):
         SetActiveSource(OpenDataFile(f"pictures/{directory}/results.pvd"))
-        exec(macro, {"__name__": "__main__"})
+        exec(macro, dict(as_button))
         if directory == "arch":  # again, from what it has made
             SetActiveSource(FindSource("Chains"))
-            exec(macro, {"__name__": "__main__"})
+            exec(macro, dict(as_button))
         for name, n_cells in names.items():
             found = FindSource(name).GetDataInformation().GetNumberOfCells()
             expect(f"{name} of {directory}, {found}", found == n_cells)
@@ -227,9 +251,18 @@ def check_documentation():
     defined = [picture[0] for picture in pictures.PICTURES]
     expect(f"pictures that contrib/pictures makes, {made ^ set(defined)}",
            made == set(defined) and len(defined) == len(made))
+    for page in ("gallery", "tutorial"):
+        with open(f"{SOURCE}/doc/{page}.md") as file:
+            text = file.read()
+        shown = set(re.findall(r"images/(\w+)\.png", text))
+        named = set(re.findall(r"contrib/pictures\s+--only\s+(\w+)", text)) - {"NAME"}
+        expect(f"pictures of the {page} and their commands, {named ^ shown}",
+               named == shown)
     with open(f"{SOURCE}/doc/gallery.md") as file:
-        named = set(re.findall(r"contrib/pictures\s+--only\s+(\w+)", file.read()))
-    expect(f"pictures named in the gallery, {named ^ made}", named - {"NAME"} == made)
+        text = file.read()
+    missing = [scene for scene in os.listdir(f"{SOURCE}/prm")
+               if scene.endswith(".prm") and f"../prm/{scene}" not in text]
+    expect(f"scenes that the gallery lacks, {missing}", not missing)
 
 
 shutil.rmtree("pictures", ignore_errors=True)
