@@ -114,7 +114,7 @@ std::string text_of_pattern(const std::string &description)
     std::string values = "values";
     if (low == high)
       values = low + " values";
-    else if (high != "2147483647")
+    else if (high != "2147483647" && high != "4294967295")
       values = low + " to " + high + " values";
     else if (low != "0")
       values = "at least " + low + " values";

@@ -82,10 +82,11 @@ int main()
   std::cout << quiet_warnings({"--set", "Loads/Traction=0; 0"});
 
   // What belongs to another choice has no effect, and is named.
-  std::cout << quiet_warnings({"--set", "Packing/wall/Courses=3", "--set",
-                               "Packing/wall/Width=2", "--set",
-                               "Solver/least energy/Modulus=7", "--set",
-                               "Stress/Refinements=1"});
+  std::cout << quiet_warnings(
+      {"--set", "Packing/wall/Courses=3", "--set", "Packing/wall/Width=2",
+       "--set", "Solver/least energy/Modulus=7", "--set",
+       "Stress/Refinements=1", "--set", "Loads/Stress=1, 0; 0, 1", "--set",
+       "Packing/Voronoi/Seed=3", "--set", "Packing/arch/Thickness=0.20"});
   check("what is used is not named",
         quiet_warnings(
             {"--set", "Accuracy=fine", "--set", "Stress/Refinements=1"})
