@@ -18,6 +18,15 @@ namespace
 /** Bytes of a block before compression: enough for LZ4 to find repetitions. */
 constexpr std::size_t block_size = 1 << 19;
 
+/**
+ * Bytes of white space before the data. VTK's reader takes 4096 bytes at a
+ * time, and stops when expat has told it of the element AppendedData. Since its
+ * version 2.6, and as Debian has it, expat tells that only when there is more
+ * to read; then this must not yet be the data, which is no XML. Two times 4096
+ * bytes are enough, wherever the element stands.
+ */
+constexpr std::size_t padding = 3 * 4096;
+
 template <typename Number>
 const char *name_of_type();
 template <>
@@ -176,7 +185,8 @@ void VtuFile::write(std::ostream &out) const
   out << "</PointData>\n<CellData>\n";
   std::for_each(cell_fields.begin(), cell_fields.end(), announce);
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n"
-         "<AppendedData encoding=\"raw\">\n_";
+         "<AppendedData encoding=\"raw\">\n"
+      << std::string(padding, ' ') << '_';
 
   const std::streampos begin = out.tellp();
   for (unsigned int i = 0; i < arrays.size(); ++i)
