@@ -328,14 +328,14 @@ int main()
   std::ofstream("output/notes.txt") << "the user's own\n";
   interrupt("in the solver", SIGINT, ipopt, packed(500));
   for (const char *file :
-       {"interfaces.csv", "cells.csv", "interfaces.vtu", "stress.vtu"})
+       {"interfaces.csv", "cells.csv", "blocks.vtu", "stress.vtu"})
     interrupt(std::string("in ") + file, SIGTERM, {}, [file](const Process &) {
       return is_being_written("output", file);
     });
   interrupt(
       "in a new directory", SIGINT, {"Output directory=a/b/c"},
       [](const Process &) {
-        return is_being_written("a/b/c", "interfaces.vtu");
+        return is_being_written("a/b/c", "cells.csv");
       },
       "a");
   check("no directory", !fs::exists("a"));
