@@ -334,9 +334,7 @@ int main()
     });
   interrupt(
       "in a new directory", SIGINT, {"Output directory=a/b/c"},
-      [](const Process &) {
-        return is_being_written("a/b/c", "cells.csv");
-      },
+      [](const Process &) { return is_being_written("a/b/c", "cells.csv"); },
       "a");
   check("no directory", !fs::exists("a"));
   interrupt_parallel();
