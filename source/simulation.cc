@@ -39,16 +39,11 @@ constexpr double tolerance_allowance = 10.;
 /** A ratio of work to dissipation above which the dissipation is rounding. */
 constexpr double frictionless_ratio = 1e9;
 
-/** How many supports are named on the terminal. */
-constexpr unsigned int n_shown_supports = 4;
-
-/** Join @p grids, if there are any, for who opens one file only. */
+/** Join @p grids for who opens one file only. */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
 {
-  if (!grids.empty())
-    files.write("results.pvd",
-                [&](std::ostream &out) { write_pvd(out, grids); });
+  files.write("results.pvd", [&](std::ostream &out) { write_pvd(out, grids); });
 }
 } // namespace
 
@@ -141,7 +136,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
            counted(scene.packing.boundary_edges().size(), "boundary edge")));
   for (const std::string &warning : cells_not_convex(scene.packing))
     terminal.warning(warning);
-  show_supports(scene);
+  show_supports(terminal, scene);
   timer.leave_subsection();
   if (earlier)
     return finish(read_forces(*earlier, scene), prm);
@@ -226,51 +221,16 @@ bool Simulation::writes(const ResultFiles kind) const
          keeps_forces;
 }
 
-void Simulation::show_supports(const Scene &scene) const
-{
-  const std::vector<StraightRun> supports = straight_supports(scene.packing);
-  for (unsigned int k = 0; k < supports.size() && k < n_shown_supports; ++k)
-    terminal.stage("Support", "from " + text_of_point(supports[k].start) +
-                                  " to " + text_of_point(supports[k].end));
-  if (supports.size() > n_shown_supports)
-    terminal.stage("Support",
-                   text("and ", supports.size() - n_shown_supports, " more"));
-}
-
 void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
 {
-  const Scene &scene = results.scene;
   timer.enter_subsection("certificate");
-  results.certificate = certify(scene, results.forces);
+  results.certificate = certify(results.scene, results.forces);
   check_certificate(results);
   timer.leave_subsection();
 
   timer.enter_subsection("stress");
   terminal.begin("Stress");
-  results.reactions = reactions(scene, results.forces);
-  if (writes(ResultFiles::csv) || writes(ResultFiles::vtu))
-  {
-    results.torques = residual_torques(scene, results.forces);
-    results.mean_stresses = cell_mean_stresses(scene, results.forces);
-  }
-  const bool reconstruct = stress.reconstruct() && writes(ResultFiles::vtu);
-  std::optional<StressPart> own_part;
-  if (reconstruct)
-  {
-    const Reconstruction how = stress.reconstruction();
-    if (team.size() == 1)
-      results.stress = reconstruct_stress(scene, results.forces, how, terminal);
-    else
-    {
-      own_part.emplace(reconstruct_on_root(
-          scene, results.forces, results.displacement, how, team, terminal));
-      results.stress.n_sub_cells = own_part->stress.n_sub_cells;
-      results.stress.undetermined = own_part->stress.undetermined;
-    }
-    terminal.stage("Stress", text(results.stress.n_sub_cells, " sub-cells"));
-    for (const std::string &warning : undetermined_cells(scene, results.stress))
-      terminal.warning(warning);
-  }
+  const std::optional<StressPart> own_part = find_stresses(results);
   timer.leave_subsection();
 
   timer.enter_subsection("output");
@@ -284,34 +244,64 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
     add("interfaces.csv", write_interfaces_csv);
     add("cells.csv", write_cells_csv);
   }
-  // In the order in which one covers the other where they are shown together.
-  std::vector<std::string> grids;
   if (writes(ResultFiles::vtu))
   {
+    // In the order in which one covers the other where they are shown together.
+    std::vector<std::string> grids = {"blocks.vtu", "interfaces.vtu"};
     add("blocks.vtu", write_blocks_vtu);
-    grids.push_back("blocks.vtu");
+    if (stress.reconstruct())
+      grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
+    add("interfaces.vtu", write_interfaces_vtu);
+    write_collection(files, grids);
   }
+  publish(files, results, prm);
+  show_summary(terminal, results);
+}
+
+std::optional<StressPart> Simulation::find_stresses(Results &results)
+{
+  const Scene &scene = results.scene;
+  results.reactions = reactions(scene, results.forces);
+  if (writes(ResultFiles::csv) || writes(ResultFiles::vtu))
+  {
+    results.torques = residual_torques(scene, results.forces);
+    results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  }
+  std::optional<StressPart> own_part;
+  if (!stress.reconstruct() || !writes(ResultFiles::vtu))
+    return own_part;
+
+  const Reconstruction how = stress.reconstruction();
+  if (team.size() == 1)
+    results.stress = reconstruct_stress(scene, results.forces, how, terminal);
+  else
+  {
+    own_part.emplace(reconstruct_on_root(
+        scene, results.forces, results.displacement, how, team, terminal));
+    results.stress.n_sub_cells = own_part->stress.n_sub_cells;
+    results.stress.undetermined = own_part->stress.undetermined;
+  }
+  terminal.stage("Stress", text(results.stress.n_sub_cells, " sub-cells"));
+  for (const std::string &warning : undetermined_cells(scene, results.stress))
+    terminal.warning(warning);
+  return own_part;
+}
+
+std::string
+Simulation::write_stress(ResultDirectory &files,
+                         const Results &results,
+                         const std::optional<StressPart> &own_part) const
+{
   if (own_part)
   {
     write_stress_pieces(files, *own_part, team);
-    grids.push_back("stress.pvtu");
+    return "stress.pvtu";
   }
-  else if (reconstruct)
-  {
-    files.write("stress.vtu", [&](std::ostream &out) {
-      write_stress_vtu(out,
-                       {scene.packing, results.stress, results.displacement});
-    });
-    grids.push_back("stress.vtu");
-  }
-  if (writes(ResultFiles::vtu))
-  {
-    add("interfaces.vtu", write_interfaces_vtu);
-    grids.push_back("interfaces.vtu");
-  }
-  write_collection(files, grids);
-  publish(files, results, prm);
-  show_summary(terminal, results);
+  files.write("stress.vtu", [&](std::ostream &out) {
+    write_stress_vtu(
+        out, {results.scene.packing, results.stress, results.displacement});
+  });
+  return "stress.vtu";
 }
 
 void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)

@@ -12,11 +12,13 @@
 #include <voussoir/statics/loads.h>
 #include <voussoir/statics/supports.h>
 #include <voussoir/stress/reconstruction.h>
+#include <voussoir/stress/stress_part.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace Voussoir
@@ -65,9 +67,19 @@ private:
    */
   Results read_forces(EarlierRun &earlier, const Scene &scene);
   Scene make_scene(const std::filesystem::path &directory) const;
-  void show_supports(const Scene &scene) const;
   /** Whether results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
+  /**
+   * Add to @p results what follows from the forces and is asked for.
+   *
+   * @return the root's part of the stress inside the cells, if there are more
+   *   processes than one.
+   */
+  std::optional<StressPart> find_stresses(Results &results);
+  /** Write the stress inside the cells. @return the name of the file. */
+  std::string write_stress(ResultDirectory &files,
+                           const Results &results,
+                           const std::optional<StressPart> &own_part) const;
   /** Check, complete and write what was found. */
   void finish(Results results, const dealii::ParameterHandler &prm);
   [[noreturn]] void finish(Collapse collapse,

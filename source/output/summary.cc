@@ -22,6 +22,9 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+/** How many supports are named on the terminal. */
+constexpr unsigned int n_shown_supports = 4;
+
 /** What stands first in every summary. */
 Json summary_of(const RunRecord &run, const std::string &status)
 {
@@ -132,6 +135,17 @@ void write_summary_json(std::ostream &out, const Collapse &collapse)
       {"closing_violation", collapse.proof.closing_violation},
       {"work_of_loads", parts}};
   write(out, std::move(summary), collapse);
+}
+
+void show_supports(Terminal &terminal, const Scene &scene)
+{
+  const std::vector<StraightRun> supports = straight_supports(scene.packing);
+  for (unsigned int k = 0; k < supports.size() && k < n_shown_supports; ++k)
+    terminal.stage("Support", "from " + text_of_point(supports[k].start) +
+                                  " to " + text_of_point(supports[k].end));
+  if (supports.size() > n_shown_supports)
+    terminal.stage("Support",
+                   text("and ", supports.size() - n_shown_supports, " more"));
 }
 
 void show_summary(Terminal &terminal, const Results &results)

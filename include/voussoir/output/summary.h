@@ -15,6 +15,9 @@ void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
 /** @} */
 
+/** Say from where to where the first supports are, and how many more. */
+void show_supports(Terminal &terminal, const Scene &scene);
+
 /** The summary of a run in a few lines, for people. */
 void show_summary(Terminal &terminal, const Results &results);
 } // namespace Voussoir
