@@ -183,9 +183,13 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);
-  std::vector<double> strengths = friction.strengths(blocks);
+  Strengths strengths = friction.strengths(blocks);
   Loads on_blocks = loads.loads(blocks);
-  return {std::move(blocks), std::move(strengths), std::move(on_blocks)};
+  for (const auto &warnings : {strengths.warnings, on_blocks.warnings})
+    for (const std::string &warning : warnings)
+      terminal.warning(warning);
+  return {std::move(blocks), std::move(strengths.of_interface),
+          std::move(on_blocks)};
 }
 
 Results Simulation::read_forces(EarlierRun &earlier, const Scene &scene)

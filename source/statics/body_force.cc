@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/formula/triangle_integral.h>
 #include <voussoir/packing/geometry.h>
 #include <voussoir/statics/body_force.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <algorithm>
 
 namespace Voussoir
 {
@@ -11,8 +13,16 @@ using dealii::Tensor;
 
 namespace
 {
-/** deal.II's rule of this number has seven points and degree five. */
-constexpr unsigned int rule_on_triangles = 3;
+/** Whether a jump may cross the box around a cell. */
+bool are_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
+{
+  if (jumps.empty())
+    return false;
+  std::vector<Point<2>> vertices;
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    vertices.push_back(packing.vertex(c, i));
+  return !jumps.crossings(box_around(vertices), jumps.no_limits()).empty();
+}
 
 /** A sub-cell: the triangle of the centre and side i of a cell. */
 struct Triangle
@@ -31,25 +41,37 @@ struct Triangle
 
 BodyForce::BodyForce(
     const Packing &packing,
-    const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b)
+    const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
+    const Jumps &jumps,
+    Inaccuracies *const inaccuracies)
 {
   allocate(packing);
-  const dealii::QGaussSimplex<2> rule(rule_on_triangles);
+  const Jumps none;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
+        [&](const Point<2> &x) {
+          return b(x, c);
+        };
+    const Jumps &jumps_here = are_near(jumps, packing, c) ? jumps : none;
+    double error = 0., size = 0., uncertain = 0.;
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     {
-      const Triangle triangle(packing, c, i);
-      for (unsigned int q = 0; q < rule.size(); ++q)
-      {
-        const Tensor<1, 2> arm =
-            rule.point(q)[0] * triangle.a + rule.point(q)[1] * triangle.b;
-        // The weights of the rule add up to the area of its triangle, 1/2.
-        const Tensor<1, 2> force =
-            2. * rule.weight(q) * triangle.area * b(packing.centre(c) + arm, c);
-        on_sub_cell[packing.first_side(c) + i] += force;
-        moment_of_cell[c] += outer_product(force, arm);
-      }
+      const TriangleIntegral integral = triangle_integral(
+          {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
+          packing.centre(c), b_c, jumps_here);
+      on_sub_cell[packing.first_side(c) + i] = integral.value;
+      moment_of_cell[c] += integral.moment;
+      error += integral.error;
+      size += integral.size;
+      uncertain = std::max(uncertain, integral.uncertain);
     }
+    if (inaccuracies != nullptr)
+      inaccuracies->look_at(error, size, uncertain, [&] {
+        return text("in ", packing.describe(c), " at ",
+                    text_of_point(packing.centre(c)));
+      });
+  }
 }
 
 void BodyForce::add(const Packing &packing,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/edge_mean.h>
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/expression.h>
 #include <voussoir/base/text.h>
+#include <voussoir/formula/edge_integral.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/formula/inaccuracies.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/friction.h>
 
@@ -22,13 +23,14 @@ class StrengthFormula
 {
 public:
   StrengthFormula(const std::string &formula, const std::string &parameter)
-      : s_T(formula, {"x", "y", "nx", "ny"}, parameter), formula(formula),
-        parameter(parameter)
+      : s_T(formula, {"x", "y", "nx", "ny"}, parameter),
+        jumps({s_T.formula()}, {0., 0.}), formula(formula),
+        parameter(parameter), inaccuracies(parameter)
   {
   }
 
   /** The mean of s_T over the interface @p i. */
-  double mean(const Packing &packing, const Packing::Interface &i) const
+  double mean(const Packing &packing, const Packing::Interface &i)
   {
     const auto value_at = [&](const dealii::Point<2> &p) {
       const double value = s_T({p[0], p[1], i.normal[0], i.normal[1]});
@@ -43,12 +45,25 @@ public:
     };
     if (s_T.is_constant())
       return value_at(i.midpoint());
-    return edge_mean(i.start, i.end, value_at, parameter);
+    jumps.set_constants({i.normal[0], i.normal[1]});
+    const EdgeIntegral integral =
+        edge_integral(i.start, i.end, value_at, jumps);
+    inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
+                         [&] { return along_edge(i.start, i.end); });
+    return integral.mean;
+  }
+
+  /** On the means so far. */
+  std::vector<std::string> warnings() const
+  {
+    return inaccuracies.warnings();
   }
 
 private:
   Expression s_T;
+  Jumps jumps;
   std::string formula, parameter;
+  Inaccuracies inaccuracies;
 };
 
 /** What a user says of a pair of groups. */
@@ -98,9 +113,9 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-std::vector<double> FrictionParameters::strengths(const Packing &packing) const
+Strengths FrictionParameters::strengths(const Packing &packing) const
 {
-  const StrengthFormula everywhere(strength, "Friction/Strength");
+  StrengthFormula everywhere(strength, "Friction/Strength");
   const std::string parameter = "Friction/Pair strengths";
   std::map<GroupPair, PairStrength> of_pair;
   for (const auto &[names, formula] :
@@ -115,8 +130,8 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
                        names + "' twice; give it once.");
   }
 
-  std::vector<double> strengths;
-  strengths.reserve(packing.interfaces().size());
+  Strengths strengths;
+  strengths.of_interface.reserve(packing.interfaces().size());
   for (const Packing::Interface &i : packing.interfaces())
   {
     const auto found =
@@ -125,10 +140,10 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
             : of_pair.find(std::minmax(
                   {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
     if (found == of_pair.end())
-      strengths.push_back(everywhere.mean(packing, i));
+      strengths.of_interface.push_back(everywhere.mean(packing, i));
     else
     {
-      strengths.push_back(found->second.formula.mean(packing, i));
+      strengths.of_interface.push_back(found->second.formula.mean(packing, i));
       found->second.is_met = true;
     }
   }
@@ -139,6 +154,10 @@ std::vector<double> FrictionParameters::strengths(const Packing &packing) const
                        "', but there is no cell of one of these groups that "
                        "touches one of the other; correct the names or leave "
                        "it out.");
+  strengths.warnings = everywhere.warnings();
+  for (const auto &[pair, strength] : of_pair)
+    for (std::string &warning : strength.formula.warnings())
+      strengths.warnings.push_back(std::move(warning));
   return strengths;
 }
 } // namespace Voussoir

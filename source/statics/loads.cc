@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/edge_mean.h>
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/expression.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
+#include <voussoir/formula/edge_integral.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/formula/inaccuracies.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/loads.h>
 #include <voussoir/statics/supports.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <utility>
 
 namespace Voussoir
 {
@@ -45,6 +47,20 @@ public:
       return component.is_constant() &&
              component(std::vector<double>(n_variables, 0.)) == 0.;
     });
+  }
+
+  /** Whether both are the same everywhere by their form. */
+  bool is_constant() const
+  {
+    return std::all_of(f.begin(), f.end(), [](const Expression &component) {
+      return component.is_constant();
+    });
+  }
+
+  /** The operations of a component, to know where it jumps. */
+  const Formula &formula(const unsigned int i) const
+  {
+    return f[i].formula();
   }
 
   /** @throws InputError that ends with @p where if the value is not finite. */
@@ -118,6 +134,14 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "midpoint x, y, with the outward unit normal nx, ny, this "
                     "expression is not zero. 1: all that are not supported.",
                     Anything());
+  prm.add_parameter(
+      "Segment tractions", on_segments,
+      "Further tractions on straight lines along the boundary, from point to "
+      "point: \"x, y to x, y: g_x, g_y; ...\", as in 0.27, 1 to 0.43, 1: 0, "
+      "-10 for a strip load; or \"x, y to x, y: g_x, g_y to g_x, g_y\" for "
+      "one that varies linearly, as a pressure of water does. Stresses; lines "
+      "may begin and end anywhere on edges that are not supported.",
+      Anything());
   prm.add_parameter("Body force", body,
                     "The components \"b_x; b_y\" of a force per unit area and "
                     "thickness, such as weight: 0; -20 in kN/m^3. Expressions "
@@ -135,27 +159,46 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 
 Loads LoadParameters::loads(const Packing &packing) const
 {
-  return {tractions(packing), body_force(packing), forces_on_cells(packing)};
+  Loads loads;
+  EdgeTractions on_edges = tractions(packing, loads.warnings);
+  loads.traction = std::move(on_edges.mean);
+  loads.traction_moment = std::move(on_edges.first_moment);
+  loads.body = body_force(packing, loads.warnings);
+  loads.on_cells = forces_on_cells(packing);
+  return loads;
 }
 
-std::vector<Tensor<1, 2>>
-LoadParameters::tractions(const Packing &packing) const
+EdgeTractions
+LoadParameters::tractions(const Packing &packing,
+                          std::vector<std::string> &warnings) const
 {
   const unsigned int n_edges = packing.boundary_edges().size();
   const std::vector<bool> chosen =
       loaded_where == "1"
           ? std::vector<bool>(n_edges, true)
           : boundary_edges_where(packing, loaded_where, "Loads/Where");
-  return kind == Kind::traction ? tractions_of_expression(packing, chosen)
-                                : tractions_of_uniform_stress(packing, chosen);
+  EdgeTractions tractions(n_edges);
+  if (kind == Kind::traction)
+    add_traction_of_expression(packing, chosen, tractions, warnings);
+  else
+    add_uniform_stress(packing, chosen, tractions);
+  const std::string parameter = "Loads/Segment tractions";
+  for (const SegmentTraction &segment :
+       segment_tractions_of_text(on_segments, parameter))
+    add_segment_traction(packing, segment, parameter, tractions);
+  return tractions;
 }
 
-std::vector<Tensor<1, 2>>
-LoadParameters::tractions_of_expression(const Packing &packing,
-                                        const std::vector<bool> &chosen) const
+void LoadParameters::add_traction_of_expression(
+    const Packing &packing,
+    const std::vector<bool> &chosen,
+    EdgeTractions &tractions,
+    std::vector<std::string> &warnings) const
 {
-  const VectorExpression g(traction, {"x", "y", "nx", "ny"}, "Loads/Traction");
-  std::vector<Tensor<1, 2>> tractions(chosen.size());
+  const std::string parameter = "Loads/Traction";
+  const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
+  Jumps jumps[2] = {{{g.formula(0)}, {0., 0.}}, {{g.formula(1)}, {0., 0.}}};
+  Inaccuracies inaccuracies(parameter);
   for (unsigned int b = 0; b < chosen.size(); ++b)
   {
     if (!chosen[b])
@@ -166,45 +209,67 @@ LoadParameters::tractions_of_expression(const Packing &packing,
                   "; a traction must be finite.");
     };
     for (unsigned int i = 0; i < 2; ++i)
-      tractions[b][i] = edge_mean(
+    {
+      jumps[i].set_constants({edge.normal[0], edge.normal[1]});
+      const EdgeIntegral integral = edge_integral(
           edge.start, edge.end,
           [&](const Point<2> &p) {
             return g.component(i, {p[0], p[1], edge.normal[0], edge.normal[1]},
                                where);
           },
-          "Loads/Traction");
+          jumps[i]);
+      tractions.mean[b][i] = integral.mean;
+      tractions.first_moment[b][i] =
+          edge.length * edge.length * integral.moment;
+      inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
+                           [&] { return along_edge(edge.start, edge.end); });
+    }
   }
-  return tractions;
+  for (std::string &warning : inaccuracies.warnings())
+    warnings.push_back(std::move(warning));
 }
 
-std::vector<Tensor<1, 2>> LoadParameters::tractions_of_uniform_stress(
-    const Packing &packing, const std::vector<bool> &chosen) const
+void LoadParameters::add_uniform_stress(const Packing &packing,
+                                        const std::vector<bool> &chosen,
+                                        EdgeTractions &tractions) const
 {
   Tensor<2, 2> S;
   dealii::Patterns::Tools::to_value(stress, S);
   if (S[0][1] != S[1][0] || !std::isfinite(S.norm()))
     throw InputError("'Loads/Stress' = '" + stress +
                      "' must be finite and symmetric: S_xy = S_yx.");
-
-  std::vector<Tensor<1, 2>> tractions(chosen.size());
   for (unsigned int b = 0; b < chosen.size(); ++b)
     if (chosen[b])
-      tractions[b] = S * packing.boundary_edges()[b].normal;
-  return tractions;
+      tractions.mean[b] += S * packing.boundary_edges()[b].normal;
 }
 
-BodyForce LoadParameters::body_force(const Packing &packing) const
+BodyForce LoadParameters::body_force(const Packing &packing,
+                                     std::vector<std::string> &warnings) const
 {
-  const VectorExpression b(body, {"x", "y"}, "Loads/Body force");
+  const std::string parameter = "Loads/Body force";
+  const VectorExpression b(body, {"x", "y"}, parameter);
   if (b.is_zero())
     return {};
-  return {packing, [&](const Point<2> &p, const unsigned int cell) {
-            const auto where = [&] {
-              return text(", in cell ", cell, "; a force must be finite.");
-            };
-            return Tensor<1, 2>({b.component(0, {p[0], p[1]}, where),
-                                 b.component(1, {p[0], p[1]}, where)});
-          }};
+  const auto value = [&](const Point<2> &p, const unsigned int cell) {
+    const auto where = [&] {
+      return text(", in cell ", cell, "; a force must be finite.");
+    };
+    return Tensor<1, 2>({b.component(0, {p[0], p[1]}, where),
+                         b.component(1, {p[0], p[1]}, where)});
+  };
+  if (b.is_constant())
+  {
+    BodyForce uniform;
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      uniform.add(packing, c, packing.area(c) * value(packing.centre(c), c));
+    return uniform;
+  }
+  Inaccuracies inaccuracies(parameter);
+  BodyForce force(packing, value, Jumps({b.formula(0), b.formula(1)}, {}),
+                  &inaccuracies);
+  for (std::string &warning : inaccuracies.warnings())
+    warnings.push_back(std::move(warning));
+  return force;
 }
 
 std::vector<CellForce>

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/connected_groups.h>
+#include <voussoir/packing/geometry.h>
 #include <voussoir/statics/scene.h>
 
 #include <cmath>
@@ -49,10 +50,13 @@ double torque(const dealii::Point<2> &x,
 
 Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
-      traction(std::move(loads.traction)), on_cells(std::move(loads.on_cells)),
-      body(std::move(loads.body)), has_body_force(!body.empty()),
-      load(packing.n_cells()), group(connected_groups(packing))
+      traction(std::move(loads.traction)),
+      traction_moment(std::move(loads.traction_moment)),
+      on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
+      has_body_force(!body.empty()), load(packing.n_cells()),
+      group(connected_groups(packing))
 {
+  traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
       body.add(packing, c, f.force);
@@ -186,8 +190,10 @@ std::vector<double> residual_torques(const Scene &scene,
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
-    torques[edge.cell] += torque(edge.midpoint(), packing.centre(edge.cell),
-                                 edge.length * scene.traction[b]);
+    torques[edge.cell] +=
+        torque(edge.midpoint(), packing.centre(edge.cell),
+               edge.length * scene.traction[b]) +
+        cross((edge.end - edge.start) / edge.length, scene.traction_moment[b]);
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {

@@ -28,6 +28,9 @@ std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     add(edge.cell, edge.midpoint(), edge.length * scene.traction[b]);
+    mean[edge.cell] += outer_product(scene.traction_moment[b],
+                                     (edge.end - edge.start) / edge.length) /
+                       packing.area(edge.cell);
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     mean[c] += scene.body.moment(c) / packing.area(c);

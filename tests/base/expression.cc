@@ -3,7 +3,7 @@
 // Expressions: values of the functions that the manual promises, and what a
 // user is told about a formula that cannot be parsed.
 
-#include <voussoir/base/expression.h>
+#include <voussoir/formula/expression.h>
 
 #include "tests.h"
 

@@ -33,7 +33,7 @@ std::vector<double> strengths(const Packing &packing,
   prm.parse_input_from_string(
       "subsection Friction\nset Strength = " + strength +
       "\nset Pair strengths = " + pair_strengths + "\nend\n");
-  return friction.strengths(packing);
+  return friction.strengths(packing).of_interface;
 }
 
 /** The mean of x^2 over the edge from a to b. */

@@ -2,7 +2,7 @@
 #ifndef voussoir_packing_cell_size_h
 #define voussoir_packing_cell_size_h
 
-#include <voussoir/base/expression.h>
+#include <voussoir/formula/expression.h>
 
 #include <deal.II/base/point.h>
 

@@ -2,6 +2,8 @@
 #ifndef voussoir_statics_body_force_h
 #define voussoir_statics_body_force_h
 
+#include <voussoir/formula/inaccuracies.h>
+#include <voussoir/formula/jumps.h>
 #include <voussoir/packing/packing.h>
 
 #include <deal.II/base/tensor.h>
@@ -23,16 +25,19 @@ public:
   BodyForce() = default;
 
   /**
-   * The integrals of b(x), by a rule that is exact for polynomials of degree 5,
-   * and for torques those of degree 4.
+   * The integrals of b(x); see triangle_integral().
    *
    * @param packing has the cells.
    * @param b gives the body force, S/L, at a point of the cell of a number. It
    *   may throw.
+   * @param jumps of b.
+   * @param inaccuracies look at each integral, if given.
    */
   BodyForce(const Packing &packing,
             const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
-                                                     unsigned int)> &b);
+                                                     unsigned int)> &b,
+            const Jumps &jumps = Jumps(),
+            Inaccuracies *inaccuracies = nullptr);
 
   /** Add the force @p f per unit thickness, spread evenly over @p cell. */
   void

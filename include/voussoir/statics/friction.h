@@ -11,6 +11,18 @@
 
 namespace Voussoir
 {
+/** The strengths of the interfaces. */
+struct Strengths
+{
+  /**
+   * s_e of each, in the order of Packing::interfaces(): the mean of s_T over
+   * the interface, not negative; S.
+   */
+  std::vector<double> of_interface;
+  /** What a user should know of means that are not exact. */
+  std::vector<std::string> warnings;
+};
+
 /**
  * The section `Friction`: the Tresca strength s_T of the interfaces, those to
  * the ground among them.
@@ -22,15 +34,14 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * The strength s_e of each interface, in the order of Packing::interfaces();
-   * S. It is the mean of s_T over the interface, not negative.
+   * The strengths of the interfaces of @p packing.
    *
    * @throws InputError naming the interface if a strength is negative or not a
    *   finite number, or varies too fast for its mean; if a formula cannot be
    *   parsed; or naming a pair of groups that does not exist, is given twice or
    *   meets nowhere.
    */
-  std::vector<double> strengths(const Packing &packing) const;
+  Strengths strengths(const Packing &packing) const;
 
 private:
   std::string strength = "1";

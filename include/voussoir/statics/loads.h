@@ -4,6 +4,7 @@
 
 #include <voussoir/packing/packing.h>
 #include <voussoir/statics/body_force.h>
+#include <voussoir/statics/segment_tractions.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -32,6 +33,10 @@ struct Loads
   BodyForce body;
   /** The forces on cells, name by name. */
   std::vector<CellForce> on_cells;
+  /** EdgeTractions::first_moment of the traction, or empty if it is zero. */
+  std::vector<dealii::Tensor<1, 2>> traction_moment = {};
+  /** What a user should know of integrals that are not exact. */
+  std::vector<std::string> warnings = {};
 };
 
 /** The section `Loads`. */
@@ -47,8 +52,8 @@ public:
    *
    * @throws InputError naming the place if a value is not a finite number or
    *   varies too fast for its mean; if a formula cannot be parsed, the uniform
-   *   stress is not symmetric, a place is on no edge or a name is that of no
-   *   cell.
+   *   stress is not symmetric, a place is on no edge, a line on no boundary, or
+   *   a name is that of no cell.
    */
   Loads loads(const Packing &packing) const;
 
@@ -59,20 +64,24 @@ private:
     uniform_stress
   };
 
-  std::vector<dealii::Tensor<1, 2>> tractions(const Packing &packing) const;
-  std::vector<dealii::Tensor<1, 2>>
-  tractions_of_expression(const Packing &packing,
-                          const std::vector<bool> &chosen) const;
-  std::vector<dealii::Tensor<1, 2>>
-  tractions_of_uniform_stress(const Packing &packing,
-                              const std::vector<bool> &chosen) const;
-  BodyForce body_force(const Packing &packing) const;
+  EdgeTractions tractions(const Packing &packing,
+                          std::vector<std::string> &warnings) const;
+  void add_traction_of_expression(const Packing &packing,
+                                  const std::vector<bool> &chosen,
+                                  EdgeTractions &tractions,
+                                  std::vector<std::string> &warnings) const;
+  void add_uniform_stress(const Packing &packing,
+                          const std::vector<bool> &chosen,
+                          EdgeTractions &tractions) const;
+  BodyForce body_force(const Packing &packing,
+                       std::vector<std::string> &warnings) const;
   std::vector<CellForce> forces_on_cells(const Packing &packing) const;
 
   Kind kind = Kind::traction;
   std::string traction = "0; 0";
   std::string stress = "0, 0; 0, 0";
   std::string loaded_where = "1";
+  std::string on_segments;
   std::string body = "0; 0";
   std::string cell_forces;
 };

@@ -33,6 +33,8 @@ struct Scene
   std::vector<double> strength;
   /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
+  /** EdgeTractions::first_moment of it on each boundary edge; S L^2. */
+  std::vector<dealii::Tensor<1, 2>> traction_moment;
   /** The forces on the cells, per unit thickness, by name; see body. */
   std::vector<CellForce> on_cells;
   /** The body force, with on_cells in it. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_base_expression_h
-#define voussoir_base_expression_h
+#ifndef voussoir_formula_expression_h
+#define voussoir_formula_expression_h
+
+#include <voussoir/formula/formula.h>
 
 #include <memory>
 #include <string>
@@ -42,6 +44,9 @@ public:
 
   /** Whether the formula uses none of the variables. */
   bool is_constant() const;
+
+  /** Its operations, to know where it jumps. */
+  const Formula &formula() const;
 
 private:
   struct Implementation;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/expression.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/formula/formula_reader.h>
 
 #include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <regex>
 
 namespace Voussoir
@@ -17,6 +19,7 @@ struct Expression::Implementation
   mu::Parser parser;
   std::vector<double> values;
   bool is_constant = false;
+  std::optional<Formula> formula;
 };
 
 namespace
@@ -26,7 +29,7 @@ namespace
                          const std::vector<std::string> &variables,
                          std::string reason)
 {
-  if (reason.back() != '.') // muParser is of two minds about it
+  if (reason.back() != '.') // some of muParser's messages have none
     reason += '.';
   std::string names;
   for (const std::string &name : variables)
@@ -47,22 +50,13 @@ Expression::Expression(const std::string &formula,
     refuse(formula, parameter, variables, "write == to compare.");
 
   mu::Parser &parser = implementation->parser;
+  define_functions(parser);
   implementation->values.resize(variables.size());
   try
   {
     for (unsigned int i = 0; i < variables.size(); ++i)
       parser.DefineVar(variables[i], &implementation->values[i]);
     parser.DefineConst("pi", 3.14159265358979323846);
-    parser.DefineFun(
-        "pow", +[](double a, double b) { return std::pow(a, b); });
-    parser.DefineFun(
-        "floor", +[](double a) { return std::floor(a); });
-    parser.DefineFun(
-        "ceil", +[](double a) { return std::ceil(a); });
-    parser.DefineFun(
-        "if", +[](double condition, double a, double b) {
-          return condition != 0. ? a : b;
-        });
     parser.SetExpr(formula);
     // Parsing is lazy: evaluate once, to meet the errors here. What is not a
     // number may be one where the formula will be asked for.
@@ -75,6 +69,8 @@ Expression::Expression(const std::string &formula,
     // Asked once, and of a valid formula: muParser parses anew for it, and is
     // content with names it does not know.
     implementation->is_constant = parser.GetUsedVar().empty();
+    parser.Eval(); // the byte code again
+    implementation->formula = read_formula(parser, implementation->values);
   }
   catch (const mu::ParserError &error)
   {
@@ -121,5 +117,10 @@ bool Condition::operator()(const std::vector<double> &values) const
 bool Expression::is_constant() const
 {
   return implementation->is_constant;
+}
+
+const Formula &Expression::formula() const
+{
+  return *implementation->formula;
 }
 } // namespace Voussoir

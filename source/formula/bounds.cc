@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/formula/bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+/** Larger exponents are taken by the logarithm. */
+constexpr double largest_integer_power = 1e6;
+
+bool is_number(const Interval &a)
+{
+  return a.lower() == a.upper() && std::isfinite(a.lower());
+}
+
+/** a^n for the integer @p n. */
+Interval integer_power(const Interval &a, const int n)
+{
+  return n < 0 ? 1. / boost::numeric::pow(a, -n) : boost::numeric::pow(a, n);
+}
+} // namespace
+
+double magnitude(const Interval &a)
+{
+  return std::max(std::abs(a.lower()), std::abs(a.upper()));
+}
+
+bool excludes_zero(const Interval &a)
+{
+  return a.lower() > 0. || a.upper() < 0.;
+}
+
+bool is_zero(const Interval &a)
+{
+  return a.lower() == 0. && a.upper() == 0.;
+}
+
+Bounds operator+(const Bounds &a, const Bounds &b)
+{
+  return {a.value + b.value,
+          {{a.slope[0] + b.slope[0], a.slope[1] + b.slope[1]}}};
+}
+
+Bounds operator-(const Bounds &a, const Bounds &b)
+{
+  return {a.value - b.value,
+          {{a.slope[0] - b.slope[0], a.slope[1] - b.slope[1]}}};
+}
+
+Bounds operator*(const Bounds &a, const Bounds &b)
+{
+  Bounds result = {a.value * b.value, {}};
+  for (unsigned int i = 0; i < 2; ++i)
+    result.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
+  return result;
+}
+
+Bounds operator/(const Bounds &a, const Bounds &b)
+{
+  if (!excludes_zero(b.value))
+    return {Interval::whole(), {{Interval::whole(), Interval::whole()}}};
+  Bounds result = {a.value / b.value, {}};
+  for (unsigned int i = 0; i < 2; ++i)
+    result.slope[i] = (a.slope[i] - result.value * b.slope[i]) / b.value;
+  return result;
+}
+
+Bounds operator-(const Bounds &a)
+{
+  return {-a.value, {{-a.slope[0], -a.slope[1]}}};
+}
+
+Bounds pow(const Bounds &a, const Bounds &b)
+{
+  if (is_number(b.value) && b.value.lower() == std::rint(b.value.lower()) &&
+      std::abs(b.value.lower()) < largest_integer_power)
+  {
+    const int n = static_cast<int>(b.value.lower());
+    if (n == 0)
+      return {1., {}};
+    if (n > 0 || excludes_zero(a.value))
+      return chain(a, integer_power(a.value, n),
+                   double(n) * integer_power(a.value, n - 1));
+  }
+  if (!(a.value.lower() > 0.))
+    return {Interval::whole(), {{Interval::whole(), Interval::whole()}}};
+  const Bounds product = b * chain(a, log(a.value), 1. / a.value);
+  return chain(product, exp(product.value), exp(product.value));
+}
+
+Bounds atan2(const Bounds &y, const Bounds &x)
+{
+  const double pi = std::acos(-1.);
+  Bounds angle = {Interval(-pi, pi), {{Interval::whole(), Interval::whole()}}};
+  const Interval square = pow(y.value, 2) + pow(x.value, 2);
+  if (square.lower() > 0.)
+    for (unsigned int i = 0; i < 2; ++i)
+      angle.slope[i] = (x.value * y.slope[i] - y.value * x.slope[i]) / square;
+  return angle;
+}
+
+Bounds chain(const Bounds &a, const Interval &value, const Interval &derivative)
+{
+  return {value, {{derivative * a.slope[0], derivative * a.slope[1]}}};
+}
+
+Bounds either(const Bounds &a, const Bounds &b)
+{
+  return {hull(a.value, b.value), {{Interval::whole(), Interval::whole()}}};
+}
+} // namespace Voussoir

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/formula/edge_pieces.h>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Point;
+using Crossing = Jumps::Crossing;
+
+namespace
+{
+/** The part of an edge that is too short to be cut again. */
+constexpr double shortest_piece = 1e-14;
+
+/** The distance of an argument from its level, over the size of what it is a
+ * difference of, that may be rounding. */
+constexpr double rounding = 1e-13;
+
+/** More pieces are not made: what is left then is not smooth. */
+constexpr unsigned int n_max_pieces = 10000;
+
+/** A part in the making, with what is known of the jumps there. */
+struct Part
+{
+  double begin, end;
+  bool is_smooth;
+  Jumps::Limits limits;
+};
+
+/** The jump to cut at: one whose argument has one root at most, if any. */
+const Crossing &easiest(const std::vector<Crossing> &crossings)
+{
+  for (const Crossing &crossing : crossings)
+    if (excludes_zero(crossing.distance.slope[0]))
+      return crossing;
+  return crossings.front();
+}
+
+class Cutter
+{
+public:
+  Cutter(const Point<2> &a, const Point<2> &b, const Jumps &jumps)
+      : a(a), b(b), jumps(jumps)
+  {
+  }
+
+  std::vector<EdgePiece> cut(const Jumps::Limits &limits)
+  {
+    open.push_back({0., 1., true, limits});
+    while (!open.empty())
+    {
+      const Part part = std::move(open.back());
+      open.pop_back();
+      cut(part);
+    }
+    return std::move(done);
+  }
+
+private:
+  Point<2> at(const double t) const
+  {
+    return a + t * (b - a);
+  }
+
+  void cut(const Part &part)
+  {
+    const double length = part.end - part.begin;
+    const double middle = 0.5 * (part.begin + part.end);
+    const Patch patch = {at(middle), {{0.5 * length * (b - a), {}}}};
+    const auto crossings = jumps.crossings(patch, part.limits);
+    if (crossings.empty())
+      return done.push_back({part.begin, part.end, part.is_smooth});
+    const Crossing &crossing = easiest(crossings);
+    if (length < shortest_piece || open.size() + done.size() > n_max_pieces)
+      done.push_back({part.begin, part.end, false});
+    else if (magnitude(crossing.distance.value) <= rounding * crossing.scale)
+      choose_side(part, crossing);
+    else if (excludes_zero(crossing.distance.slope[0]))
+      cut_at_root(part, crossing);
+    else
+    {
+      open.push_back({part.begin, middle, part.is_smooth, part.limits});
+      open.push_back({middle, part.end, part.is_smooth, part.limits});
+    }
+  }
+
+  /** Where a jump runs along @p part. */
+  void choose_side(const Part &part, const Crossing &crossing)
+  {
+    const Point<2> middle = at(0.5 * (part.begin + part.end));
+    const bool is_below = jumps.distance(crossing, middle) < 0.;
+    open.push_back(
+        {part.begin, part.end,
+         part.is_smooth && !jumps.is_step(crossing, middle, part.limits),
+         Jumps::on_side(crossing, is_below, part.limits)});
+  }
+
+  /** Where the argument of a jump increases, or decreases, along @p part. */
+  void cut_at_root(const Part &part, const Crossing &crossing)
+  {
+    const Point<2> begin = at(part.begin), end = at(part.end);
+    const double first = jumps.distance(crossing, begin);
+    const double last = jumps.distance(crossing, end);
+    const auto add = [&](const double from, const double to, const bool below) {
+      if (from < to)
+        open.push_back({from, to, part.is_smooth,
+                        Jumps::on_side(crossing, below, part.limits)});
+    };
+    if (!(first * last < 0.)) // one of them may be zero
+      return add(part.begin, part.end, first + last < 0.);
+    const double root =
+        part.begin + root_between(begin, end, first, last, jumps, crossing) *
+                         (part.end - part.begin);
+    add(part.begin, root, first < 0.);
+    add(root, part.end, last < 0.);
+  }
+
+  const Point<2> a, b;
+  const Jumps &jumps;
+  std::vector<Part> open;
+  std::vector<EdgePiece> done;
+};
+} // namespace
+
+std::vector<EdgePiece> edge_pieces(const Point<2> &a,
+                                   const Point<2> &b,
+                                   const Jumps &jumps,
+                                   const Jumps::Limits &limits)
+{
+  return Cutter(a, b, jumps).cut(limits);
+}
+
+double root_between(const Point<2> &a,
+                    const Point<2> &b,
+                    const double distance_a,
+                    const double distance_b,
+                    const Jumps &jumps,
+                    const Crossing &crossing)
+{
+  std::uintmax_t n_evaluations = 200;
+  const auto root = boost::math::tools::toms748_solve(
+      [&](const double t) { return jumps.distance(crossing, a + t * (b - a)); },
+      0., 1., distance_a, distance_b,
+      [](const double lower, const double upper) {
+        return upper - lower <=
+               4. * std::numeric_limits<double>::epsilon() * upper;
+      },
+      n_evaluations);
+  return 0.5 * (root.first + root.second);
+}
+} // namespace Voussoir

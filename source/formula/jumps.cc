@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/floating_point.h>
+#include <voussoir/formula/jumps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+using dealii::Point;
+
+namespace
+{
+/** The relative difference of two values that is no step. */
+constexpr double rounding_of_values = 1e-9;
+} // namespace
+
+Patch box_around(const std::vector<Point<2>> &points)
+{
+  Point<2> lower = points.front(), upper = points.front();
+  for (const Point<2> &point : points)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      lower[i] = std::min(lower[i], point[i]);
+      upper[i] = std::max(upper[i], point[i]);
+    }
+  Patch patch;
+  patch.centre = lower + 0.5 * (upper - lower);
+  for (unsigned int i = 0; i < 2; ++i)
+    patch.half_axes[i][i] = 0.5 * (upper[i] - lower[i]);
+  return patch;
+}
+
+Jumps::Jumps(const std::vector<std::reference_wrapper<const Formula>> &formulas,
+             const std::vector<double> &constants)
+    : formulas(formulas)
+{
+  for (const Formula &formula : formulas)
+    first.push_back(first.back() + formula.n_jumps());
+  set_constants(constants);
+}
+
+void Jumps::set_constants(const std::vector<double> &constants)
+{
+  values.resize(2);
+  values.insert(values.end(), constants.begin(), constants.end());
+  bounds.assign(values.size(), {});
+  for (unsigned int i = 2; i < values.size(); ++i)
+    bounds[i].value = values[i];
+}
+
+bool Jumps::empty() const
+{
+  return first.back() == 0;
+}
+
+Jumps::Limits Jumps::no_limits() const
+{
+  return Limits(first.back(), Interval::whole());
+}
+
+void Jumps::place(const Patch &patch) const
+{
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    const double s = patch.half_axes[0][i], t = patch.half_axes[1][i];
+    const double reach = std::abs(s) + std::abs(t);
+    values[i] = patch.centre[i];
+    bounds[i] = {Interval(values[i] - reach, values[i] + reach), {{s, t}}};
+  }
+}
+
+Jumps::Limits Jumps::limits_of(const unsigned int f, const Limits &limits) const
+{
+  return Limits(limits.begin() + first[f], limits.begin() + first[f + 1]);
+}
+
+std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
+                                              const Limits &limits) const
+{
+  // What is not real is for whoever asks for the value there.
+  const InvalidOperationsAllowed allowed;
+  place(patch);
+  std::vector<Crossing> crossings;
+  for (unsigned int f = 0; f < formulas.size(); ++f)
+  {
+    const std::size_t begin = crossings.size();
+    formulas[f].get().bounds(bounds, values, limits_of(f, limits), crossings);
+    for (std::size_t k = begin; k < crossings.size(); ++k)
+      crossings[k].jump += first[f];
+  }
+  return crossings;
+}
+
+std::vector<Interval> Jumps::ranges(const Limits &limits) const
+{
+  std::vector<Interval> ranges;
+  std::vector<Crossing> crossings;
+  for (unsigned int f = 0; f < formulas.size(); ++f)
+    ranges.push_back(
+        formulas[f]
+            .get()
+            .bounds(bounds, values, limits_of(f, limits), crossings)
+            .value);
+  return ranges;
+}
+
+bool Jumps::is_step(const Crossing &crossing,
+                    const Point<2> &p,
+                    const Limits &limits) const
+{
+  const InvalidOperationsAllowed allowed;
+  place({p, {}});
+  // Strictly on either side, also if the argument is at its level.
+  const auto beside = [&](const double far) {
+    Crossing at_next = crossing;
+    at_next.level = std::nextafter(crossing.level, far);
+    return ranges(on_side(at_next, far < 0., limits));
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto below = beside(-infinity), above = beside(infinity);
+  for (unsigned int f = 0; f < formulas.size(); ++f)
+  {
+    const double gap = std::max(below[f].lower() - above[f].upper(),
+                                above[f].lower() - below[f].upper());
+    if (gap > rounding_of_values * (magnitude(below[f]) + magnitude(above[f])))
+      return true;
+  }
+  return false;
+}
+
+double Jumps::distance(const Crossing &crossing, const Point<2> &p) const
+{
+  const InvalidOperationsAllowed allowed;
+  const unsigned int f =
+      std::upper_bound(first.begin(), first.end(), crossing.jump) -
+      first.begin() - 1;
+  values[0] = p[0];
+  values[1] = p[1];
+  return formulas[f].get().argument(crossing.jump - first[f], values) -
+         crossing.level;
+}
+
+Jumps::Limits
+Jumps::on_side(const Crossing &crossing, const bool is_below, Limits limits)
+{
+  Interval &limit = limits[crossing.jump];
+  limit = is_below ? Interval(limit.lower(), crossing.level)
+                   : Interval(crossing.level, limit.upper());
+  return limits;
+}
+} // namespace Voussoir

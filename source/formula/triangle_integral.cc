@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/formula/area_pieces.h>
+#include <voussoir/formula/edge_pieces.h>
+#include <voussoir/formula/gauss_kronrod.h>
+#include <voussoir/formula/triangle_integral.h>
+#include <voussoir/formula/triangle_rule.h>
+#include <voussoir/packing/geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+using Triangle = std::array<Point<2>, 3>;
+using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
+/** Of f, and of the components of f times those of the distance from the
+ * origin over the scale, row by row. */
+using Sums = Integrals<6>;
+
+/** @{ */
+/** What integrate() is to reach along one coordinate, and along the other. */
+constexpr double inner_tolerance = 1e-13;
+constexpr double outer_tolerance = 1e-12;
+/** @} */
+
+/** In each part along a coordinate. */
+constexpr unsigned int n_points = 21;
+
+/** The width of a strip, over that of its piece, in which is but rounding. */
+constexpr double narrowest_strip = 1e-14;
+
+/**
+ * What the null rule may find, over the size of the function: its square, which
+ * falls like the error, is then about the tolerance.
+ */
+constexpr double largest_null = 3e-7;
+
+/** How often a triangle is cut in four before integrate() takes over. */
+constexpr unsigned int n_refinements = 3;
+
+double area_of(const Triangle &triangle)
+{
+  return 0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+}
+
+std::array<Triangle, 4> quarters(const Triangle &t)
+{
+  const auto middle = [&](const unsigned int i, const unsigned int j) {
+    return t[i] + 0.5 * (t[j] - t[i]);
+  };
+  const Point<2> a = middle(1, 2), b = middle(2, 0), c = middle(0, 1);
+  return {{{{t[0], c, b}}, {{c, t[1], a}}, {{b, a, t[2]}}, {{a, b, c}}}};
+}
+
+/** The triangles of the first corner of a convex polygon and its sides. */
+std::vector<Triangle> triangles_of(const std::vector<Point<2>> &corners)
+{
+  std::vector<Triangle> triangles;
+  for (unsigned int i = 1; i + 1 < corners.size(); ++i)
+    triangles.push_back({{corners[0], corners[i], corners[i + 1]}});
+  return triangles;
+}
+
+class Integrator
+{
+public:
+  Integrator(const Triangle &triangle,
+             const Point<2> &origin,
+             const Function &f,
+             const Jumps &jumps)
+      : triangle(triangle), origin(origin), area(area_of(triangle)),
+        scale(std::sqrt(area)), f(f), jumps(jumps)
+  {
+  }
+
+  TriangleIntegral integral()
+  {
+    if (jumps.empty())
+      integrate_smooth();
+    else
+      integrate_pieces();
+    TriangleIntegral result;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      result.value[i] = sum.values[i];
+      for (unsigned int j = 0; j < 2; ++j)
+        result.moment[i][j] = scale * sum.values[2 + 2 * i + j];
+    }
+    result.error = error;
+    result.size = mean_size * area;
+    result.uncertain = uncertain / area;
+    return result;
+  }
+
+private:
+  /** What the rule finds in a triangle. */
+  struct Found
+  {
+    Sums sums = 0.;
+    double null = 0.;
+    /** The integral of the size of the function. */
+    double size = 0.;
+  };
+
+  void integrate_smooth()
+  {
+    const Found found = apply_rule(triangle);
+    mean_size = found.size / area;
+    add(triangle, found, 0);
+  }
+
+  void integrate_pieces()
+  {
+    const std::vector<AreaPiece> pieces =
+        area_pieces({triangle.begin(), triangle.end()}, jumps);
+    double size = 0.;
+    for (const AreaPiece &piece : pieces)
+      for (const Triangle &part : triangles_of(piece.corners))
+        size += apply_rule(part).size;
+    mean_size = size / area;
+    for (const AreaPiece &piece : pieces)
+      if (piece.crossing)
+        integrate_strips(piece);
+      else
+        for (const Triangle &part : triangles_of(piece.corners))
+          if (piece.is_uncertain)
+          {
+            uncertain += area_of(part);
+            sum += apply_rule(part).sums;
+          }
+          else
+            add(part, apply_rule(part), 0);
+  }
+
+  /** At a point; the constant is the mean size. */
+  Sums at(const Point<2> &p) const
+  {
+    const Tensor<1, 2> value = f(p);
+    const Tensor<1, 2> arm = (p - origin) / scale;
+    Sums sums;
+    sums.values = {{value[0], value[1], value[0] * arm[0], value[0] * arm[1],
+                    value[1] * arm[0], value[1] * arm[1], mean_size}};
+    return sums;
+  }
+
+  Found apply_rule(const Triangle &part) const
+  {
+    static const TriangleRule rule;
+    const Tensor<1, 2> a = part[1] - part[0], b = part[2] - part[0];
+    const double part_area = 0.5 * cross(a, b);
+    Found found;
+    Sums null = 0.;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+    {
+      const Sums there =
+          at(part[0] + rule.points[q][0] * a + rule.points[q][1] * b);
+      found.sums += rule.weights[q] * part_area * there;
+      null += rule.null_weights[q] * part_area * there;
+      found.size +=
+          rule.weights[q] * part_area *
+          std::max(std::abs(there.values[0]), std::abs(there.values[1]));
+    }
+    null.values.back() = 0.;
+    found.null = abs(null);
+    return found;
+  }
+
+  /** Add the integral over a triangle in which the function is smooth. */
+  void add(const Triangle &part, const Found &found, const unsigned int level)
+  {
+    const double size = mean_size * area_of(part);
+    if (found.null <= largest_null * size)
+    {
+      sum += found.sums;
+      if (size > 0.)
+        error += found.null * found.null / size;
+    }
+    else if (level < n_refinements)
+      for (const Triangle &quarter : quarters(part))
+        add(quarter, apply_rule(quarter), level + 1);
+    else
+    {
+      AreaPiece piece;
+      piece.corners.assign(part.begin(), part.end());
+      integrate_strips(piece);
+    }
+  }
+
+  /** Add the integral over a piece that one curve may cross. */
+  void integrate_strips(const AreaPiece &piece)
+  {
+    const std::vector<double> cuts = strips(piece);
+    for (unsigned int k = 0; k + 1 < cuts.size(); ++k)
+    {
+      const auto strip =
+          integrate<n_points>([&](const double s) { return across(piece, s); },
+                              cuts[k], cuts[k + 1], outer_tolerance);
+      sum += strip.value;
+      error += strip.error;
+    }
+  }
+
+  /** Where corners are, and the curve leaves the piece; ascending. */
+  std::vector<double> strips(const AreaPiece &piece) const
+  {
+    const unsigned int s = 1 - piece.along;
+    std::vector<double> all;
+    for (unsigned int i = 0; i < piece.corners.size(); ++i)
+    {
+      const Point<2> &a = piece.corners[i];
+      const Point<2> &b = piece.corners[(i + 1) % piece.corners.size()];
+      all.push_back(a[s]);
+      if (piece.crossing)
+        for (const EdgePiece &part : edge_pieces(a, b, jumps, piece.limits))
+          all.push_back(a[s] + part.end * (b[s] - a[s]));
+    }
+    std::sort(all.begin(), all.end());
+    const double narrow = narrowest_strip * (all.back() - all.front());
+    std::vector<double> cuts;
+    for (const double cut : all)
+      if (cuts.empty() || cut > cuts.back() + narrow)
+        cuts.push_back(cut);
+    return cuts;
+  }
+
+  /** The integral along the line at @p s through a piece. */
+  Sums across(const AreaPiece &piece, const double s) const
+  {
+    const auto [a, b] = ends(piece, s);
+    const double length = b[piece.along] - a[piece.along];
+    const auto between = [&](const double begin, const double end) {
+      return length * integrate<n_points>(
+                          [&](const double t) { return at(a + t * (b - a)); },
+                          begin, end, inner_tolerance)
+                          .value;
+    };
+    if (!(length > 0.))
+      return 0.;
+    if (piece.crossing)
+    {
+      const double first = jumps.distance(*piece.crossing, a);
+      const double last = jumps.distance(*piece.crossing, b);
+      if (first * last < 0.)
+      {
+        const double root =
+            root_between(a, b, first, last, jumps, *piece.crossing);
+        return between(0., root) + between(root, 1.);
+      }
+    }
+    return between(0., 1.);
+  }
+
+  /** The lower and the upper end of the line at @p s through a piece. */
+  static std::pair<Point<2>, Point<2>> ends(const AreaPiece &piece,
+                                            const double s)
+  {
+    const unsigned int along = piece.along, other = 1 - piece.along;
+    Point<2> lower, upper;
+    bool is_first = true;
+    for (unsigned int i = 0; i < piece.corners.size(); ++i)
+    {
+      const Point<2> &a = piece.corners[i];
+      const Point<2> &b = piece.corners[(i + 1) % piece.corners.size()];
+      if ((s - a[other]) * (s - b[other]) > 0. || a[other] == b[other])
+        continue;
+      Point<2> p;
+      p[other] = s;
+      p[along] = a[along] +
+                 (s - a[other]) / (b[other] - a[other]) * (b[along] - a[along]);
+      if (is_first || p[along] < lower[along])
+        lower = p;
+      if (is_first || p[along] > upper[along])
+        upper = p;
+      is_first = false;
+    }
+    return {lower, upper};
+  }
+
+  const Triangle &triangle;
+  const Point<2> origin;
+  const double area, scale;
+  const Function &f;
+  const Jumps &jumps;
+  Sums sum = 0.;
+  double mean_size = 0., error = 0., uncertain = 0.;
+};
+} // namespace
+
+TriangleIntegral triangle_integral(const Triangle &corners,
+                                   const Point<2> &origin,
+                                   const Function &f,
+                                   const Jumps &jumps)
+{
+  return Integrator(corners, origin, f, jumps).integral();
+}
+} // namespace Voussoir

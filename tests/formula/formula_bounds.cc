@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A formula that is read from muParser's byte code has muParser's values; its
+// bounds in a box hold its values there, and those of its derivatives the
+// quotients of differences where it does not jump.
+
+#include <voussoir/base/text.h>
+#include <voussoir/formula/expression.h>
+
+#include "tests.h"
+#include <random>
+
+using namespace Voussoir;
+
+using Numbers = std::mt19937;
+
+double between(Numbers &numbers, const double low, const double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(numbers);
+}
+
+/** A formula in x and y with so many levels. */
+std::string random_formula(Numbers &numbers, const unsigned int depth)
+{
+  const auto choice = [&](const std::vector<std::string> &words) {
+    return words[numbers() % words.size()];
+  };
+  if (depth == 0)
+    return numbers() % 3 == 0 ? text(between(numbers, 0., 2.))
+                              : choice({"x", "y"});
+  const auto part = [&] { return random_formula(numbers, depth - 1); };
+  switch (numbers() % 6)
+  {
+  case 0:
+    return "(" + part() + choice({"+", "-", "*", "/", "^"}) + part() + ")";
+  case 1:
+    return "(" + part() + choice({"<", "<=", ">", ">=", "==", "!="}) + part() +
+           choice({"&&", "||"}) + part() + ")";
+  case 2:
+    return "(" + part() + "<" + part() + "?" + part() + ":" + part() + ")";
+  case 3:
+    return choice({"min", "max", "sum", "avg"}) + "(" + part() + "," + part() +
+           "," + part() + ")";
+  case 4:
+    return choice({"atan2", "pow"}) + "(" + part() + "," + part() + ")";
+  default:
+    return choice({"-", "+", "sin", "cos", "tan", "asin", "acos", "atan",
+                   "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp",
+                   "ln", "log", "log2", "log10", "sqrt", "abs", "sign",
+                   "floor", "ceil", "rint"}) +
+           "(" + part() + ")";
+  }
+}
+
+bool agree(const double a, const double b)
+{
+  return (std::isnan(a) && std::isnan(b)) || a == b ||
+         std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+}
+
+/** Whether @p a is in @p bounds, to rounding of what it came from. */
+bool holds(const Interval &bounds, const double a, const double rounding)
+{
+  const double slack = rounding * (1. + std::abs(a));
+  return std::isnan(a) ||
+         (bounds.lower() - slack <= a && a <= bounds.upper() + slack);
+}
+
+int main()
+{
+  const InvalidOperationsAllowed of_random_formulas;
+  Numbers numbers(1);
+  unsigned int n_values = 0, n_bounds = 0, n_slopes = 0, n_formulas = 0;
+  bool values_agree = true, bounds_hold = true, slopes_hold = true;
+  for (; n_formulas < 3000; ++n_formulas)
+  {
+    const std::string formula = random_formula(numbers, 1 + n_formulas % 4);
+    const Expression expression(formula, {"x", "y"}, "a test");
+    const Formula &tree = expression.formula();
+    for (unsigned int k = 0; k < 20; ++k)
+    {
+      const std::vector<double> p = {between(numbers, -2., 2.),
+                                     between(numbers, -2., 2.)};
+      values_agree &= agree(tree.value(p), expression(p));
+      n_values += std::isfinite(expression(p));
+
+      const double reach = std::pow(10., between(numbers, -4., 0.));
+      std::vector<Bounds> box(2);
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        box[i].value = Interval(p[i] - reach, p[i] + reach);
+        box[i].slope[i] = reach;
+      }
+      std::vector<Formula::Crossing> crossings;
+      const Bounds bounds =
+          tree.bounds(box, p, Formula::Limits(tree.n_jumps(), Interval::whole()),
+                      crossings);
+      const bool has_bounds = std::isfinite(magnitude(bounds.value));
+      const double t = between(numbers, -1., 1.), s = between(numbers, -1., 1.);
+      const double here = expression({p[0] + t * reach, p[1] + s * reach});
+      if (std::isnan(bounds.value.lower()) || std::isnan(here))
+        continue;
+      const double rounding = 1e-12 * (1. + magnitude(bounds.value));
+      if (has_bounds && !holds(bounds.value, here, rounding))
+      {
+        std::cout << formula << " at " << p[0] << ' ' << p[1] << std::endl;
+        bounds_hold = false;
+      }
+      n_bounds += has_bounds;
+      if (!crossings.empty() || std::isnan(bounds.slope[0].lower()))
+        continue;
+      const double there = expression({p[0] - t * reach, p[1] + s * reach});
+      const double quotient = (here - there) / (2. * t);
+      if (std::isfinite(quotient) && has_bounds && std::abs(t) > 0.1)
+      {
+        slopes_hold &= holds(bounds.slope[0], quotient, 100. * rounding);
+        n_slopes += std::isfinite(magnitude(bounds.slope[0]));
+      }
+    }
+  }
+  check("values of muParser", values_agree);
+  check("bounds hold the values", bounds_hold);
+  check("bounds of derivatives hold quotients of differences", slopes_hold);
+  check("so many were finite",
+        n_values > 20000 && n_bounds > 10000 && n_slopes > 5000);
+}
