@@ -2,6 +2,7 @@
 #include <voussoir/formula/edge_integral.h>
 #include <voussoir/formula/edge_pieces.h>
 #include <voussoir/formula/gauss_kronrod.h>
+#include <voussoir/formula/samples.h>
 
 #include <cmath>
 
@@ -11,11 +12,112 @@ using dealii::Point;
 
 namespace
 {
+using Function = std::function<double(const Point<2> &)>;
+
 /** What integrate() is to reach, relative to the mean size of the function. */
 constexpr double tolerance = 1e-13;
 
 /** In each part. */
 constexpr unsigned int n_points = 15;
+
+/** The length of a piece in which a hidden peak would not count. */
+constexpr double shortest_piece = 1e-12;
+/** More pieces are not made for the sake of peaks. */
+constexpr unsigned int n_max_pieces = 200;
+
+class Integrator
+{
+public:
+  Integrator(const Point<2> &a,
+             const Point<2> &b,
+             const Function &f,
+             const Jumps &jumps)
+      : a(a), b(b), f(f), jumps(jumps)
+  {
+  }
+
+  EdgeIntegral integral()
+  {
+    auto pieces =
+        jumps.empty()
+            ? std::vector<EdgePiece>{{0., 1., true, jumps.no_limits()}}
+            : edge_pieces(a, b, jumps, jumps.no_limits());
+    std::vector<Integral<Sums>> first;
+    double size = 0.;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+    {
+      // Halves may follow at the end of the list.
+      Integral<Sums> found = look_at(pieces[k]);
+      while (pieces.size() < n_max_pieces && may_hide_a_peak(pieces[k]))
+      {
+        const double middle = 0.5 * (pieces[k].begin + pieces[k].end);
+        pieces.push_back(pieces[k]);
+        pieces[k].end = pieces.back().begin = middle;
+        found = look_at(pieces[k]);
+      }
+      first.push_back(found);
+      size += found.size;
+    }
+    result.size = mean_size = size;
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      add(pieces[k], first[k]);
+    return result;
+  }
+
+private:
+  using Sums = Integrals<2>;
+
+  /** The function and its moment; the constant is the mean size. */
+  Sums at(const double t)
+  {
+    const double value = f(a + t * (b - a));
+    samples.add(value);
+    Sums sums;
+    sums.values = {{value, value * (t - 0.5), mean_size}};
+    return sums;
+  }
+
+  Integral<Sums> look_at(const EdgePiece &piece)
+  {
+    samples = Samples();
+    return integrate_once<n_points>([this](const double t) { return at(t); },
+                                    piece.begin, piece.end);
+  }
+
+  /** By the samples of the last look. */
+  bool may_hide_a_peak(const EdgePiece &piece) const
+  {
+    const double length = piece.end - piece.begin;
+    if (!jumps.has_formulas() || !piece.is_smooth || length < shortest_piece)
+      return false;
+    const Patch patch = {a + 0.5 * (piece.begin + piece.end) * (b - a),
+                         {{0.5 * length * (b - a), {}}}};
+    return !samples.cover(jumps.ranges(patch, piece.limits).front());
+  }
+
+  void add(const EdgePiece &piece, Integral<Sums> found)
+  {
+    const double length = piece.end - piece.begin;
+    if (!piece.is_smooth)
+    {
+      found = {length * at(0.5 * (piece.begin + piece.end)), 0., 0.};
+      result.uncertain += length;
+    }
+    else if (found.error > tolerance * mean_size * length)
+      found = integrate<n_points>([this](const double t) { return at(t); },
+                                  piece.begin, piece.end, tolerance);
+    result.mean += found.value.values[0];
+    result.moment += found.value.values[1];
+    result.error += found.error;
+  }
+
+  const Point<2> a, b;
+  const Function &f;
+  const Jumps &jumps;
+  Samples samples;
+  double mean_size = 0.;
+  EdgeIntegral result = {0., 0., 0., 0., 0.};
+};
 } // namespace
 
 EdgeIntegral edge_integral(const Point<2> &a,
@@ -23,48 +125,6 @@ EdgeIntegral edge_integral(const Point<2> &a,
                            const std::function<double(const Point<2> &)> &f,
                            const Jumps &jumps)
 {
-  EdgeIntegral result = {0., 0., 0., 0., 0.};
-  // Of the function, and of it times the distance from the middle.
-  const auto integrand = [&](const double t) {
-    const double value = f(a + t * (b - a));
-    Integrals<2> sum;
-    sum.values = {{value, value * (t - 0.5), result.size}};
-    return sum;
-  };
-  const auto add = [&](const auto &integral) {
-    result.mean += integral.value.values[0];
-    result.moment += integral.value.values[1];
-    result.error += integral.error;
-  };
-  if (jumps.empty())
-  {
-    const auto once = integrate_once<n_points>(integrand, 0., 1.);
-    result.size = once.size;
-    add(once.error <= tolerance * once.size
-            ? once
-            : integrate<n_points>(integrand, 0., 1., tolerance));
-    return result;
-  }
-
-  const auto pieces = edge_pieces(a, b, jumps, jumps.no_limits());
-  double size = 0.;
-  for (const EdgePiece &piece : pieces)
-    size += integrate_once<n_points>(integrand, piece.begin, piece.end).size;
-  result.size = size;
-  for (const EdgePiece &piece : pieces)
-  {
-    if (piece.is_smooth)
-    {
-      add(integrate<n_points>(integrand, piece.begin, piece.end, tolerance));
-      continue;
-    }
-    const double length = piece.end - piece.begin;
-    const double t = 0.5 * (piece.begin + piece.end);
-    const auto middle = integrand(t);
-    result.mean += length * middle.values[0];
-    result.moment += length * middle.values[1];
-    result.uncertain += length;
-  }
-  return result;
+  return Integrator(a, b, f, jumps).integral();
 }
 } // namespace Voussoir

@@ -24,14 +24,6 @@ constexpr double rounding = 1e-13;
 /** More pieces are not made: what is left then is not smooth. */
 constexpr unsigned int n_max_pieces = 10000;
 
-/** A part in the making, with what is known of the jumps there. */
-struct Part
-{
-  double begin, end;
-  bool is_smooth;
-  Jumps::Limits limits;
-};
-
 /** The jump to cut at: one whose argument has one root at most, if any. */
 const Crossing &easiest(const std::vector<Crossing> &crossings)
 {
@@ -54,7 +46,7 @@ public:
     open.push_back({0., 1., true, limits});
     while (!open.empty())
     {
-      const Part part = std::move(open.back());
+      const EdgePiece part = std::move(open.back());
       open.pop_back();
       cut(part);
     }
@@ -67,17 +59,17 @@ private:
     return a + t * (b - a);
   }
 
-  void cut(const Part &part)
+  void cut(const EdgePiece &part)
   {
     const double length = part.end - part.begin;
     const double middle = 0.5 * (part.begin + part.end);
     const Patch patch = {at(middle), {{0.5 * length * (b - a), {}}}};
     const auto crossings = jumps.crossings(patch, part.limits);
     if (crossings.empty())
-      return done.push_back({part.begin, part.end, part.is_smooth});
+      return done.push_back(part);
     const Crossing &crossing = easiest(crossings);
     if (length < shortest_piece || open.size() + done.size() > n_max_pieces)
-      done.push_back({part.begin, part.end, false});
+      done.push_back({part.begin, part.end, false, part.limits});
     else if (magnitude(crossing.distance.value) <= rounding * crossing.scale)
       choose_side(part, crossing);
     else if (excludes_zero(crossing.distance.slope[0]))
@@ -90,7 +82,7 @@ private:
   }
 
   /** Where a jump runs along @p part. */
-  void choose_side(const Part &part, const Crossing &crossing)
+  void choose_side(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> middle = at(0.5 * (part.begin + part.end));
     const bool is_below = jumps.distance(crossing, middle) < 0.;
@@ -101,7 +93,7 @@ private:
   }
 
   /** Where the argument of a jump increases, or decreases, along @p part. */
-  void cut_at_root(const Part &part, const Crossing &crossing)
+  void cut_at_root(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> begin = at(part.begin), end = at(part.end);
     const double first = jumps.distance(crossing, begin);
@@ -122,8 +114,7 @@ private:
 
   const Point<2> a, b;
   const Jumps &jumps;
-  std::vector<Part> open;
-  std::vector<EdgePiece> done;
+  std::vector<EdgePiece> open, done;
 };
 } // namespace
 

@@ -24,14 +24,26 @@ enum class Side
   unknown
 };
 
-/** A boundary that touches the level is of measure zero. */
-Side side(const Interval &distance)
+bool has_slopes(const Bounds &bounds)
 {
-  if (is_zero(distance))
+  return std::isfinite(magnitude(bounds.slope[0]) + magnitude(bounds.slope[1]));
+}
+
+/**
+ * The side of zero. What is smooth and touches zero, or is equal to it, is so
+ * on a set of measure zero, unless it is zero altogether. What may jump, and so
+ * has no slopes, is known when it is cut.
+ */
+Side side(const Bounds &distance)
+{
+  const Interval &value = distance.value;
+  if (is_zero(value))
     return Side::at;
-  return distance.upper() <= 0.   ? Side::below
-         : distance.lower() >= 0. ? Side::above
-                                  : Side::unknown;
+  if (excludes_zero(value) || has_slopes(distance))
+    return value.upper() <= 0.   ? Side::below
+           : value.lower() >= 0. ? Side::above
+                                 : Side::unknown;
+  return Side::unknown;
 }
 
 /**
@@ -54,10 +66,44 @@ level_inside(const Interval &a, const double first_step, const double period)
                                                 : std::nullopt;
 }
 
-Bounds unknown_truth()
+/**
+ * The range of a function by its bounds, and by the mean value theorem, which
+ * is closer where a variable occurs more than once.
+ *
+ * @param middle its value at the centre.
+ */
+Interval closer_range(const Bounds &bounds, const double middle)
 {
-  return either({0., {}}, {1., {}});
+  const double reach = magnitude(bounds.slope[0]) + magnitude(bounds.slope[1]);
+  if (!std::isfinite(reach) || !std::isfinite(middle))
+    return bounds.value;
+  const double lower = std::max(bounds.value.lower(), middle - reach);
+  const double upper = std::min(bounds.value.upper(), middle + reach);
+  return lower <= upper ? Interval(lower, upper) : Interval(middle);
 }
+
+/** Whether a value is not zero, but for a set of measure zero. */
+enum class Truth
+{
+  no,
+  yes,
+  unknown
+};
+
+Truth truth(const Bounds &bounds, const double middle)
+{
+  if (is_zero(closer_range(bounds, middle)))
+    return Truth::no;
+  return excludes_zero(bounds.value) || has_slopes(bounds) ? Truth::yes
+                                                           : Truth::unknown;
+}
+
+Bounds bounds_of_truth(const Truth truth)
+{
+  return truth == Truth::unknown ? either({0., {}}, {1., {}})
+                                 : Bounds{double(truth == Truth::yes), {}};
+}
+
 } // namespace
 
 unsigned int Formula::n_operands(const Kind kind)
@@ -186,25 +232,15 @@ double Formula::argument(const unsigned int jump,
   return argument_of(node);
 }
 
-/**
- * From the bounds of its operands: also by the mean value theorem, which is
- * closer where a variable occurs more than once.
- */
+/** From the bounds of its operands, within a limit. */
 Bounds Formula::argument_bounds(const Node &node, const Interval &limit) const
 {
   Bounds bounds = node_bounds[node.operand[0]];
   if (node.kind != Kind::stepped && node.kind != Kind::angle)
     bounds = bounds - node_bounds[node.operand[1]];
-  const double reach = magnitude(bounds.slope[0]) + magnitude(bounds.slope[1]);
-  const double middle = argument_of(node);
-  double lower = bounds.value.lower(), upper = bounds.value.upper();
-  if (std::isfinite(reach) && std::isfinite(middle))
-  {
-    lower = std::max(lower, middle - reach);
-    upper = std::min(upper, middle + reach);
-  }
-  lower = std::max(lower, limit.lower());
-  upper = std::min(upper, limit.upper());
+  const Interval range = closer_range(bounds, argument_of(node));
+  double lower = std::max(range.lower(), limit.lower());
+  double upper = std::min(range.upper(), limit.upper());
   // By rounding it may be beyond a limit; then it is strictly within.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (lower > upper && lower > limit.upper())
@@ -219,9 +255,9 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
 {
   const Bounds &a = node_bounds[node.operand[0]];
   const Bounds &b = node_bounds[node.operand[1]];
-  const Side where = side(argument.value);
+  const Side where = side(argument);
   const auto truth = [&](const bool below, const bool at, const bool above) {
-    return where == Side::unknown ? unknown_truth()
+    return where == Side::unknown ? bounds_of_truth(Truth::unknown)
                                   : Bounds{double(where == Side::below ? below
                                                   : where == Side::at  ? at
                                                                        : above),
@@ -241,8 +277,10 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
     return where == Side::unknown ? either(a, b) : where == Side::above ? b : a;
   case Kind::maximum:
     return where == Side::unknown ? either(a, b) : where == Side::below ? b : a;
-  case Kind::angle:
-    return atan2(a, b);
+  case Kind::angle: // with a step on the negative axis
+    return where == Side::unknown && !(b.value.lower() >= 0.)
+               ? either(atan2(a, b), atan2(a, b))
+               : atan2(a, b);
   default:
     break;
   }
@@ -265,8 +303,8 @@ Bounds Formula::bounds_of(const Node &node) const
 {
   const Bounds &a = node_bounds[node.operand[0]];
   const Bounds &b = node_bounds[node.operand[1]];
-  const auto is_true = [](const Bounds &x) {
-    return excludes_zero(x.value);
+  const auto truth_of = [&](const unsigned int k) {
+    return truth(node_bounds[node.operand[k]], node_values[node.operand[k]]);
   };
   switch (node.kind)
   {
@@ -284,28 +322,60 @@ Bounds Formula::bounds_of(const Node &node) const
     return pow(a, b);
   case Kind::equal:
   case Kind::not_equal: {
-    const Interval difference = (a - b).value;
-    if (!is_zero(difference) && !excludes_zero(difference))
-      return unknown_truth();
-    return {double(is_zero(difference) == (node.kind == Kind::equal)), {}};
+    const Truth differ = truth(a - b, node_values[node.operand[0]] -
+                                          node_values[node.operand[1]]);
+    return differ == Truth::unknown
+               ? bounds_of_truth(differ)
+               : Bounds{double((differ == Truth::yes) ==
+                               (node.kind == Kind::not_equal)),
+                        {}};
   }
   case Kind::both:
-    return is_zero(a.value) || is_zero(b.value) ? Bounds{0., {}}
-           : is_true(a) && is_true(b)           ? Bounds{1., {}}
-                                                : unknown_truth();
+    return bounds_of_truth(
+        truth_of(0) == Truth::no || truth_of(1) == Truth::no ? Truth::no
+        : truth_of(0) == Truth::yes && truth_of(1) == Truth::yes
+            ? Truth::yes
+            : Truth::unknown);
   case Kind::any:
-    return is_true(a) || is_true(b)               ? Bounds{1., {}}
-           : is_zero(a.value) && is_zero(b.value) ? Bounds{0., {}}
-                                                  : unknown_truth();
+    return bounds_of_truth(
+        truth_of(0) == Truth::yes || truth_of(1) == Truth::yes ? Truth::yes
+        : truth_of(0) == Truth::no && truth_of(1) == Truth::no
+            ? Truth::no
+            : Truth::unknown);
   case Kind::choose:
-    return is_true(a)         ? b
-           : is_zero(a.value) ? node_bounds[node.operand[2]]
-                              : either(b, node_bounds[node.operand[2]]);
+    return truth_of(0) == Truth::yes  ? b
+           : truth_of(0) == Truth::no ? node_bounds[node.operand[2]]
+                                      : either(b, node_bounds[node.operand[2]]);
   case Kind::smooth:
     return smooth_functions()[node.number].bounds(a);
   default:
     return {node.constant, {}};
   }
+}
+
+/**
+ * The value of a jump at the centre of the box, on the side where @p argument
+ * is known to be: the centre itself may be beyond a limit.
+ */
+void Formula::evaluate_branch(const unsigned int i,
+                              const Bounds &argument,
+                              const std::vector<double> &middle) const
+{
+  const Node &node = nodes[i];
+  const Side where = side(argument);
+  const double a = node_values[node.operand[0]];
+  const double b = node_values[node.operand[1]];
+  const bool is_constant =
+      node_bounds[i].value.lower() == node_bounds[i].value.upper();
+  if (is_constant)
+    node_values[i] = node_bounds[i].value.lower();
+  else if (where == Side::unknown || node.kind == Kind::angle)
+    evaluate(i, i + 1, middle);
+  else if (node.kind == Kind::stepped) // abs
+    node_values[i] = where == Side::below ? -a : a;
+  else
+    node_values[i] =
+        (node.kind == Kind::minimum) == (where == Side::above) ? b : a;
 }
 
 /** Which nodes the value depends on in the last box. */
@@ -321,22 +391,23 @@ void Formula::mark_needed() const
     const auto mark = [&](const unsigned int k) {
       needed[node.operand[k]] = true;
     };
-    const auto is_false = [&](const unsigned int k) {
-      return is_zero(node_bounds[node.operand[k]].value);
+    const auto is = [&](const unsigned int k, const Truth expected) {
+      return truth(node_bounds[node.operand[k]],
+                   node_values[node.operand[k]]) == expected;
     };
-    const auto is_true = [&](const unsigned int k) {
-      return excludes_zero(node_bounds[node.operand[k]].value);
-    };
+    // An operand that alone makes out the value.
     const auto decides = [&](const unsigned int k) {
-      return node.kind == Kind::any ? is_true(k) : is_false(k);
+      return node.kind == Kind::multiply
+                 ? is_zero(node_bounds[node.operand[k]].value)
+                 : is(k, node.kind == Kind::any ? Truth::yes : Truth::no);
     };
     switch (node.kind)
     {
     case Kind::choose:
       mark(0);
-      if (!is_false(0))
+      if (!is(0, Truth::no))
         mark(1);
-      if (!is_true(0))
+      if (!is(0, Truth::yes))
         mark(2);
       break;
     case Kind::multiply:
@@ -358,19 +429,19 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
                        const Limits &limits,
                        std::vector<Crossing> &crossings) const
 {
-  evaluate(0, nodes.size(), middle);
   for (unsigned int i = 0; i < nodes.size(); ++i)
   {
     const Node &node = nodes[i];
-    if (node.kind == Kind::variable)
-      node_bounds[i] = variables[node.number];
-    else if (node.jump == none)
-      node_bounds[i] = bounds_of(node);
-    else
+    if (node.jump == none)
     {
-      arguments[node.jump] = argument_bounds(node, limits[node.jump]);
-      node_bounds[i] = bounds_of_jump(node, arguments[node.jump]);
+      evaluate(i, i + 1, middle);
+      node_bounds[i] = node.kind == Kind::variable ? variables[node.number]
+                                                   : bounds_of(node);
+      continue;
     }
+    arguments[node.jump] = argument_bounds(node, limits[node.jump]);
+    node_bounds[i] = bounds_of_jump(node, arguments[node.jump]);
+    evaluate_branch(i, arguments[node.jump], middle);
   }
 
   mark_needed();
@@ -394,7 +465,9 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
     crossings.push_back(
         {jump, *level, arguments[jump] - Bounds{*level, {}}, scale});
   }
-  return node_bounds.back();
+  Bounds result = node_bounds.back();
+  result.value = closer_range(result, node_values.back());
+  return result;
 }
 
 unsigned int Formula::n_jumps() const

@@ -35,13 +35,14 @@ double choose(double condition, double a, double b)
 {
   return condition != 0. ? a : b;
 }
+// From the last one on, as Formula does: with a NaN the order matters.
 double minimum(const double *a, int n)
 {
-  return *std::min_element(a, a + n);
+  return n == 1 ? a[0] : std::min(a[0], minimum(a + 1, n - 1));
 }
 double maximum(const double *a, int n)
 {
-  return *std::max_element(a, a + n);
+  return n == 1 ? a[0] : std::max(a[0], maximum(a + 1, n - 1));
 }
 double sum(const double *a, int n)
 {

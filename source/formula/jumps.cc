@@ -55,6 +55,19 @@ bool Jumps::empty() const
   return first.back() == 0;
 }
 
+bool Jumps::has_formulas() const
+{
+  return !formulas.empty();
+}
+
+std::vector<Interval> Jumps::ranges(const Patch &patch,
+                                    const Limits &limits) const
+{
+  const InvalidOperationsAllowed allowed;
+  place(patch);
+  return ranges_there(limits);
+}
+
 Jumps::Limits Jumps::no_limits() const
 {
   return Limits(first.back(), Interval::whole());
@@ -93,7 +106,7 @@ std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
   return crossings;
 }
 
-std::vector<Interval> Jumps::ranges(const Limits &limits) const
+std::vector<Interval> Jumps::ranges_there(const Limits &limits) const
 {
   std::vector<Interval> ranges;
   std::vector<Crossing> crossings;
@@ -116,7 +129,7 @@ bool Jumps::is_step(const Crossing &crossing,
   const auto beside = [&](const double far) {
     Crossing at_next = crossing;
     at_next.level = std::nextafter(crossing.level, far);
-    return ranges(on_side(at_next, far < 0., limits));
+    return ranges_there(on_side(at_next, far < 0., limits));
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto below = beside(-infinity), above = beside(infinity);

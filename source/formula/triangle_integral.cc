@@ -43,6 +43,9 @@ constexpr double largest_null = 3e-7;
 /** How often a triangle is cut in four before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
 
+/** More triangles are not cut for the sake of peaks. */
+constexpr unsigned int n_max_quartered = 500;
+
 double area_of(const Triangle &triangle)
 {
   return 0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
@@ -93,6 +96,7 @@ public:
     }
     result.error = error;
     result.size = mean_size * area;
+    result.samples = samples;
     result.uncertain = uncertain / area;
     return result;
   }
@@ -105,13 +109,15 @@ private:
     double null = 0.;
     /** The integral of the size of the function. */
     double size = 0.;
+    std::array<Samples, 2> samples;
   };
 
   void integrate_smooth()
   {
     const Found found = apply_rule(triangle);
     mean_size = found.size / area;
-    add(triangle, found, 0);
+    samples = found.samples;
+    add(triangle, found, jumps.no_limits(), 0);
   }
 
   void integrate_pieces()
@@ -134,7 +140,7 @@ private:
             sum += apply_rule(part).sums;
           }
           else
-            add(part, apply_rule(part), 0);
+            add(part, apply_rule(part), piece.limits, 0);
   }
 
   /** At a point; the constant is the mean size. */
@@ -164,6 +170,8 @@ private:
       found.size +=
           rule.weights[q] * part_area *
           std::max(std::abs(there.values[0]), std::abs(there.values[1]));
+      for (unsigned int i = 0; i < found.samples.size(); ++i)
+        found.samples[i].add(there.values[i]);
     }
     null.values.back() = 0.;
     found.null = abs(null);
@@ -171,24 +179,42 @@ private:
   }
 
   /** Add the integral over a triangle in which the function is smooth. */
-  void add(const Triangle &part, const Found &found, const unsigned int level)
+  void add(const Triangle &part,
+           const Found &found,
+           const Jumps::Limits &limits,
+           const unsigned int level)
   {
     const double size = mean_size * area_of(part);
-    if (found.null <= largest_null * size)
+    const bool hides = may_hide_a_peak(part, found, limits);
+    if (found.null <= largest_null * size && !hides)
     {
       sum += found.sums;
       if (size > 0.)
         error += found.null * found.null / size;
     }
-    else if (level < n_refinements)
+    else if (level < n_refinements || hides)
+    {
+      ++n_quartered;
       for (const Triangle &quarter : quarters(part))
-        add(quarter, apply_rule(quarter), level + 1);
+        add(quarter, apply_rule(quarter), limits, level + 1);
+    }
     else
     {
       AreaPiece piece;
       piece.corners.assign(part.begin(), part.end());
       integrate_strips(piece);
     }
+  }
+
+  bool may_hide_a_peak(const Triangle &part,
+                       const Found &found,
+                       const Jumps::Limits &limits) const
+  {
+    if (!jumps.has_formulas() || n_quartered >= n_max_quartered)
+      return false;
+    const auto ranges =
+        jumps.ranges(box_around({part.begin(), part.end()}), limits);
+    return !cover(found.samples, ranges);
   }
 
   /** Add the integral over a piece that one curve may cross. */
@@ -287,7 +313,9 @@ private:
   const Function &f;
   const Jumps &jumps;
   Sums sum = 0.;
+  std::array<Samples, 2> samples;
   double mean_size = 0., error = 0., uncertain = 0.;
+  unsigned int n_quartered = 0;
 };
 } // namespace
 

@@ -13,15 +13,55 @@ using dealii::Tensor;
 
 namespace
 {
-/** Whether a jump may cross the box around a cell. */
-bool are_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
+Patch box_of(const Packing &packing, const unsigned int c)
 {
-  if (jumps.empty())
-    return false;
   std::vector<Point<2>> vertices;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     vertices.push_back(packing.vertex(c, i));
-  return !jumps.crossings(box_around(vertices), jumps.no_limits()).empty();
+  return box_around(vertices);
+}
+
+/** Whether a jump may cross the box around a cell. */
+bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
+{
+  return !jumps.empty() &&
+         !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
+}
+
+/** Over the triangles of the centre and each side of a cell. */
+std::vector<TriangleIntegral>
+integrals(const Packing &packing,
+          const unsigned int c,
+          const std::function<Tensor<1, 2>(const Point<2> &)> &b,
+          const Jumps &jumps,
+          const bool closely)
+{
+  static const Jumps none;
+  std::vector<TriangleIntegral> parts;
+  parts.reserve(packing.n_sides(c));
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    parts.push_back(triangle_integral(
+        {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
+        packing.centre(c), b, closely ? jumps : none));
+  return parts;
+}
+
+/** Whether bounds allow in a cell what was not seen in its triangles. */
+bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
+                     const Jumps &jumps,
+                     const Packing &packing,
+                     const unsigned int c)
+{
+  if (!jumps.has_formulas())
+    return false;
+  std::array<Samples, 2> samples;
+  for (const TriangleIntegral &part : parts)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      samples[i].add(part.samples[i].least);
+      samples[i].add(part.samples[i].most);
+    }
+  return !cover(samples, jumps.ranges(box_of(packing, c), jumps.no_limits()));
 }
 
 /** A sub-cell: the triangle of the centre and side i of a cell. */
@@ -46,25 +86,25 @@ BodyForce::BodyForce(
     Inaccuracies *const inaccuracies)
 {
   allocate(packing);
-  const Jumps none;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
         [&](const Point<2> &x) {
           return b(x, c);
         };
-    const Jumps &jumps_here = are_near(jumps, packing, c) ? jumps : none;
+    // A look at the whole cell is cheaper than one at each triangle.
+    const bool closely = is_near(jumps, packing, c);
+    auto parts = integrals(packing, c, b_c, jumps, closely);
+    if (!closely && may_hide_a_peak(parts, jumps, packing, c))
+      parts = integrals(packing, c, b_c, jumps, true);
     double error = 0., size = 0., uncertain = 0.;
-    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    for (unsigned int i = 0; i < parts.size(); ++i)
     {
-      const TriangleIntegral integral = triangle_integral(
-          {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
-          packing.centre(c), b_c, jumps_here);
-      on_sub_cell[packing.first_side(c) + i] = integral.value;
-      moment_of_cell[c] += integral.moment;
-      error += integral.error;
-      size += integral.size;
-      uncertain = std::max(uncertain, integral.uncertain);
+      on_sub_cell[packing.first_side(c) + i] = parts[i].value;
+      moment_of_cell[c] += parts[i].moment;
+      error += parts[i].error;
+      size += parts[i].size;
+      uncertain = std::max(uncertain, parts[i].uncertain);
     }
     if (inaccuracies != nullptr)
       inaccuracies->look_at(error, size, uncertain, [&] {

@@ -106,8 +106,7 @@ void check_jumps()
     else
     {
       // A patch, most of them narrow.
-      double end =
-          t + std::pow(10., between(numbers, -6., 0.)) * (1. - t);
+      double end = t + std::pow(10., between(numbers, -6., 0.)) * (1. - t);
       const auto [first, first_rises] = side_of_line(t);
       const auto [last, last_rises] = side_of_line(end);
       formula = (first_rises ? "(" + first + ") == 0" : first) + " && " +
@@ -143,15 +142,14 @@ void check_smooth()
     const double v = between(numbers, -10., 10.) / (b - a).norm();
     const double w = u * (b - a)[0] + v * (b - a)[1];
     const double periods = between(numbers, 0.1, 20.);
-    const double frequency =
-        2. * dealii::numbers::PI * periods / (b[0] - a[0]);
+    const double frequency = 2. * dealii::numbers::PI * periods / (b[0] - a[0]);
     // Along t from 0 to 1: exp(w t) times its value at the start.
     const double start = std::exp(u * a[0] + v * a[1]);
-    const EdgeIntegral e = integral(
-        "exp(" + digits(u) + "*x+" + digits(v) + "*y)", a, b);
+    const EdgeIntegral e =
+        integral("exp(" + digits(u) + "*x+" + digits(v) + "*y)", a, b);
     const double mean = start * std::expm1(w) / w;
-    const double moment = start * (std::exp(w) / w - std::expm1(w) / w / w) -
-                          0.5 * mean;
+    const double moment =
+        start * (std::exp(w) / w - std::expm1(w) / w / w) - 0.5 * mean;
     const EdgeIntegral s = integral("sin(" + digits(frequency) + "*x)", a, b);
     const double omega = frequency * (b[0] - a[0]);
     const double sine_mean =
@@ -190,6 +188,9 @@ int main()
   compare("sqrt(x)", 2. / 3.);
   compare("sqrt(abs(x-0.5))", std::sqrt(0.5) * 2. / 3.);
   compare("if(x > 0.25, 4, 0)", 3.);
+  // A peak between all points, that bounds find.
+  compare("1 + exp(-((x-0.5123)/1e-5)^2)",
+          1. + 1e-5 * std::sqrt(dealii::numbers::PI));
   compare("(x-0.2)*(x-0.2000001)*(x-0.7) < 0 ? 1 : 0", 0.7 - 1e-7);
 
   // A comparison with the very line that the edge is on is exact; with what is

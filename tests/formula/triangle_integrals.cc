@@ -105,8 +105,7 @@ Area part_below(const Triangle &triangle, const Tensor<1, 2> &n, const double c)
   Area area;
   for (unsigned int i = 1; i + 1 < corners.size(); ++i)
     area.add(0.5 * cross(corners[i] - corners[0], corners[i + 1] - corners[0]),
-             Point<2>((Tensor<1, 2>(corners[0]) + corners[i] +
-                       corners[i + 1]) /
+             Point<2>((Tensor<1, 2>(corners[0]) + corners[i] + corners[i + 1]) /
                       3.));
   return area;
 }
@@ -162,19 +161,19 @@ double error_of(const TriangleIntegral &found,
                 const double outside)
 {
   Area whole;
-  whole.add(0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]),
-            Point<2>((Tensor<1, 2>(triangle[0]) + triangle[1] + triangle[2]) /
-                     3.));
+  whole.add(
+      0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]),
+      Point<2>((Tensor<1, 2>(triangle[0]) + triangle[1] + triangle[2]) / 3.));
   const double value = outside * whole.area + (inside - outside) * part.area;
   const Tensor<1, 2> moment =
       outside * whole.moment_about(triangle[0]) +
       (inside - outside) * part.moment_about(triangle[0]);
-  const double size = std::max(std::abs(inside), std::abs(outside)) *
-                      whole.area;
-  return std::max(std::abs(found.value[0] - value),
-                  (Tensor<1, 2>({found.moment[0][0], found.moment[0][1]}) -
-                   moment)
-                      .norm()) /
+  const double size =
+      std::max(std::abs(inside), std::abs(outside)) * whole.area;
+  return std::max(
+             std::abs(found.value[0] - value),
+             (Tensor<1, 2>({found.moment[0][0], found.moment[0][1]}) - moment)
+                 .norm()) /
          size;
 }
 
@@ -217,9 +216,9 @@ void check_cuts()
           std::max(*worst, error_of(found, triangle, part, inside, outside));
     else
       ++n_warned;
-    n_cut += part.area > 0. &&
-             part.area < 0.499 * cross(triangle[1] - triangle[0],
-                                       triangle[2] - triangle[0]);
+    n_cut +=
+        part.area > 0. && part.area < 0.499 * cross(triangle[1] - triangle[0],
+                                                    triangle[2] - triangle[0]);
   }
   check_error("half-planes", worst_line, 1e-10);
   check_error("discs", worst_disc, 1e-10);
@@ -238,8 +237,8 @@ void check_smooth()
   for (unsigned int k = 0; k < 60; ++k)
   {
     const Triangle triangle = random_triangle(numbers);
-    const double waves = 2. * dealii::numbers::PI *
-                         std::pow(10., between(numbers, -3., 1.));
+    const double waves =
+        2. * dealii::numbers::PI * std::pow(10., between(numbers, -3., 1.));
     const double angle = between(numbers, 0., 2. * dealii::numbers::PI);
     const double u = waves * std::cos(angle), v = waves * std::sin(angle);
     const bool is_sine = k % 2 == 0;
@@ -251,15 +250,14 @@ void check_smooth()
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double s = gauss.point(q)[0], t = gauss.point(q)[1];
-      const Tensor<1, 2> arm =
-          s * ((1. - t) * (triangle[1] - triangle[0]) +
-               t * (triangle[2] - triangle[0]));
+      const Tensor<1, 2> arm = s * ((1. - t) * (triangle[1] - triangle[0]) +
+                                    t * (triangle[2] - triangle[0]));
       const Point<2> x = triangle[0] + arm;
       const double argument = u * x[0] + v * x[1];
-      const double f = (is_sine ? std::sin(argument) : std::exp(argument)) *
-                       gauss.weight(q) * s *
-                       cross(triangle[1] - triangle[0],
-                             triangle[2] - triangle[0]);
+      const double f =
+          (is_sine ? std::sin(argument) : std::exp(argument)) *
+          gauss.weight(q) * s *
+          cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
       value += f;
       size += std::abs(f);
       moment += f * arm;
@@ -295,6 +293,9 @@ int main()
   // Half of a lens, with a corner where two arcs meet.
   compare("x^2+y^2 < 0.25 && (x-0.5)^2+y^2 < 0.25",
           0.25 * std::acos(0.5) - 0.125 * std::sqrt(0.75));
+  // A peak between all points, that bounds find.
+  compare("1 + exp(-((x-0.3)^2+(y-0.3)^2)/1e-8)", 0.5 + 1e-8 * pi);
+  compare("1e8*exp(-((x-0.3)^2+(y-0.3)^2)/1e-8)", pi);
   compare("min(x, y)", 1. / 12.);
   compare("floor(4*x)", 0.4375);
   compare("sqrt(x)", 4. / 15.);

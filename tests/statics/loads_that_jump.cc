@@ -2,8 +2,8 @@
 
 // Loads and strengths that jump, on a block on the ground: what must slide
 // slides, what must be carried is, and reactions, torques and strengths are
-// those by hand. Tractions on lines are clipped to edges to rounding, with their
-// first moments. What cannot be integrated exactly is a warning.
+// those by hand. Tractions on lines are clipped to edges to rounding, with
+// their first moments. What cannot be integrated exactly is a warning.
 
 #include <voussoir/statics/friction.h>
 #include <voussoir/statics/loads.h>
@@ -38,8 +38,8 @@ Strengths strengths_of(const Packing &packing, const std::string &strength)
   FrictionParameters friction;
   dealii::ParameterHandler prm;
   friction.add_parameters(prm);
-  prm.parse_input_from_string("subsection Friction\nset Strength = " +
-                              strength + "\nend\n");
+  prm.parse_input_from_string(
+      "subsection Friction\nset Strength = " + strength + "\nend\n");
   return friction.strengths(packing);
 }
 
@@ -57,8 +57,11 @@ bool is_carried(const Scene &scene)
   return !Solver(least_energy).solve(problem).mechanism;
 }
 
-void check_load(const std::string &what, const Scene &scene, const double F_x,
-                const double F_y, const double torque)
+void check_load(const std::string &what,
+                const Scene &scene,
+                const double F_x,
+                const double F_y,
+                const double torque)
 {
   const InterfaceForces none = {{0.}, {0.}};
   check_error(what + ": force",
@@ -84,9 +87,9 @@ void check_sliding()
   check("the same on a line: slides", !is_carried(block(1.599999, same)) &&
                                           is_carried(block(1.600001, same)));
 
-  const Scene pressed = block(
-      1., "set Body force = 0; -1\n"
-          "set Traction = 0; (y > 1-1e-9 && x < 0.52) ? -10 : 0");
+  const Scene pressed =
+      block(1., "set Body force = 0; -1\n"
+                "set Traction = 0; (y > 1-1e-9 && x < 0.52) ? -10 : 0");
   check_load("one jump", pressed, 0., -6.2, 5.2 * 0.24);
   const InterfaceForces reaction = Solver(least_energy).forces(pressed);
   check_error("one jump: reaction", std::abs(reaction.normal[0] + 6.2), 1e-12);
@@ -100,11 +103,13 @@ void check_body_forces()
              block(1., "set Body force = 0; (x > 0.9 && y > 0.8) ? -50 : 0"),
              0., -1., -0.45);
   check_load("a body force in a disc",
-             block(1., "set Body force = (x-0.75)^2 + (y-0.25)^2 < 0.01 ? 100 : "
-                       "0; 0"),
+             block(1.,
+                   "set Body force = (x-0.75)^2 + (y-0.25)^2 < 0.01 ? 100 : "
+                   "0; 0"),
              dealii::numbers::PI, 0., 0.25 * dealii::numbers::PI);
   const double e = std::exp(10.);
-  // The moment about y = 1/2 of -exp(10 y) along y has no torque; along x it has.
+  // The moment about y = 1/2 of -exp(10 y) along y has no torque; along x it
+  // has.
   check_error("exp(10 y)",
               std::abs(block(1., "set Body force = 0; -exp(10*y)").load[0][1] +
                        (e - 1.) / 10.),
@@ -122,8 +127,8 @@ void check_strength()
 {
   const Packing packing = block_on_ground();
   const Strengths found = strengths_of(packing, "x > 0.37 ? 0.5 : 1.5");
-  check_error("a strength that jumps",
-              std::abs(found.of_interface[0] - 0.87), 1e-14);
+  check_error("a strength that jumps", std::abs(found.of_interface[0] - 0.87),
+              1e-14);
   check("without a warning", found.warnings.empty());
 }
 
@@ -134,9 +139,9 @@ void check_segments()
   const Scene dam =
       block(9., "set Segment tractions = 0, 0.9 to 0, 0.3: 0, 0 to 6, 0");
   check_load("water", dam, 1.8, 0., -1.8 * (0.5 - 0.5));
-  const Scene deep =
-      block(9., "set Segment tractions = 0, 1 to 0, 0: 0, 0 to 6, 0; 0, 1 to 1, "
-                "1: 0, -3");
+  const Scene deep = block(
+      9., "set Segment tractions = 0, 1 to 0, 0: 0, 0 to 6, 0; 0, 1 to 1, "
+          "1: 0, -3");
   check_load("water and a load", deep, 3., -3., 3. * (0.5 - 1. / 3.));
   const auto mean = cell_mean_stresses(deep, {{0.}, {0.}})[0];
   // The integrals of g_x x and g_y y over the boundary, from the middle.

@@ -30,12 +30,13 @@ struct EdgeIntegral
  * Integrate a function over the edge from @p a to @p b.
  *
  * On each of its edge_pieces() the function is smooth, and integrated by
- * integrate(). Where a jump runs along the edge, to within rounding, the value
- * in the middle is taken, and counts as an error.
+ * integrate(), on halves of them as long as its bounds do not exclude that a
+ * peak hides between the points. Where a jump runs along the edge, to within
+ * rounding, the value in the middle is taken, and counts as an error.
  *
  * @param a,b lengths.
  * @param f the function; it may throw.
- * @param jumps of the function.
+ * @param jumps of the function, which is their one formula, if they have any.
  */
 EdgeIntegral
 edge_integral(const dealii::Point<2> &a,

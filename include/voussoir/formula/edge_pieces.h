@@ -18,6 +18,8 @@ struct EdgePiece
   /** @} */
   /** Whether the function is known to be smooth inside. */
   bool is_smooth;
+  /** What is known of the jumps there. */
+  Jumps::Limits limits;
 };
 
 /**

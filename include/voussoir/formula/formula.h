@@ -129,6 +129,9 @@ private:
   Bounds argument_bounds(const Node &node, const Interval &limit) const;
   Bounds bounds_of(const Node &node) const;
   Bounds bounds_of_jump(const Node &node, const Bounds &argument) const;
+  void evaluate_branch(unsigned int i,
+                       const Bounds &argument,
+                       const std::vector<double> &middle) const;
   void mark_needed() const;
 
   std::vector<Node> nodes;

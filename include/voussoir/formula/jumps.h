@@ -51,6 +51,12 @@ public:
   /** Whether there is none at all. */
   bool empty() const;
 
+  /** Whether there are formulas, and so ranges(). */
+  bool has_formulas() const;
+
+  /** What each formula is between in @p patch within @p limits, roughly. */
+  std::vector<Interval> ranges(const Patch &patch, const Limits &limits) const;
+
   /** No limits to the argument of any jump. */
   Limits no_limits() const;
 
@@ -79,8 +85,8 @@ public:
 private:
   /** Place @p patch in values and bounds. */
   void place(const Patch &patch) const;
-  /** The bounds of each formula there. */
-  std::vector<Interval> ranges(const Limits &limits) const;
+  /** The bounds of each formula where it was placed. */
+  std::vector<Interval> ranges_there(const Limits &limits) const;
   Limits limits_of(unsigned int formula, const Limits &limits) const;
 
   std::vector<std::reference_wrapper<const Formula>> formulas;

@@ -3,6 +3,7 @@
 #define voussoir_formula_triangle_integral_h
 
 #include <voussoir/formula/jumps.h>
+#include <voussoir/formula/samples.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -28,6 +29,8 @@ struct TriangleIntegral
   double error;
   /** The integral of the size of the largest component, roughly. */
   double size;
+  /** What was seen of each component at the points of the rule. */
+  std::array<Samples, 2> samples;
   /** The part of the area of which the side of a jump is not known. */
   double uncertain;
 };
@@ -36,14 +39,16 @@ struct TriangleIntegral
  * Integrate a function over a triangle.
  *
  * Where @p jumps cross it, it is cut by area_pieces(). On a triangle without a
- * jump a rule of degree five serves, where a null rule says that it does. Else,
+ * jump a rule of degree five serves, where a null rule says that it does, and
+ * bounds of the function exclude that a peak hides between the points. Else,
  * and where a curve crosses a piece, integrate() goes along one coordinate and
  * then the other, between the sides and the curve.
  *
  * @param corners counterclockwise; lengths.
  * @param origin of the moment.
  * @param f the function; it may throw.
- * @param jumps of the function.
+ * @param jumps of the function; its formulas, if any, are those of the two
+ *   components.
  */
 TriangleIntegral triangle_integral(
     const std::array<dealii::Point<2>, 3> &corners,

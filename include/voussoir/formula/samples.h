@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_formula_samples_h
+#define voussoir_formula_samples_h
+
+#include <voussoir/formula/bounds.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * What a function was seen to be, against what it may be by its bounds: a peak
+ * between the points of a rule leaves no other trace.
+ */
+struct Samples
+{
+  /** @{ */
+  /** Of the values seen; in their unit. */
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  /** @} */
+
+  /** Look at a value. */
+  void add(const double value)
+  {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+
+  /**
+   * Whether all that @p range allows is near to what was seen; true as well if
+   * the range is not bounded, and nothing can be said.
+   */
+  bool cover(const Interval &range) const
+  {
+    // Points do not reach the ends of a part, a box is larger than a triangle
+    // in it, and bounds are not the closest.
+    constexpr double allowance = 2., rounding = 1e-9;
+    const double slack = allowance * (most - least) +
+                         rounding * std::max(std::abs(least), std::abs(most));
+    return !std::isfinite(magnitude(range)) ||
+           (range.lower() >= least - slack && range.upper() <= most + slack);
+  }
+};
+
+/** Whether the samples of functions cover their ranges, as far as these are
+ * known: those of the first ranges.size() functions. */
+inline bool cover(const std::array<Samples, 2> &samples,
+                  const std::vector<Interval> &ranges)
+{
+  bool all = true;
+  for (unsigned int i = 0; i < samples.size() && i < ranges.size(); ++i)
+    all &= samples[i].cover(ranges[i]);
+  return all;
+}
+} // namespace Voussoir
+
+#endif
