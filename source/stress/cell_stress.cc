@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -19,10 +20,19 @@ namespace
 constexpr double least_slenderness = 1e-11;
 
 /**
- * By how much the mean of the stress may miss what the forces demand, relative
- * to the largest traction.
+ * The same below which the stress is checked in the cell turned: at worst
+ * rounding over its square is lost, here 1e-10.
  */
-constexpr double largest_error_of_mean = 1e-6;
+constexpr double doubtful_slenderness = 1e-3;
+
+/** The angle for that: any that is no symmetry of a cell. */
+constexpr double turn = 1.;
+
+/**
+ * By how much the mean of the stress may miss what the forces demand, and the
+ * stress of a sub-cell that of the cell turned, relative to largest_stress().
+ */
+constexpr double largest_error = 1e-6;
 } // namespace
 
 CellStress::CellStress(const SubTriangulation &cut,
@@ -45,42 +55,60 @@ bool CellStress::solve(const Point<2> &centre,
   AssertDimension(body_forces.size(), vertices.size());
   AssertDimension(sub_cells.size(), n_sub_cells());
 
+  if (!solve_once(centre, vertices, all_forces, body_forces, found))
+    return false;
+  if (slenderness < doubtful_slenderness &&
+      !is_same_turned(centre, vertices, all_forces, body_forces))
+    return false;
+  std::copy(found.begin(), found.end(), sub_cells.begin());
+  return true;
+}
+
+bool CellStress::solve_once(const Point<2> &centre,
+                            const std::vector<Point<2>> &vertices,
+                            const std::vector<Tensor<1, 2>> &all_forces,
+                            const std::vector<Tensor<1, 2>> &body_forces,
+                            std::vector<SubCellStress> &result)
+{
   if (!take_out_mean(centre, vertices, all_forces, body_forces))
     return false;
   spaces.place(corners, with_flux_mass);
   if (!find_fluxes() || !mean_is_right())
     return false;
-
-  const unsigned int n_fluxes = spaces.n_fluxes_per_sub_cell();
+  result.clear();
   for (unsigned int s = 0; s < n_sub_cells(); ++s)
-  {
-    const CellSpaces::Integrals &integrals = spaces.integrals(s);
-    SubCellStress result;
-    for (unsigned int row = 0; row < 2; ++row)
-    {
-      for (unsigned int k = 0; k < n_fluxes; ++k)
-      {
-        const double c = coefficient(row, s, k);
-        result.stress[row] += c * integrals.in_the_middle[k];
-        for (unsigned int j = 0; j < integrals.mean.size(); ++j)
-          result.divergence[row] += c * spaces.divergence(s, j, k);
-      }
-      result.divergence[row] /= integrals.area * size;
-    }
-    double skew_square = 0.;
-    for (unsigned int q = 0; q < integrals.weights.size(); ++q)
-    {
-      double skew = 0.;
-      for (unsigned int k = 0; k < n_fluxes; ++k)
-        skew += 0.5 * (coefficient(0, s, k) * integrals.at_points(q, k)[1] -
-                       coefficient(1, s, k) * integrals.at_points(q, k)[0]);
-      skew_square += integrals.weights[q] * skew * skew;
-    }
-    result.skew = std::sqrt(skew_square / integrals.area);
-    result.stress += mean;
-    sub_cells[s] = result;
-  }
+    result.push_back(stress_in(s));
   return true;
+}
+
+SubCellStress CellStress::stress_in(const unsigned int s) const
+{
+  const unsigned int n_fluxes = spaces.n_fluxes_per_sub_cell();
+  const CellSpaces::Integrals &integrals = spaces.integrals(s);
+  SubCellStress result;
+  for (unsigned int row = 0; row < 2; ++row)
+  {
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+    {
+      const double c = coefficient(row, s, k);
+      result.stress[row] += c * integrals.in_the_middle[k];
+      for (unsigned int j = 0; j < integrals.mean.size(); ++j)
+        result.divergence[row] += c * spaces.divergence(s, j, k);
+    }
+    result.divergence[row] /= integrals.area * size;
+  }
+  double skew_square = 0.;
+  for (unsigned int q = 0; q < integrals.weights.size(); ++q)
+  {
+    double skew = 0.;
+    for (unsigned int k = 0; k < n_fluxes; ++k)
+      skew += 0.5 * (coefficient(0, s, k) * integrals.at_points(q, k)[1] -
+                     coefficient(1, s, k) * integrals.at_points(q, k)[0]);
+    skew_square += integrals.weights[q] * skew * skew;
+  }
+  result.skew = std::sqrt(skew_square / integrals.area);
+  result.stress += mean;
+  return result;
 }
 
 /**
@@ -94,15 +122,17 @@ bool CellStress::take_out_mean(const Point<2> &centre,
 {
   const unsigned int n_sides = vertices.size();
   double area = 0.;
+  slenderness = std::numeric_limits<double>::infinity();
   for (unsigned int i = 0; i < n_sides; ++i)
   {
     const Tensor<1, 2> a = vertices[i] - centre;
     const Tensor<1, 2> b = vertices[(i + 1) % n_sides] - centre;
     const double triangle = 0.5 * cross(a, b);
-    if (!(triangle >
-          least_slenderness * std::max({a.norm_square(), b.norm_square(),
-                                        (b - a).norm_square()})))
+    const double longest =
+        std::max({a.norm_square(), b.norm_square(), (b - a).norm_square()});
+    if (!(triangle > least_slenderness * longest))
       return false;
+    slenderness = std::min(slenderness, triangle / longest);
     area += triangle;
   }
   size = std::sqrt(area);
@@ -126,10 +156,24 @@ bool CellStress::take_out_mean(const Point<2> &centre,
   mean = symmetrize(mean);
   for (unsigned int i = 0; i < n_sides; ++i)
   {
-    const Tensor<1, 2> side = corners[(i + 1) % n_sides] - corners[i];
+    // From the vertices, since corners have the rounding of the whole cell,
+    // which on a short side is a large traction.
+    const Tensor<1, 2> side =
+        (vertices[(i + 1) % n_sides] - vertices[i]) / size;
     forces[i] -= mean * Tensor<1, 2>({side[1], -side[0]});
   }
   return true;
+}
+
+/** Of the symmetric mean and of the tractions that remain. */
+double CellStress::largest_stress() const
+{
+  double largest = mean.norm();
+  for (unsigned int i = 0; i < corners.size(); ++i)
+    largest = std::max(
+        largest, forces[i].norm() /
+                     corners[i].distance(corners[(i + 1) % corners.size()]));
+  return largest;
 }
 
 /**
@@ -140,14 +184,9 @@ bool CellStress::take_out_mean(const Point<2> &centre,
 bool CellStress::mean_is_right() const
 {
   Tensor<2, 2> error;
-  double scale = mean.norm();
   for (unsigned int i = 0; i < corners.size(); ++i)
-  {
-    const Point<2> &a = corners[i];
-    const Point<2> &b = corners[(i + 1) % corners.size()];
-    error -= outer_product(forces[i], 0.5 * (a + b));
-    scale = std::max(scale, forces[i].norm() / a.distance(b));
-  }
+    error -= outer_product(
+        forces[i], 0.5 * (corners[i] + corners[(i + 1) % corners.size()]));
   for (unsigned int s = 0; s < n_sub_cells(); ++s)
   {
     const CellSpaces::Integrals &integrals = spaces.integrals(s);
@@ -160,6 +199,43 @@ bool CellStress::mean_is_right() const
                              spaces.divergence(s, j, k) * integrals.nodes[j]);
       }
   }
-  return error.norm() <= largest_error_of_mean * scale;
+  return error.norm() <= largest_error * largest_stress();
+}
+
+/**
+ * Whether the stress that was found comes back in the cell turned, with the
+ * forces on it. A check of all that rounding does, in the equations as in their
+ * solution, and of each sub-cell.
+ */
+bool CellStress::is_same_turned(const Point<2> &centre,
+                                const std::vector<Point<2>> &vertices,
+                                const std::vector<Tensor<1, 2>> &all_forces,
+                                const std::vector<Tensor<1, 2>> &body_forces)
+{
+  Tensor<2, 2> rotation;
+  rotation[0][0] = rotation[1][1] = std::cos(turn);
+  rotation[1][0] = std::sin(turn);
+  rotation[0][1] = -rotation[1][0];
+  std::vector<Point<2>> turned_vertices;
+  std::vector<Tensor<1, 2>> turned_forces, turned_body_forces;
+  for (unsigned int i = 0; i < vertices.size(); ++i)
+  {
+    turned_vertices.emplace_back(rotation * (vertices[i] - centre));
+    turned_forces.push_back(rotation * all_forces[i]);
+    turned_body_forces.push_back(rotation * body_forces[i]);
+  }
+  if (!solve_once({}, turned_vertices, turned_forces, turned_body_forces,
+                  found_turned))
+    return false;
+  const double scale = largest_stress();
+  for (unsigned int s = 0; s < n_sub_cells(); ++s)
+  {
+    const Tensor<2, 2> turned_back =
+        transpose(rotation) * found_turned[s].stress * rotation;
+    if (!((found[s].stress - turned_back).norm() <=
+          largest_error * std::max(scale, found[s].stress.norm())))
+      return false;
+  }
+  return true;
 }
 } // namespace Voussoir

@@ -4,6 +4,7 @@
 #include <voussoir/stress/fan.h>
 #include <voussoir/stress/least_norm.h>
 #include <voussoir/stress/reconstruction.h>
+#include <voussoir/stress/short_sides.h>
 
 #include <deal.II/base/parallel.h>
 #include <deal.II/base/thread_local_storage.h>
@@ -21,7 +22,8 @@ namespace
 /** What one thread keeps from cell to cell: one object a number of sides. */
 struct Scratch
 {
-  explicit Scratch(const Reconstruction &how) : how(how)
+  explicit Scratch(const Reconstruction &how)
+      : how(how), short_sides(how.cut(), how.shortest_side())
   {
   }
 
@@ -51,6 +53,23 @@ struct Scratch
     }
   }
 
+  /** Find the stress in the cell that was read; see CellStress::solve(). */
+  bool solve(const Point<2> &centre,
+             const dealii::ArrayView<SubCellStress> &sub_cells)
+  {
+    if (!short_sides.leave_out(vertices, forces, body_forces))
+      return cell_stress(vertices.size())
+          .solve(centre, vertices, forces, body_forces, sub_cells);
+    CellStress &of_rest = cell_stress(short_sides.vertices().size());
+    in_rest.resize(of_rest.n_sub_cells());
+    if (!of_rest.solve(centre, short_sides.vertices(), short_sides.forces(),
+                       short_sides.body_forces(),
+                       {in_rest.data(), in_rest.size()}))
+      return false;
+    short_sides.fill(in_rest, sub_cells);
+    return true;
+  }
+
   /** The mean stress of the cell that was read; see cell_mean_stresses(). */
   Tensor<2, 2> mean(const Point<2> &centre, const double area) const
   {
@@ -69,6 +88,8 @@ struct Scratch
   std::vector<std::unique_ptr<CellStress>> by_sides;
   std::vector<Point<2>> vertices;
   std::vector<Tensor<1, 2>> forces, body_forces;
+  ShortSides short_sides;
+  std::vector<SubCellStress> in_rest;
 };
 
 double skew_part(const Tensor<2, 2> &stress)
@@ -133,6 +154,11 @@ SubTriangulation Reconstruction::cut() const
                     : SubTriangulation::fan();
 }
 
+double Reconstruction::shortest_side() const
+{
+  return is_refined ? LeastNorm::shortest_side : Fan::shortest_side;
+}
+
 std::unique_ptr<CellStress>
 Reconstruction::cell_stress(const unsigned int n_sides) const
 {
@@ -154,15 +180,11 @@ StressField reconstruct_stress(const Packing &packing,
   std::vector<char> determined(n_cells, true);
 
   const auto reconstruct_cell = [&](const unsigned int c, Scratch &scratch) {
-    const unsigned int n_sides = packing.n_sides(c);
     scratch.read(packing, forces, c);
-    CellStress &cell_stress = scratch.cell_stress(n_sides);
+    const std::size_t first = field.first(packing, c, 0);
     const dealii::ArrayView<SubCellStress> sub_cells(
-        field.sub_cells.data() + field.first(packing, c, 0),
-        cell_stress.n_sub_cells());
-    determined[c] =
-        cell_stress.solve(packing.centre(c), scratch.vertices, scratch.forces,
-                          scratch.body_forces, sub_cells);
+        field.sub_cells.data() + first, field.first(packing, c + 1, 0) - first);
+    determined[c] = scratch.solve(packing.centre(c), sub_cells);
     if (!determined[c])
     {
       const Tensor<2, 2> mean =

@@ -39,6 +39,11 @@ struct SubCellStress
  * problem of its own tractions, and what remains is found with the precision of
  * the remainder. So a uniform stress comes back to rounding, whatever the shape
  * of the cell.
+ *
+ * Where the centre and a side make a slender triangle, the integrals there have
+ * few digits. Such a cell is solved a second time, turned by an angle, in which
+ * all of them are rounded differently, and what the two solutions differ by is
+ * what rounding does to them.
  */
 class CellStress
 {
@@ -56,8 +61,8 @@ public:
    * @param sub_cells takes the result, n_sub_cells() elements, triangle by
    *   triangle.
    * @return false if the solution would be arbitrary, or has lost its digits:
-   *   if its mean is not that which the forces demand. sub_cells are then left
-   *   alone.
+   *   if its mean is not that which the forces demand, or if in the cell turned
+   *   it is another. sub_cells are then left alone.
    */
   bool solve(const dealii::Point<2> &centre,
              const std::vector<dealii::Point<2>> &vertices,
@@ -114,11 +119,22 @@ protected:
   std::vector<dealii::Tensor<1, 2>> forces;
 
 private:
+  bool solve_once(const dealii::Point<2> &centre,
+                  const std::vector<dealii::Point<2>> &vertices,
+                  const std::vector<dealii::Tensor<1, 2>> &all_forces,
+                  const std::vector<dealii::Tensor<1, 2>> &body_forces,
+                  std::vector<SubCellStress> &result);
+  SubCellStress stress_in(unsigned int sub_cell) const;
   bool take_out_mean(const dealii::Point<2> &centre,
                      const std::vector<dealii::Point<2>> &vertices,
                      const std::vector<dealii::Tensor<1, 2>> &all_forces,
                      const std::vector<dealii::Tensor<1, 2>> &body_forces);
+  double largest_stress() const;
   bool mean_is_right() const;
+  bool is_same_turned(const dealii::Point<2> &centre,
+                      const std::vector<dealii::Point<2>> &vertices,
+                      const std::vector<dealii::Tensor<1, 2>> &all_forces,
+                      const std::vector<dealii::Tensor<1, 2>> &body_forces);
 
   const bool with_flux_mass;
   const unsigned int n_per_side;
@@ -127,6 +143,9 @@ private:
   std::vector<dealii::Tensor<1, 2>> sources;
   dealii::Tensor<2, 2> mean;
   double size = 0.;
+  /** The least area of a triangle over the square of its longest side. */
+  double slenderness = 0.;
+  std::vector<SubCellStress> found, found_turned;
 };
 } // namespace Voussoir
 

@@ -32,6 +32,12 @@ namespace Voussoir
 class Fan : public CellStress
 {
 public:
+  /**
+   * The shortest side that a cell may have, over the root of its area h.
+   * Rounding / h is what it costs: here, 1e-7.
+   */
+  static constexpr double shortest_side = 1e-9;
+
   /** For cells with @p n_sides sides, at least 3. */
   explicit Fan(unsigned int n_sides);
 

@@ -35,6 +35,14 @@ class LeastNorm : public CellStress
 {
 public:
   /**
+   * The shortest side that a cell may have, over the root of its area. In the
+   * triangle of a side of length h all fluxes are nearly parallel, of size 1/h
+   * where what goes across is of order one, and rounding / h^2 is what their
+   * scalar products leave of it: here, 1e-8.
+   */
+  static constexpr double shortest_side = 1e-4;
+
+  /**
    * For cells with @p n_sides sides, at least 3, on
    * SubTriangulation::thirds(@p n_refinements), with elements of @p degree k.
    */

@@ -28,6 +28,9 @@ struct Reconstruction
   /** The cut of each triangle: fan() or thirds(). */
   SubTriangulation cut() const;
 
+  /** The shortest side that it may have; see ShortSides. */
+  double shortest_side() const;
+
   /** What solves cells with @p n_sides sides: a Fan or a LeastNorm. */
   std::unique_ptr<CellStress> cell_stress(unsigned int n_sides) const;
 };

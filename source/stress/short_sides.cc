@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/geometry.h>
+#include <voussoir/stress/short_sides.h>
+
+#include <cmath>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/** The middle of a sub-cell, in weights of the ends of its side. */
+Point<2> middle(const SubTriangulation::Quadrilateral &sub_cell)
+{
+  Point<2> middle;
+  for (const SubTriangulation::Vertex &vertex : sub_cell)
+    middle += 0.25 * Point<2>(vertex.a, vertex.b);
+  return middle;
+}
+
+/** The sub-cell of a triangle that is nearest to a point, in weights. */
+unsigned int nearest(const SubTriangulation &cut, const Point<2> &point)
+{
+  unsigned int result = 0;
+  for (unsigned int k = 1; k < cut.of_triangle().size(); ++k)
+    if (middle(cut.of_triangle()[k]).distance(point) <
+        middle(cut.of_triangle()[result]).distance(point))
+      result = k;
+  return result;
+}
+
+SubCellStress mean(const SubCellStress &a, const SubCellStress &b)
+{
+  return {0.5 * (a.stress + b.stress), 0.5 * (a.divergence + b.divergence),
+          0.5 * (a.skew + b.skew)};
+}
+} // namespace
+
+ShortSides::ShortSides(const SubTriangulation &cut, const double shortest)
+    : shortest(shortest), n_per_side(cut.of_triangle().size())
+{
+  // The spoke ends where the triangle before it does, and where the one after
+  // it begins.
+  for (const auto &sub_cell : cut.of_triangle())
+  {
+    const double along_spoke = middle(sub_cell)[0] + middle(sub_cell)[1];
+    nearest_before.push_back(nearest(cut, {0., along_spoke}));
+    nearest_after.push_back(nearest(cut, {along_spoke, 0.}));
+  }
+}
+
+/**
+ * Set corner_of and corners: the vertices in a row that are nearer than the
+ * shortest side to the first of them become one corner. It lies between the
+ * first and the last, so that leave_out() shares out the force of a uniform
+ * stress as the sides do.
+ */
+bool ShortSides::find_corners(const std::vector<Point<2>> &vertices)
+{
+  const unsigned int n = vertices.size();
+  const double limit = shortest * std::sqrt(std::abs(signed_area(vertices)));
+  // After a side that remains, unless there is none.
+  unsigned int start = n;
+  bool has_short = false;
+  for (unsigned int i = 0; i < n; ++i)
+    if (vertices[i].distance(vertices[(i + 1) % n]) < limit)
+      has_short = true;
+    else if (start == n)
+      start = i + 1;
+  if (!has_short)
+    return false;
+
+  corners.clear();
+  corner_of.resize(n);
+  Point<2> first;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const unsigned int i = (start + k) % n;
+    if (k > 0 && vertices[i].distance(first) < limit)
+      corners.back() = first + 0.5 * (vertices[i] - first);
+    else
+    {
+      first = vertices[i];
+      corners.push_back(first);
+    }
+    corner_of[i] = corners.size() - 1;
+  }
+  return corners.size() >= 3;
+}
+
+bool ShortSides::leave_out(const std::vector<Point<2>> &vertices,
+                           const std::vector<Tensor<1, 2>> &forces,
+                           const std::vector<Tensor<1, 2>> &body_forces)
+{
+  if (!find_corners(vertices))
+    return false;
+  const unsigned int n = vertices.size(), n_corners = corners.size();
+  forces_on_sides.assign(n_corners, Tensor<1, 2>());
+  forces_on_triangles.assign(n_corners, Tensor<1, 2>());
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    // Twice the same side if it remains.
+    const unsigned int after = corner_of[i];
+    const unsigned int before = corner_of[(i + 1) % n] == after
+                                    ? (after + n_corners - 1) % n_corners
+                                    : after;
+    for (const unsigned int side : {before, after})
+    {
+      forces_on_sides[side] += 0.5 * forces[i];
+      forces_on_triangles[side] += 0.5 * body_forces[i];
+    }
+  }
+  return true;
+}
+
+void ShortSides::fill(const std::vector<SubCellStress> &found,
+                      const dealii::ArrayView<SubCellStress> &sub_cells) const
+{
+  const unsigned int n = corner_of.size(), n_corners = corners.size();
+  AssertDimension(found.size(), n_corners * n_per_side);
+  AssertDimension(sub_cells.size(), n * n_per_side);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const unsigned int after = corner_of[i];
+    const unsigned int before = (after + n_corners - 1) % n_corners;
+    const bool remains = corner_of[(i + 1) % n] != after;
+    for (unsigned int k = 0; k < n_per_side; ++k)
+      sub_cells[i * n_per_side + k] =
+          remains ? found[after * n_per_side + k]
+                  : mean(found[before * n_per_side + nearest_before[k]],
+                         found[after * n_per_side + nearest_after[k]]);
+  }
+}
+} // namespace Voussoir

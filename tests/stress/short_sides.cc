@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Cells with corners cut off by sides of 1e-5 to 1e-13 of their size: what
+// remains is the cell with its corners, and under an uneven stress its field,
+// up to the length of the sides; under a uniform one exactly. The elements
+// themselves refuse a cell whose sides they cannot resolve.
+
+#include <voussoir/packing/geometry.h>
+#include <voussoir/stress/fan.h>
+#include <voussoir/stress/least_norm.h>
+#include <voussoir/stress/short_sides.h>
+
+#include "tests.h"
+
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+/** A stress without divergence and its mean on a straight side. */
+Tensor<2, 2> uneven(const Point<2> &x)
+{
+  return tensor(2. * x[1], -x[0], -x[0], x[0] + x[1]);
+}
+
+Tensor<2, 2> even(const Point<2> &)
+{
+  return tensor(-1.2, 0.3, 0.3, -0.8);
+}
+
+using Stress = Tensor<2, 2> (*)(const Point<2> &);
+
+std::vector<Tensor<1, 2>> forces_of(const Stress stress,
+                                    const std::vector<Point<2>> &vertices)
+{
+  std::vector<Tensor<1, 2>> forces;
+  for (unsigned int i = 0; i < vertices.size(); ++i)
+  {
+    const Tensor<1, 2> side = vertices[(i + 1) % vertices.size()] - vertices[i];
+    forces.push_back(stress(vertices[i] + 0.5 * side) *
+                     Tensor<1, 2>({side[1], -side[0]}));
+  }
+  return forces;
+}
+
+/** A quadrilateral. */
+const std::vector<Point<2>> with_corners = {
+    {-0.55, -0.5}, {0.5, -0.47}, {0.46, 0.5}, {-0.48, 0.52}};
+
+/** The same with corners cut: n_cut sides of length h about corners 0 and 2. */
+std::vector<Point<2>> without_corners(const double h, const unsigned int n_cut)
+{
+  std::vector<Point<2>> vertices;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const Point<2> &corner = with_corners[i];
+    if (i % 2 == 1)
+    {
+      vertices.push_back(corner);
+      continue;
+    }
+    const Tensor<1, 2> back = with_corners[(i + 3) % 4] - corner;
+    const Tensor<1, 2> on = with_corners[(i + 1) % 4] - corner;
+    // On a convex curve from the side before to the side after.
+    for (unsigned int k = 0; k <= n_cut; ++k)
+    {
+      const double t = static_cast<double>(k) / n_cut;
+      vertices.push_back(corner +
+                         h * ((1. - t) * (1. - t) * back / back.norm() +
+                              t * t * on / on.norm()));
+    }
+  }
+  return vertices;
+}
+
+/** The largest distance from the stress in the cell with its corners, if both
+ * cells are solved. */
+double distance(const Stress stress,
+                const double h,
+                const unsigned int n_cut,
+                const SubTriangulation &cut,
+                CellStress &cell_stress)
+{
+  const unsigned int n_per_side = cut.of_triangle().size();
+  std::vector<SubCellStress> wanted(4 * n_per_side), rest(4 * n_per_side);
+  const std::vector<Tensor<1, 2>> nothing(4);
+  const bool is_solved_with_corners =
+      cell_stress.solve({}, with_corners, forces_of(stress, with_corners),
+                        nothing, {wanted.data(), wanted.size()});
+  const std::vector<Point<2>> vertices = without_corners(h, n_cut);
+  ShortSides short_sides(cut, 1e-4);
+  if (!is_solved_with_corners ||
+      !short_sides.leave_out(vertices, forces_of(stress, vertices),
+                             std::vector<Tensor<1, 2>>(vertices.size())) ||
+      short_sides.vertices().size() != 4 ||
+      !cell_stress.solve({}, short_sides.vertices(), short_sides.forces(),
+                         short_sides.body_forces(), {rest.data(), rest.size()}))
+    return HUGE_VAL;
+  std::vector<SubCellStress> all(vertices.size() * n_per_side);
+  short_sides.fill(rest, {all.data(), all.size()});
+
+  double largest = 0.;
+  for (unsigned int i = 0, side = 0; i < vertices.size(); ++i)
+  {
+    const bool is_short =
+        vertices[i].distance(vertices[(i + 1) % vertices.size()]) < 0.1;
+    for (unsigned int k = 0; k < n_per_side; ++k)
+    {
+      // On a spoke the nearest sub-cells of its two sides.
+      const Tensor<2, 2> &found = all[i * n_per_side + k].stress;
+      double error = (found - wanted[side * n_per_side + k].stress).norm();
+      if (is_short)
+      {
+        error = HUGE_VAL;
+        const unsigned int before = (side + 3) % 4;
+        for (unsigned int a = 0; a < n_per_side; ++a)
+          for (unsigned int b = 0; b < n_per_side; ++b)
+            error = std::min(
+                error, (found - 0.5 * (wanted[before * n_per_side + a].stress +
+                                       wanted[side * n_per_side + b].stress))
+                           .norm());
+      }
+      largest = std::max(largest, error);
+    }
+    side = is_short ? side : side + 1;
+  }
+  return largest;
+}
+
+/** Whether a cell whose sides are not left out is solved. */
+bool is_solved(const double h, CellStress &cell_stress)
+{
+  const std::vector<Point<2>> vertices = without_corners(h, 1);
+  std::vector<SubCellStress> sub_cells(cell_stress.n_sub_cells());
+  return cell_stress.solve({}, vertices, forces_of(uneven, vertices),
+                           std::vector<Tensor<1, 2>>(vertices.size()),
+                           {sub_cells.data(), sub_cells.size()});
+}
+
+int main()
+{
+  for (const unsigned int n_cut : {1U, 2U, 3U})
+    for (const double h : {1e-5, 1e-9, 1e-13})
+    {
+      std::cout << n_cut << " sides of " << h << " at a corner" << std::endl;
+      // Without a side of length h the force on it, of that size, acts half a
+      // side away from its place.
+      const double bound = 20. * h + 1e-13;
+      Fan fan(4);
+      LeastNorm coarse(4, 0, 0), rich(4, 0, 1), fine(4, 2, 0);
+      for (const auto &[name, cut, cell_stress] : std::initializer_list<
+               std::tuple<std::string, SubTriangulation, CellStress *>>{
+               {"standard", SubTriangulation::fan(), &fan},
+               {"degree 0", SubTriangulation::thirds(0), &coarse},
+               {"degree 1", SubTriangulation::thirds(0), &rich},
+               {"2 refinements", SubTriangulation::thirds(2), &fine}})
+      {
+        check_error("  " + name + ", uneven",
+                    distance(uneven, h, n_cut, cut, *cell_stress), bound);
+        check_error("  " + name + ", even",
+                    distance(even, h, n_cut, cut, *cell_stress), 1e-13);
+      }
+    }
+
+  // Long chains of short sides are no corner: a regular polygon stays one.
+  std::vector<Point<2>> round;
+  for (unsigned int i = 0; i < 1000; ++i)
+    round.emplace_back(std::cos(2. * dealii::numbers::PI * i / 1000),
+                       std::sin(2. * dealii::numbers::PI * i / 1000));
+  const std::vector<Tensor<1, 2>> nothing(round.size());
+  ShortSides fine_chain(SubTriangulation::fan(), 1e-3);
+  check("no side is short", !fine_chain.leave_out(round, nothing, nothing));
+  ShortSides coarse_chain(SubTriangulation::fan(), 0.1);
+  check("a chain is cut where it is as long as the shortest side",
+        coarse_chain.leave_out(round, nothing, nothing) &&
+            std::abs(signed_area(coarse_chain.vertices()) -
+                     dealii::numbers::PI) < 0.05);
+
+  Fan fan(6);
+  LeastNorm fine(6, 0, 0);
+  for (const double h : {1e-2, 1e-3, 1e-4})
+    check("sides of " + std::to_string(h),
+          is_solved(h, fan) && is_solved(h, fine));
+  check("sides of 1e-8, standard", is_solved(1e-8, fan));
+  for (const double h : {1e-9, 1e-10})
+    check("sides of 1e-9 or less, fine, are refused", !is_solved(h, fine));
+  check("sides of 1e-12, standard, are refused", !is_solved(1e-12, fan));
+}
