@@ -35,10 +35,15 @@ constexpr unsigned int n_points = 21;
 constexpr double narrowest_strip = 1e-14;
 
 /**
- * What the null rule may find, over the size of the function: its square, which
- * falls like the error, is then about the tolerance.
+ * TriangleRule::unevenness(), over the mean size of the function, with which
+ * the rule is good for integral and moments: its error is then about 1e-13,
+ * theirs about 1e-12.
  */
-constexpr double largest_null = 3e-7;
+constexpr double smallest_unevenness = 1e-4;
+
+/** The change of an integral by cutting its triangle in four, over its size,
+ * that shows that it needs no more of that. */
+constexpr double smallest_change = 1e-12;
 
 /** How often a triangle is cut in four before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
@@ -106,7 +111,8 @@ private:
   struct Found
   {
     Sums sums = 0.;
-    double null = 0.;
+    /** The larger one of both components. */
+    double unevenness = 0.;
     /** The integral of the size of the function. */
     double size = 0.;
     std::array<Samples, 2> samples;
@@ -160,21 +166,23 @@ private:
     const Tensor<1, 2> a = part[1] - part[0], b = part[2] - part[0];
     const double part_area = 0.5 * cross(a, b);
     Found found;
-    Sums null = 0.;
-    for (unsigned int q = 0; q < rule.size(); ++q)
+    std::array<TriangleRule::Values, 2> values;
+    for (unsigned int q = 0; q < rule.n_points; ++q)
     {
       const Sums there =
           at(part[0] + rule.points[q][0] * a + rule.points[q][1] * b);
-      found.sums += rule.weights[q] * part_area * there;
-      null += rule.null_weights[q] * part_area * there;
-      found.size +=
-          rule.weights[q] * part_area *
-          std::max(std::abs(there.values[0]), std::abs(there.values[1]));
-      for (unsigned int i = 0; i < found.samples.size(); ++i)
+      const double weight = rule.weights[q] * part_area;
+      found.sums += weight * there;
+      found.size += weight * std::max(std::abs(there.values[0]),
+                                      std::abs(there.values[1]));
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        values[i][q] = there.values[i];
         found.samples[i].add(there.values[i]);
+      }
     }
-    null.values.back() = 0.;
-    found.null = abs(null);
+    for (unsigned int i = 0; i < 2; ++i)
+      found.unevenness = std::max(found.unevenness, rule.unevenness(values[i]));
     return found;
   }
 
@@ -184,26 +192,45 @@ private:
            const Jumps::Limits &limits,
            const unsigned int level)
   {
-    const double size = mean_size * area_of(part);
     const bool hides = may_hide_a_peak(part, found, limits);
-    if (found.null <= largest_null * size && !hides)
+    if (found.unevenness <= smallest_unevenness * mean_size && !hides)
     {
       sum += found.sums;
-      if (size > 0.)
-        error += found.null * found.null / size;
+      return;
     }
-    else if (level < n_refinements || hides)
-    {
-      ++n_quartered;
-      for (const Triangle &quarter : quarters(part))
-        add(quarter, apply_rule(quarter), limits, level + 1);
-    }
-    else
+    if (level == n_refinements && !hides)
     {
       AreaPiece piece;
       piece.corners.assign(part.begin(), part.end());
-      integrate_strips(piece);
+      return integrate_strips(piece);
     }
+    add_quarters(part, found, limits, level, hides);
+  }
+
+  void add_quarters(const Triangle &part,
+                    const Found &found,
+                    const Jumps::Limits &limits,
+                    const unsigned int level,
+                    const bool hides)
+  {
+    const std::array<Triangle, 4> triangles = quarters(part);
+    std::array<Found, 4> finer;
+    Sums sums = 0.;
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      finer[k] = apply_rule(triangles[k]);
+      sums += finer[k].sums;
+    }
+    const double change = abs(sums - found.sums);
+    if (change <= smallest_change * mean_size * area_of(part) && !hides)
+    {
+      sum += sums;
+      error += change;
+      return;
+    }
+    n_quartered += hides;
+    for (unsigned int k = 0; k < 4; ++k)
+      add(triangles[k], finer[k], limits, std::min(level + 1, n_refinements));
   }
 
   bool may_hide_a_peak(const Triangle &part,

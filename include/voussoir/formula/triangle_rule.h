@@ -4,16 +4,19 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <vector>
 
 namespace Voussoir
 {
 /**
- * A quadrature rule on triangles, and a null rule: other weights in the same
- * points that add up to zero, for polynomials of degree two as well. What it
- * finds falls like the third power of the size of the triangle, and the error
- * of the rule, of degree five, like the sixth (Lyness, *Numerische Mathematik*
- * 8 (1966), 321, has null rules).
+ * A quadrature rule on triangles of seven points and degree five, with a
+ * measure of how uneven a function is in these points.
+ *
+ * Of functions that are smooth the measure falls like the square of the size of
+ * the triangle, and the error of the rule like the sixth power. For plane waves
+ * and exponentials in all directions the error is at most 0.11 times its cube;
+ * null rules of higher degree are blind in some directions.
  */
 class TriangleRule
 {
@@ -21,17 +24,22 @@ public:
   TriangleRule();
 
   /** The number of points, seven. */
-  unsigned int size() const
-  {
-    return points.size();
-  }
+  static constexpr unsigned int n_points = 7;
+  /** Values of a function in them. */
+  using Values = std::array<double, n_points>;
 
   /** In the triangle (0, 0), (1, 0), (0, 1), of area one half. */
   std::vector<dealii::Point<2>> points;
   /** They add up to one. */
   std::vector<double> weights;
-  /** Their sizes add up to one. */
-  std::vector<double> null_weights;
+
+  /** The root mean square of what is left of @p values by the linear function
+   * that fits them best; in their unit. */
+  double unevenness(const Values &values) const;
+
+private:
+  /** An orthonormal basis of the linear functions, by their values. */
+  std::array<Values, 3> linear;
 };
 } // namespace Voussoir
 
