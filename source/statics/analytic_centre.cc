@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
-#include <voussoir/statics/linear_program.h>
+#include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/newton.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
@@ -188,14 +188,17 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
-  return settle(
+  Solution solution = solve_with_sufficient_strengths(
       problem, controls,
-      solve_with_sufficient_strengths(
-          problem, controls,
-          [&](const DiscreteProblem &at_most, const SolverControls &rest) {
-            return find_centre(at_most, rest, terminal);
-          }),
-      terminal);
+      [&](const DiscreteProblem &at_most, const SolverControls &rest) {
+        return find_centre(at_most, rest, terminal);
+      });
+  if (!solution.converged() && !solution.mechanism)
+    solution.mechanism =
+        find_collapse_by_load_factor(problem, terminal);
+  if (solution.mechanism)
+    solution.outcome = "stopped by a proof of collapse";
+  return solution;
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/find_collapse.h>
+#include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/least_energy.h>
 
 namespace Voussoir
@@ -11,8 +12,15 @@ std::optional<Mechanism> find_collapse(const SharedProblem &problem,
 {
   try
   {
-    return problem.has_opening() ? find_collapse_by_barrier(problem, terminal)
-                                 : find_collapse_by_springs(problem, terminal);
+    if (!problem.has_opening())
+      return find_collapse_by_springs(problem, terminal);
+    std::optional<Mechanism> mechanism;
+    if (!getenv("NOBAR")) mechanism = find_collapse_by_barrier(problem, terminal);
+    if (mechanism)
+      return mechanism;
+    return problem.find_on_root([&](const DiscreteProblem &whole) {
+      return find_collapse_by_load_factor(whole, terminal);
+    });
   }
   catch (const SolverError &)
   {

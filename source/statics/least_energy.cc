@@ -2,8 +2,8 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
+#include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
 
 #include <deal.II/base/timer.h>
@@ -226,10 +226,15 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
       problem.n_cells() >= least_cells_per_process * controls.team.size();
   const Team team = is_shared ? controls.team : Team();
   team.call(Team::Task::least_energy);
-  return settle(
-      problem, controls,
-      minimise_together(&problem, order, displacement_unit, team, terminal),
-      terminal);
+  Solution solution =
+      minimise_together(&problem, order, displacement_unit, team, terminal);
+  if (solution.converged() || solution.mechanism)
+    return solution;
+  std::vector<JointCost> costs;
+  for (const Joint &joint : problem.joints())
+    costs.push_back({1. / joint.stiffness(), 1. / joint.stiffness(), 0.});
+  return minimise_by_interior_point(problem, costs, controls, displacement_unit,
+                                    std::move(solution), terminal);
 }
 
 void assist_least_energy(const Team &team, Terminal &terminal)
