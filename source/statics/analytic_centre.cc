@@ -194,8 +194,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
         return find_centre(at_most, rest, terminal);
       });
   if (!solution.converged() && !solution.mechanism)
-    solution.mechanism =
-        find_collapse_by_load_factor(problem, terminal);
+    solution.mechanism = find_collapse_by_load_factor(problem, terminal);
   if (solution.mechanism)
     solution.outcome = "stopped by a proof of collapse";
   return solution;

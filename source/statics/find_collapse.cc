@@ -14,9 +14,7 @@ std::optional<Mechanism> find_collapse(const SharedProblem &problem,
   {
     if (!problem.has_opening())
       return find_collapse_by_springs(problem, terminal);
-    std::optional<Mechanism> mechanism;
-    if (!getenv("NOBAR")) mechanism = find_collapse_by_barrier(problem, terminal);
-    if (mechanism)
+    if (auto mechanism = find_collapse_by_barrier(problem, terminal))
       return mechanism;
     return problem.find_on_root([&](const DiscreteProblem &whole) {
       return find_collapse_by_load_factor(whole, terminal);

@@ -35,8 +35,8 @@ double longest(const double a,
   double t = da < 0. ? -a / da : infinity;
   if (root >= 0.)
   {
-    const double sum = -(half_linear + std::copysign(std::sqrt(root),
-                                                     half_linear));
+    const double sum =
+        -(half_linear + std::copysign(std::sqrt(root), half_linear));
     for (const double zero : {sum / quadratic, constant / sum})
       if (zero > 0.)
         t = std::min(t, zero);
@@ -84,8 +84,7 @@ void FrictionCone::linearise()
   const double root_s = std::sqrt(determinant(r, v, eps));
   const double root_lambda = std::sqrt(room);
   // The scaling point of s and lambda, both divided by their roots.
-  const double gamma =
-      std::sqrt(2. + 2. * product() / (root_s * root_lambda));
+  const double gamma = std::sqrt(2. + 2. * product() / (root_s * root_lambda));
   const double w0 = (r / root_s + b / root_lambda) / gamma;
   const double w1 = (v / root_s + q / root_lambda) / gamma;
   const double w2 = (eps / root_s + w / root_lambda) / gamma;

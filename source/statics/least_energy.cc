@@ -234,7 +234,7 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
   for (const Joint &joint : problem.joints())
     costs.push_back({1. / joint.stiffness(), 1. / joint.stiffness(), 0.});
   return minimise_by_interior_point(problem, costs, controls, displacement_unit,
-                                    std::move(solution), terminal);
+                                    solution, terminal);
 }
 
 void assist_least_energy(const Team &team, Terminal &terminal)

@@ -167,7 +167,7 @@ public:
     {
       Solution before;
       before.n_iterations = iteration;
-      ask_interior_point(std::move(before));
+      ask_interior_point(before);
       if (has_answer())
         return interior->outcome;
     }
@@ -189,20 +189,20 @@ public:
     Solution solution = solution_of_ipopt(std::move(result));
     if (contact == Contact::hard || !is_open || interior)
       return solution;
-    ask_interior_point(std::move(solution));
+    ask_interior_point(solution);
     return *interior;
   }
 
 private:
   /** Have the same state found by an interior point. */
-  void ask_interior_point(Solution before)
+  void ask_interior_point(const Solution &before)
   {
     std::vector<JointCost> costs;
     for (const Joint &joint : problem.joints())
       costs.push_back({1. / joint.stiffness(), 0., law.smoothing(joint)});
-    interior = minimise_by_interior_point(
-        problem, costs, controls, 1. / law.displacement_unit(),
-        std::move(before), terminal);
+    interior = minimise_by_interior_point(problem, costs, controls,
+                                          1. / law.displacement_unit(), before,
+                                          terminal);
   }
 
   /** Whether the interior point has an answer. */

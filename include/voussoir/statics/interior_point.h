@@ -71,8 +71,7 @@ public:
   /**
    * Take one step.
    *
-   * @return false if rounding allows none; then nothing below is of use any
-   *   more.
+   * @return false if rounding allows none; all stays as it was.
    */
   bool step();
 
@@ -130,7 +129,7 @@ private:
   std::vector<double> solve(const std::vector<double> &right);
   Step direction(double target);
   Parts longest(const Step &step, double fraction) const;
-  void take(const Step &step, const Parts &parts);
+  bool take(const Step &step, const Parts &parts);
 
   const DiscreteProblem &problem;
   const Aim aim;
@@ -154,14 +153,14 @@ private:
  * @param displacement_unit of the nondimensional displacement, in the user's.
  * @param before what the other method has found.
  * @param terminal sees the iterations.
- * @return the forces and their displacement, or a mechanism; if there is no
- *   answer, what there was before. Iterations add up.
+ * @return the forces and their displacement, or a mechanism, or if there is
+ *   neither what there was before. Iterations add up.
  */
 Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     const std::vector<JointCost> &costs,
                                     const SolverControls &controls,
                                     double displacement_unit,
-                                    Solution before,
+                                    const Solution &before,
                                     Terminal &terminal);
 
 /**
