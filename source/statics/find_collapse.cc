@@ -2,7 +2,6 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/find_collapse.h>
-#include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/least_energy.h>
 
 namespace Voussoir
@@ -12,13 +11,8 @@ std::optional<Mechanism> find_collapse(const SharedProblem &problem,
 {
   try
   {
-    if (!problem.has_opening())
-      return find_collapse_by_springs(problem, terminal);
-    if (auto mechanism = find_collapse_by_barrier(problem, terminal))
-      return mechanism;
-    return problem.find_on_root([&](const DiscreteProblem &whole) {
-      return find_collapse_by_load_factor(whole, terminal);
-    });
+    return problem.has_opening() ? find_collapse_by_barrier(problem, terminal)
+                                 : find_collapse_by_springs(problem, terminal);
   }
   catch (const SolverError &)
   {

@@ -2,9 +2,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
-#include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/newton.h>
+#include <voussoir/statics/settle.h>
 
 #include <deal.II/base/timer.h>
 
@@ -226,15 +226,13 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
       problem.n_cells() >= least_cells_per_process * controls.team.size();
   const Team team = is_shared ? controls.team : Team();
   team.call(Team::Task::least_energy);
-  Solution solution =
+  const Solution solution =
       minimise_together(&problem, order, displacement_unit, team, terminal);
-  if (solution.converged() || solution.mechanism)
-    return solution;
   std::vector<JointCost> costs;
   for (const Joint &joint : problem.joints())
     costs.push_back({1. / joint.stiffness(), 1. / joint.stiffness(), 0.});
-  return minimise_by_interior_point(problem, costs, controls, displacement_unit,
-                                    solution, terminal);
+  return settle(problem, costs, controls, displacement_unit, solution,
+                terminal);
 }
 
 void assist_least_energy(const Team &team, Terminal &terminal)

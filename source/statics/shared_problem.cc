@@ -208,18 +208,9 @@ bool SharedProblem::has_opening() const
 std::optional<Mechanism>
 SharedProblem::find_mechanism(const std::vector<double> &u) const
 {
-  const std::vector<double> all = gather(u);
-  return find_on_root([&](const DiscreteProblem &problem) {
-    return Voussoir::find_mechanism(problem, all);
-  });
-}
-
-std::optional<Mechanism> SharedProblem::find_on_root(
-    const std::function<std::optional<Mechanism>(const DiscreteProblem &)>
-        &find) const
-{
   std::optional<Mechanism> found;
-  on_root([&]() { found = find(*whole); });
+  const std::vector<double> all = gather(u);
+  on_root([&]() { found = Voussoir::find_mechanism(*whole, all); });
   if (team.broadcast(found.has_value()) && !found)
     found.emplace();
   return found;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/convex_program.h>
-#include <voussoir/statics/interior_point.h>
+#include <voussoir/statics/settle.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
 
@@ -167,7 +167,7 @@ public:
     {
       Solution before;
       before.n_iterations = iteration;
-      ask_interior_point(before);
+      ask_interior_point(std::move(before));
       if (has_answer())
         return interior->outcome;
     }
@@ -185,24 +185,23 @@ public:
       interior->n_evaluations += result.n_evaluations;
       return *interior;
     }
-    const bool is_open = result.outcome != "converged" && !result.mechanism;
     Solution solution = solution_of_ipopt(std::move(result));
-    if (contact == Contact::hard || !is_open || interior)
+    if (interior)
       return solution;
-    ask_interior_point(solution);
+    ask_interior_point(std::move(solution));
     return *interior;
   }
 
 private:
-  /** Have the same state found by an interior point. */
-  void ask_interior_point(const Solution &before)
+  /** settle(), with compliant contact by the same state. */
+  void ask_interior_point(Solution before)
   {
     std::vector<JointCost> costs;
-    for (const Joint &joint : problem.joints())
-      costs.push_back({1. / joint.stiffness(), 0., law.smoothing(joint)});
-    interior = minimise_by_interior_point(problem, costs, controls,
-                                          1. / law.displacement_unit(), before,
-                                          terminal);
+    if (contact == Contact::compliant)
+      for (const Joint &joint : problem.joints())
+        costs.push_back({1. / joint.stiffness(), 0., law.smoothing(joint)});
+    interior = settle(problem, costs, controls, 1. / law.displacement_unit(),
+                      std::move(before), terminal);
   }
 
   /** Whether the interior point has an answer. */

@@ -5,7 +5,7 @@
 // admissible and balanced to rounding. Friction follows its
 // law.
 
-#include <voussoir/statics/interior_point.h>
+#include <voussoir/statics/settle.h>
 
 #include "tests.h"
 

@@ -2,13 +2,10 @@
 #ifndef voussoir_statics_interior_point_h
 #define voussoir_statics_interior_point_h
 
-#include <voussoir/base/terminal.h>
-#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/discrete_problem.h>
 #include <voussoir/statics/friction_cone.h>
 #include <voussoir/statics/joint_system.h>
-#include <voussoir/statics/solution.h>
 
-#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -143,33 +140,6 @@ private:
   std::vector<double> u_of_load;
   unsigned int iterations = 0;
 };
-
-/**
- * Find the forces that cost the least, where another method has no answer.
- *
- * @param problem has the joints.
- * @param costs of each of them.
- * @param controls say when to stop; with the iterations before.
- * @param displacement_unit of the nondimensional displacement, in the user's.
- * @param before what the other method has found.
- * @param terminal sees the iterations.
- * @return the forces and their displacement, or a mechanism, or if there is
- *   neither what there was before. Iterations add up.
- */
-Solution minimise_by_interior_point(const DiscreteProblem &problem,
-                                    const std::vector<JointCost> &costs,
-                                    const SolverControls &controls,
-                                    double displacement_unit,
-                                    const Solution &before,
-                                    Terminal &terminal);
-
-/**
- * Look for a mechanism by way of the load factor, whose multipliers are the
- * critical one; for problems with an opening.
- */
-std::optional<Mechanism>
-find_collapse_by_load_factor(const DiscreteProblem &problem,
-                             Terminal &terminal);
 } // namespace Voussoir
 
 #endif

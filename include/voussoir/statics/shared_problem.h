@@ -6,7 +6,6 @@
 #include <voussoir/statics/mechanism.h>
 #include <voussoir/statics/solution.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,11 +48,6 @@ public:
    * or for none; what it is, the root knows.
    */
   std::optional<Mechanism> find_mechanism(const std::vector<double> &u) const;
-
-  /** The same with another way to find it, given the whole. */
-  std::optional<Mechanism> find_on_root(
-      const std::function<std::optional<Mechanism>(const DiscreteProblem &)>
-          &find) const;
 
   /**
    * The parts of all processes put together, in the order of the whole, on the
