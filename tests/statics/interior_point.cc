@@ -2,8 +2,7 @@
 
 // The interior point finds the states of the other methods, where these find
 // them as well, and load factors that are known in closed form; its forces are
-// admissible and balanced to rounding. Friction follows its
-// law.
+// admissible and balanced to rounding. Friction follows its law.
 
 #include <voussoir/statics/settle.h>
 
