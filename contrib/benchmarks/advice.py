@@ -55,7 +55,7 @@ def formulation_advice(rows):
 
 def last_answers(rows):
     """For each way the smallest distance to collapse up to which it answers
-    in all structures."""
+    in all structures that were measured."""
     distances = sorted(distinct(rows, "distance_to_collapse"), reverse=True)
     last = dict.fromkeys(distinct(rows, "way"), math.inf)
     for way in last:
@@ -72,11 +72,11 @@ def rigidity_advice(rows):
     last = last_answers(rows)
     closest = min(last.values())
     if math.isinf(closest):
-        return "close to collapse none answers in all structures"
+        return "close to collapse none answers in all structures measured"
     ways = [way for way in last if last[way] == closest]
     verb = "answer" if len(ways) > 1 else "answers"
-    text = (f"{in_words(ways)} {verb} closest to collapse, in all "
-            f"structures up to {power(closest)} from it")
+    text = (f"of the structures measured here {in_words(ways)} {verb} all "
+            f"closest to collapse, up to {power(closest)} from it")
     if len(ways) == 1:
         return text
     fastest = min(ways, key=lambda way: root_mean_square(

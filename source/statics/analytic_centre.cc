@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
-#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
+#include <voussoir/statics/settle.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
 #include <algorithm>
@@ -188,14 +188,12 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
-  return settle(
+  const Solution solution = solve_with_sufficient_strengths(
       problem, controls,
-      solve_with_sufficient_strengths(
-          problem, controls,
-          [&](const DiscreteProblem &at_most, const SolverControls &rest) {
-            return find_centre(at_most, rest, terminal);
-          }),
-      terminal);
+      [&](const DiscreteProblem &at_most, const SolverControls &rest) {
+        return find_centre(at_most, rest, terminal);
+      });
+  return settle(problem, {}, controls, 0., solution, terminal);
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

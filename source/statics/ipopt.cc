@@ -190,22 +190,22 @@ public:
     result.n_iterations = iteration;
     terminal.progress(text("iteration ", iteration, ", imbalance ", inf_du,
                            ", interpenetration ", inf_pr));
-    result.mechanism = find_mechanism(problem, latest);
-    if (!result.mechanism && !asked && result.n_iterations >= n_before_doubt)
+    try
     {
-      asked = true;
-      try
+      result.mechanism = find_mechanism(problem, latest);
+      if (!result.mechanism && !asked && result.n_iterations >= n_before_doubt)
       {
+        asked = true;
         result.mechanism = find_collapse(SharedProblem(problem), terminal);
       }
-      catch (...)
-      {
-        exception = std::current_exception();
-        return false;
-      }
+      if (!result.mechanism)
+        stop_reason = program.verdict(iteration);
     }
-    if (!result.mechanism)
-      stop_reason = program.verdict(iteration);
+    catch (...)
+    {
+      exception = std::current_exception();
+      return false;
+    }
     return !result.mechanism && stop_reason.empty();
   }
 

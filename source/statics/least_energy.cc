@@ -3,8 +3,8 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/find_collapse.h>
 #include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/newton.h>
+#include <voussoir/statics/settle.h>
 
 #include <deal.II/base/timer.h>
 
@@ -226,10 +226,13 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
       problem.n_cells() >= least_cells_per_process * controls.team.size();
   const Team team = is_shared ? controls.team : Team();
   team.call(Team::Task::least_energy);
-  return settle(
-      problem, controls,
-      minimise_together(&problem, order, displacement_unit, team, terminal),
-      terminal);
+  const Solution solution =
+      minimise_together(&problem, order, displacement_unit, team, terminal);
+  std::vector<JointCost> costs;
+  for (const Joint &joint : problem.joints())
+    costs.push_back({1. / joint.stiffness(), 1. / joint.stiffness(), 0.});
+  return settle(problem, costs, controls, displacement_unit, solution,
+                terminal);
 }
 
 void assist_least_energy(const Team &team, Terminal &terminal)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace Voussoir
 {
@@ -177,34 +176,5 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
       [&](const DiscreteProblem &at_most, const SolverControls &rest) {
         return solve_program(at_most, rest, terminal);
       });
-}
-
-Solution settle(const DiscreteProblem &problem,
-                const SolverControls &controls,
-                Solution solution,
-                Terminal &terminal)
-{
-  if (solution.converged() || solution.mechanism || problem.opening().empty())
-    return solution;
-  try
-  {
-    const Solution second = solve_program(
-        problem, {SolverControls().tolerance, controls.n_max_iterations},
-        terminal);
-    if (second.mechanism)
-    {
-      solution.mechanism = second.mechanism;
-      solution.outcome = second.outcome;
-    }
-  }
-  catch (const SolverError &)
-  {
-    // The first answer stands.
-  }
-  catch (const std::bad_alloc &)
-  {
-    // So it does.
-  }
-  return solution;
 }
 } // namespace Voussoir

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/convex_program.h>
-#include <voussoir/statics/linear_program.h>
+#include <voussoir/statics/settle.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace Voussoir
@@ -41,15 +42,23 @@ constexpr double tolerance_over_barrier = 1e-2;
 constexpr unsigned int n_stalled_iterations = 20;
 constexpr double imbalance_near_rounding = 1e-7;
 
+/**
+ * After how many iterations with compliant contact an interior point may have
+ * the answer sooner: elsewhere Ipopt takes some dozens (measured), close to the
+ * limit of the load some hundreds, or none are enough.
+ */
+constexpr unsigned int n_before_interior_point = 60;
+
 /** The energy of SmoothedJoint; the unknowns are the displacements alone. */
 class Program : public ConvexProgram
 {
 public:
   Program(const DiscreteProblem &problem,
           const Contact contact,
-          const double tolerance)
+          const SolverControls &controls,
+          Terminal &terminal)
       : problem(problem), contact(contact), law(problem, contact),
-        tolerance(tolerance)
+        controls(controls), terminal(terminal)
   {
   }
 
@@ -152,8 +161,16 @@ public:
     if (least_imbalance < imbalance_before)
       most_balanced_iteration = iteration;
     imbalance_before = least_imbalance;
-    if (least_imbalance <= tolerance)
+    if (least_imbalance <= controls.tolerance)
       return "converged";
+    if (iteration >= n_before_interior_point && !interior)
+    {
+      Solution before;
+      before.n_iterations = iteration;
+      ask_interior_point(std::move(before));
+      if (has_answer())
+        return interior->outcome;
+    }
     if (least_imbalance <= imbalance_near_rounding &&
         iteration > most_balanced_iteration + n_stalled_iterations)
       return "stopped at the limit of rounding";
@@ -161,7 +178,39 @@ public:
   }
 
   /** The forces at the end, and the displacement with eps = 1. */
-  Solution solution(IpoptResult result) const
+  Solution solution(IpoptResult result)
+  {
+    if (has_answer())
+    {
+      interior->n_evaluations += result.n_evaluations;
+      return *interior;
+    }
+    Solution solution = solution_of_ipopt(std::move(result));
+    if (interior)
+      return solution;
+    ask_interior_point(std::move(solution));
+    return *interior;
+  }
+
+private:
+  /** settle(), with compliant contact by the same state. */
+  void ask_interior_point(Solution before)
+  {
+    std::vector<JointCost> costs;
+    if (contact == Contact::compliant)
+      for (const Joint &joint : problem.joints())
+        costs.push_back({1. / joint.stiffness(), 0., law.smoothing(joint)});
+    interior = settle(problem, costs, controls, 1. / law.displacement_unit(),
+                      std::move(before), terminal);
+  }
+
+  /** Whether the interior point has an answer. */
+  bool has_answer() const
+  {
+    return interior && (interior->converged() || interior->mechanism);
+  }
+
+  Solution solution_of_ipopt(IpoptResult result) const
   {
     std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
     const std::vector<double> multipliers = result.multipliers;
@@ -183,7 +232,6 @@ public:
     return solution;
   }
 
-private:
   /** Without constraints the gradient is the imbalance of the forces. */
   void keep_if_better(const double *x, const std::vector<double> &gradient)
   {
@@ -200,7 +248,10 @@ private:
   const DiscreteProblem &problem;
   const Contact contact;
   const SmoothedJoint law;
-  const double tolerance;
+  const SolverControls &controls;
+  Terminal &terminal;
+  /** What an interior point has found, if it was asked. */
+  std::optional<Solution> interior;
   /** Of the points of compliant contact, the one with the best balance. */
   std::vector<double> most_balanced;
   double least_imbalance = std::numeric_limits<double>::infinity();
@@ -259,7 +310,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
 {
   if (contact == Contact::hard)
     require_interior(problem, "smoothed friction' with 'Contact = hard");
-  Program program(problem, contact, controls.tolerance);
+  Program program(problem, contact, controls, terminal);
   IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
   if (contact == Contact::compliant)
     ipopt.tolerance *= ipopt_over_own_tolerance;
@@ -273,10 +324,8 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
         std::min(ipopt.tolerance, tolerance_over_barrier * barrier_parameter);
   }
 
-  Solution solution = settle(
-      problem, controls,
-      program.solution(solve_with_ipopt(problem, program, ipopt, terminal)),
-      terminal);
+  Solution solution =
+      program.solution(solve_with_ipopt(problem, program, ipopt, terminal));
   for (Tensor<1, 2> &u : solution.displacement)
     u *= smoothing_length;
   return solution;

@@ -32,19 +32,6 @@ private:
                   const SolverControls &controls,
                   Terminal &terminal) const override;
 };
-
-/**
- * Give a @p solution that did not converge a second chance to be proven
- * impossible. Close to the limit of the load the linear systems of methods
- * without multipliers lose the digits in which collapse differs from its
- * opposite; those of the linear program do not (measured: settled to 1e-8 of
- * the limit). The search has as many iterations of its own as the controls
- * allow, and is not counted in the solution.
- */
-Solution settle(const DiscreteProblem &problem,
-                const SolverControls &controls,
-                Solution solution,
-                Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -40,13 +40,13 @@ public:
   Jump force(unsigned int e, const Jump &jump) const override;
   Jump second_derivative(unsigned int e, const Jump &jump) const override;
 
+  /** eps_e; zero only where the joint has no strength. */
+  double smoothing(const DiscreteProblem::Joint &joint) const;
+
   /** The displacement that stands for one smoothing length of the user. */
   double displacement_unit() const;
 
 private:
-  /** eps_e; zero only where the joint has no strength. */
-  double smoothing(const DiscreteProblem::Joint &joint) const;
-
   const DiscreteProblem &problem;
   const Contact contact;
   double common_smoothing = 1.;

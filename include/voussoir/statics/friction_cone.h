@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_friction_cone_h
+#define voussoir_statics_friction_cone_h
+
+namespace Voussoir
+{
+/**
+ * The friction of one joint as an interior-point method sees it; see
+ * InteriorPoint. All nondimensional.
+ *
+ * With the strength b = s_e |e| and the smoothing length eps, two vectors lie
+ * inside the cone of all (a, b, c) with a > sqrt(b^2 + c^2):
+ *
+ *     s = (r, v, eps),  lambda = (b, -q, -w).
+ *
+ * v is the part of the sliding that friction resists, r stands for
+ * sqrt(v^2 + eps^2), q is the tangential force and w what it leaves of the
+ * strength. s . lambda = r b - v q - eps w is positive, and where it vanishes
+ * q = b v / sqrt(v^2 + eps^2): smoothed friction, or with eps = 0 Tresca's own.
+ *
+ * The linearisation is that of Nesterov and Todd, *SIAM Journal on
+ * Optimization* 8 (1998), 324, whose compliance is positive wherever s and
+ * lambda are in the cone.
+ */
+class FrictionCone
+{
+public:
+  /**
+   * Without sliding and without force.
+   *
+   * @param strength b, not negative; without strength there is no friction.
+   * @param smoothing eps, not negative.
+   * @param product s . lambda, positive.
+   */
+  FrictionCone(double strength, double smoothing, double product);
+
+  /** Whether there is friction. */
+  bool exists() const;
+  /** The force q. */
+  double force() const;
+  /** The sliding v. */
+  double sliding() const;
+  /** s . lambda; zero if there is no friction. */
+  double product() const;
+
+  /** Find the linearisation at the present point; before all below. */
+  void linearise();
+  /** dv = compliance() dq + constant() in a step to the product @p target. */
+  double compliance() const;
+  /** See compliance(). */
+  double constant(double target) const;
+
+  /** A step: changes of force, w, sliding and r. */
+  struct Step
+  {
+    double q, w, v, r;
+  };
+  /** The step to the product @p target whose change of force is @p dq. */
+  Step step(double target, double dq) const;
+  /** How many times the step may be taken by lambda, and by s. */
+  double longest_of_force(const Step &step) const;
+  /** See longest_of_force(). */
+  double longest_of_sliding(const Step &step) const;
+  /** Take parts of the step, of lambda and of s. */
+  void take(const Step &step, double part_of_force, double part_of_sliding);
+
+private:
+  double b, eps;
+  double q = 0., w = 0., v = 0., r = 0.;
+  /** b^2 - q^2 - w^2. */
+  double room = 0.;
+  /** @{ */
+  /** The matrix that takes a change of lambda to minus that of s. */
+  double h01 = 0., h02 = 0., h11 = 0., h12 = 0., h22 = 1.;
+  /** @} */
+  double slope = 0.;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/statics/friction_cone.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+/** a^2 - b^2 - c^2, which is positive inside the cone. */
+double determinant(const double a, const double b, const double c)
+{
+  const double h = std::hypot(b, c);
+  return (a - h) * (a + h);
+}
+
+/**
+ * The largest t with (a, b, c) + t (da, db, dc) in the cone, from a point
+ * inside: the smallest positive root of the determinant, which is quadratic.
+ */
+double longest(const double a,
+               const double b,
+               const double c,
+               const double da,
+               const double db,
+               const double dc)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double quadratic = da * da - db * db - dc * dc;
+  const double half_linear = a * da - b * db - c * dc;
+  const double constant = determinant(a, b, c);
+  const double root = half_linear * half_linear - quadratic * constant;
+  double t = da < 0. ? -a / da : infinity;
+  if (root >= 0.)
+  {
+    const double sum =
+        -(half_linear + std::copysign(std::sqrt(root), half_linear));
+    for (const double zero : {sum / quadratic, constant / sum})
+      if (zero > 0.)
+        t = std::min(t, zero);
+  }
+  return t;
+}
+} // namespace
+
+FrictionCone::FrictionCone(const double strength,
+                           const double smoothing,
+                           const double product)
+    : b(strength), eps(smoothing)
+{
+  if (!exists())
+    return;
+  // r b - eps w = product and r w = b eps.
+  const double half = product / (2. * b);
+  r = half + std::hypot(half, eps);
+  w = b * (eps / r);
+}
+
+bool FrictionCone::exists() const
+{
+  return b > 0.;
+}
+
+double FrictionCone::force() const
+{
+  return q;
+}
+
+double FrictionCone::sliding() const
+{
+  return v;
+}
+
+double FrictionCone::product() const
+{
+  return r * b - v * q - eps * w;
+}
+
+void FrictionCone::linearise()
+{
+  room = determinant(b, q, w);
+  const double root_s = std::sqrt(determinant(r, v, eps));
+  const double root_lambda = std::sqrt(room);
+  // The scaling point of s and lambda, both divided by their roots.
+  const double gamma = std::sqrt(2. + 2. * product() / (root_s * root_lambda));
+  const double w0 = (r / root_s + b / root_lambda) / gamma;
+  const double w1 = (v / root_s + q / root_lambda) / gamma;
+  const double w2 = (eps / root_s + w / root_lambda) / gamma;
+  const double size = root_s / root_lambda;
+  h01 = size * 2. * w0 * w1;
+  h02 = size * 2. * w0 * w2;
+  h11 = size * (1. + 2. * w1 * w1);
+  h12 = size * 2. * w1 * w2;
+  h22 = size * (1. + 2. * w2 * w2);
+  // h11 - h12^2 / h22, since eps does not change.
+  slope = size * (1. + 2. * (w1 * w1 + w2 * w2)) / (1. + 2. * w2 * w2);
+}
+
+double FrictionCone::compliance() const
+{
+  return slope;
+}
+
+double FrictionCone::constant(const double target) const
+{
+  const double of_v = target * (q / room) - v;
+  const double of_eps = target * (w / room) - eps;
+  return of_v - h12 / h22 * of_eps;
+}
+
+FrictionCone::Step FrictionCone::step(const double target,
+                                      const double dq) const
+{
+  const double dw = -(target * (w / room) - eps + h12 * dq) / h22;
+  return {dq, dw, constant(target) + slope * dq,
+          target * (b / room) - r + h01 * dq + h02 * dw};
+}
+
+double FrictionCone::longest_of_force(const Step &step) const
+{
+  return longest(b, q, w, 0., step.q, step.w);
+}
+
+double FrictionCone::longest_of_sliding(const Step &step) const
+{
+  return longest(r, v, eps, step.r, step.v, 0.);
+}
+
+void FrictionCone::take(const Step &step,
+                        const double part_of_force,
+                        const double part_of_sliding)
+{
+  q += part_of_force * step.q;
+  w += part_of_force * step.w;
+  v += part_of_sliding * step.v;
+  r += part_of_sliding * step.r;
+}
+} // namespace Voussoir
