@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/discrete_problem.h>
-#include <voussoir/statics/opening.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -48,6 +48,12 @@ void DiscreteProblem::choose_scales(const Scene &scene)
 {
   const double area = scene.packing.area();
   length_unit = std::sqrt(area / scene.packing.n_cells());
+  double largest = 0.;
+  for (const Packing::Interface &i : scene.packing.interfaces())
+    for (const dealii::Point<2> &x : {i.start, i.end})
+      largest = std::max({largest, std::abs(x[0]), std::abs(x[1])});
+  coordinate_rounding =
+      std::numeric_limits<double>::epsilon() * largest / length_unit;
 
   // All forces on the packing over its size: of the order of the boundary
   // traction, or of the pressure at the foot of a wall under its own weight.
@@ -145,11 +151,21 @@ const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const
   return centre;
 }
 
+const Opening &DiscreteProblem::found_opening() const
+{
+  if (!opening_or_not)
+    opening_or_not = find_opening(*this);
+  return *opening_or_not;
+}
+
 const std::vector<double> &DiscreteProblem::opening() const
 {
-  if (!opening_displacement)
-    opening_displacement = find_opening(*this);
-  return *opening_displacement;
+  return found_opening().displacement;
+}
+
+const std::vector<double> &DiscreteProblem::self_stress() const
+{
+  return found_opening().self_stress;
 }
 
 bool DiscreteProblem::is_held(const unsigned int body) const
@@ -183,5 +199,10 @@ double DiscreteProblem::length_scale() const
 double DiscreteProblem::stress_scale() const
 {
   return stress_unit;
+}
+
+double DiscreteProblem::rounding_of_coordinates() const
+{
+  return coordinate_rounding;
 }
 } // namespace Voussoir
