@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/hard_contact.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
@@ -47,9 +48,10 @@ class Program : public ConvexProgram
 public:
   Program(const DiscreteProblem &problem,
           const Contact contact,
-          const double tolerance)
+          const double tolerance,
+          const double barrier_parameter)
       : problem(problem), contact(contact), law(problem, contact),
-        tolerance(tolerance)
+        tolerance(tolerance), barrier_parameter(barrier_parameter)
   {
   }
 
@@ -177,6 +179,9 @@ public:
                                                                 : force.normal);
       solution.forces.tangential.push_back(force.tangential);
     }
+    if (contact == Contact::hard)
+      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
+                          tolerance, solution);
     problem.remove_translations(x);
     solution.displacement =
         problem.displacement_of_cells(x, 1. / law.displacement_unit());
@@ -201,6 +206,7 @@ private:
   const Contact contact;
   const SmoothedJoint law;
   const double tolerance;
+  const double barrier_parameter;
   /** Of the points of compliant contact, the one with the best balance. */
   std::vector<double> most_balanced;
   double least_imbalance = std::numeric_limits<double>::infinity();
@@ -259,7 +265,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
 {
   if (contact == Contact::hard)
     require_interior(problem, "smoothed friction' with 'Contact = hard");
-  Program program(problem, contact, controls.tolerance);
+  Program program(problem, contact, controls.tolerance, barrier_parameter);
   IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
   if (contact == Contact::compliant)
     ipopt.tolerance *= ipopt_over_own_tolerance;

@@ -41,6 +41,13 @@ public:
    */
   explicit DiscreteProblem(const Scene &scene);
 
+  /**
+   * The same with some cells only, those that @p moves has; all others are held
+   * and belong to the ground, without the joints between them. Its mechanisms,
+   * with the others at rest, are mechanisms of the scene.
+   */
+  DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
+
   /** The bodies but for the ground, which is there if there are supports. */
   unsigned int n_cells() const;
   /** Whether there is any load at all. */
@@ -107,7 +114,11 @@ public:
 
 private:
   const Opening &found_opening() const;
-  void choose_scales(const Scene &scene);
+  void choose_scales(const Scene &scene, const std::vector<bool> &moves);
+  void add_joint(const Scene &scene,
+                 unsigned int interface,
+                 const std::vector<unsigned int> &body);
+  void connect_groups();
   void balance_loads();
 
   double length_unit = 1.;
