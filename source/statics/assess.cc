@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -26,6 +27,13 @@ constexpr double rounding_of_balance = 1e-11;
 constexpr double heavier = 1e3;
 /** For so many parts a proof of collapse is looked for. */
 constexpr unsigned int n_max_parts = 8;
+
+/**
+ * A strength, in units of the loads on a part over its size, with which joints
+ * hardly slide: with much higher ones solvers lose digits. What is found with
+ * it must be a proof with the true strengths.
+ */
+constexpr double sufficient_strength = 1e3;
 
 /** How long the analytic centre may take, and what may follow it. */
 constexpr unsigned int n_centre_iterations = 100;
@@ -83,12 +91,22 @@ part_around(const Scene &scene, const unsigned int first, const double load)
   return part;
 }
 
+/** Those cells of a part that have a load. */
+std::vector<bool> loaded_of(const Scene &scene, std::vector<bool> part)
+{
+  for (unsigned int c = 0; c < part.size(); ++c)
+    part[c] = part[c] && scene.load_size[c] > 0.;
+  return part;
+}
+
 /** The mechanism of the cells that move, if there is one that is a proof. */
 std::vector<Tensor<1, 2>> collapse_of(const Scene &scene,
                                       const std::vector<bool> &moves,
+                                      const double highest_strength,
                                       Terminal &terminal)
 {
-  const DiscreteProblem problem(scene, moves);
+  const DiscreteProblem problem =
+      DiscreteProblem(scene, moves).with_strengths_up_to(highest_strength);
   if (problem.joints().empty() || !problem.is_loaded())
     return {};
   const auto mechanism = find_collapse(SharedProblem(problem), terminal);
@@ -118,9 +136,15 @@ std::vector<Tensor<1, 2>> collapse_of_parts(const Scene &scene,
                           });
     const std::vector<bool> part =
         part_around(scene, lightest.cell, heavier * lightest.own_force);
-    std::vector<Tensor<1, 2>> found = collapse_of(scene, part, terminal);
-    if (!found.empty())
-      return found;
+    for (const std::vector<bool> &moves : {loaded_of(scene, part), part})
+      for (const double highest_strength :
+           {std::numeric_limits<double>::infinity(), sufficient_strength})
+      {
+        std::vector<Tensor<1, 2>> found =
+            collapse_of(scene, moves, highest_strength, terminal);
+        if (!found.empty())
+          return found;
+      }
     left.erase(
         std::remove_if(left.begin(), left.end(),
                        [&](const UnbalancedCell &u) { return part[u.cell]; }),
@@ -144,8 +168,9 @@ Assessment assess(const Scene &scene,
       return {};
     std::vector<Tensor<1, 2>> mechanism;
     if (error > rounding_of_balance)
-      mechanism = collapse_of(
-          scene, std::vector<bool>(scene.packing.n_cells(), true), terminal);
+      mechanism =
+          collapse_of(scene, std::vector<bool>(scene.packing.n_cells(), true),
+                      std::numeric_limits<double>::infinity(), terminal);
     if (mechanism.empty())
       mechanism = collapse_of_parts(scene, certificate, terminal);
     if (!mechanism.empty())

@@ -55,6 +55,17 @@ std::vector<double> reference_forces(const Scene &scene,
   return reference;
 }
 
+/** By how much the forces of an interface are beyond their limits. */
+double violation(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const unsigned int e)
+{
+  const double length = scene.packing.interfaces()[e].length;
+  return std::max(
+      {0., forces.normal[e],
+       std::abs(forces.tangential[e]) - scene.strength[e] * length});
+}
+
 /**
  * UnbalancedCell::own_force of each cell, and whether there is a light load on
  * it or beside it.
@@ -110,15 +121,23 @@ unbalanced_cells(const Scene &scene,
                  const std::vector<double> &reference)
 {
   const OwnForces own(scene, forces, reference);
+  std::vector<double> defect;
+  for (const Tensor<1, 2> &left : sum)
+    defect.push_back(left.norm());
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      defect[c] = std::max(defect[c], violation(scene, forces, e));
+  }
   std::vector<UnbalancedCell> unbalanced;
   for (unsigned int c = 0; c < own.size.size(); ++c)
   {
-    const double imbalance = sum[c].norm();
     const double rounding =
         own.near_light[c] ? rounding_of_imbalance : noise_of_imbalance;
-    if (imbalance > largest_accepted_error * own.size[c] &&
-        imbalance > rounding * reference[c])
-      unbalanced.push_back({c, imbalance, own.size[c]});
+    if (defect[c] > largest_accepted_error * own.size[c] &&
+        defect[c] > rounding * reference[c])
+      unbalanced.push_back({c, defect[c], own.size[c]});
   }
   return unbalanced;
 }
@@ -156,9 +175,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    add(certificate.admissibility_violation,
-        std::max(forces.normal[e],
-                 std::abs(forces.tangential[e]) - scene.strength[e] * i.length),
+    add(certificate.admissibility_violation, violation(scene, forces, e),
         i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(scene, forces, e));

@@ -3,7 +3,6 @@
 #include <voussoir/statics/hard_contact.h>
 #include <voussoir/statics/newton.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,7 +15,9 @@ namespace
  * is quadratic, so that the error is near its square.
  */
 constexpr double largest_force_change = 1e-8;
-/** How much smaller each step must be for another to follow. */
+/** An imbalance, nondimensional, that is rounding. */
+constexpr double rounding = 1e-15;
+/** How much smaller a step must make the imbalance for another to follow. */
 constexpr double worthwhile = 0.5;
 /** From Ipopt's point a handful of steps suffices. */
 constexpr unsigned int n_max_steps = 20;
@@ -26,21 +27,34 @@ bool converges(Newton &newton, const double tolerance)
 {
   if (!std::isfinite(newton.imbalance()))
     return false;
-  double least = std::numeric_limits<double>::infinity();
   for (unsigned int k = 0; k < n_max_steps; ++k)
   {
     newton.step(least_shift, newton.u());
     const double change = newton.force_change();
     if (change <= largest_force_change && newton.imbalance() <= tolerance)
-    {
-      newton.step(least_shift, newton.u()); // what is left is squared once more
-      return newton.imbalance() <= tolerance;
-    }
-    if (!(change < worthwhile * least) && k > n_max_steps / 2)
-      return false;
-    least = std::min(least, change);
+      return true;
   }
   return false;
+}
+
+/** Go on from the minimum as long as the forces come to balance better. */
+std::vector<JointLaw::Jump> most_balanced(Newton &newton)
+{
+  std::vector<JointLaw::Jump> forces = newton.forces();
+  double least = newton.imbalance();
+  for (unsigned int k = 0; k < n_max_steps && least > rounding; ++k)
+  {
+    newton.step(least_shift, newton.u());
+    const double before = least;
+    if (newton.imbalance() < least)
+    {
+      least = newton.imbalance();
+      forces = newton.forces();
+    }
+    if (!(newton.imbalance() < worthwhile * before))
+      break;
+  }
+  return forces;
 }
 } // namespace
 
@@ -81,10 +95,12 @@ void refine_hard_contact(const DiscreteProblem &problem,
 {
   JointSystem system(problem, LinearSolver::automatic);
   Newton newton(problem, law, system, u);
+  std::vector<JointLaw::Jump> forces;
   try
   {
     if (!converges(newton, tolerance))
       return;
+    forces = most_balanced(newton);
   }
   catch (const SolverError &)
   {
@@ -92,8 +108,8 @@ void refine_hard_contact(const DiscreteProblem &problem,
   }
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    solution.forces.normal[e] = newton.forces()[e].normal;
-    solution.forces.tangential[e] = newton.forces()[e].tangential;
+    solution.forces.normal[e] = forces[e].normal;
+    solution.forces.tangential[e] = forces[e].tangential;
   }
   solution.n_iterations += newton.n_iterations();
   solution.n_evaluations += newton.n_evaluations();

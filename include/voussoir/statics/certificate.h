@@ -13,7 +13,10 @@ struct UnbalancedCell
 {
   /** Its number. */
   unsigned int cell;
-  /** The size of the sum of all forces on it; S L. */
+  /**
+   * The size of the sum of all forces on it, or what a force of one of its
+   * interfaces is beyond its limit, if that is more; S L.
+   */
   double imbalance;
   /**
    * Its measure: the sum of the sizes of the loads on it, or if it has none
