@@ -77,7 +77,8 @@ std::string forces_rejected(const Results &results,
                  *force_of_centre,
                  " times the largest load on a cell. If that is large, the "
                  "blocks wedge, and this formulation has not the digits for "
-                 "it: set 'Formulation = analytic centre'.")
+                 "it: set 'Formulation = analytic centre'. Otherwise take a "
+                 "larger 'Solver/Maximum iterations'.")
           : "The load may be close to what the packing can carry, or beyond "
             "without a proof: try 'Formulation = least energy', a larger "
             "'Solver/Maximum iterations', or a smaller load.";
