@@ -13,6 +13,7 @@
 #include <voussoir/output/stress_vtu.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/simulation.h>
+#include <voussoir/statics/assess.h>
 #include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/unused_settings.h>
@@ -230,7 +231,18 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   timer.enter_subsection("certificate");
   results.certificate = certify(results.scene, results.forces);
   check_certificate(results);
+  Assessment found =
+      assess(results.scene, results.forces, results.certificate, terminal);
   timer.leave_subsection();
+  if (!found.mechanism.empty())
+  {
+    Collapse collapse(results);
+    collapse.displacement = std::move(found.mechanism);
+    finish(std::move(collapse), prm);
+  }
+  results.status = found.status;
+  for (const std::string &warning : doubts_about(results))
+    terminal.warning(warning);
 
   timer.enter_subsection("stress");
   terminal.begin("Stress");
@@ -347,7 +359,7 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
     to_look_at.push_back("mechanism_joints.csv");
   }
   publish(files, collapse, prm);
-  terminal.status("collapse", false);
+  terminal.status(Status{Status::Kind::collapse, 0.}.word(), false);
   throw LoadNotCarried(
       message_of(collapse, boost::algorithm::join(to_look_at, " and ")));
 }
@@ -363,10 +375,9 @@ void Simulation::check_certificate(const Results &results) const
   {
     if (!results.earlier_outcome.empty())
       throw InputError(earlier_forces_rejected(results));
-    throw SolverError(forces_rejected(results));
+    throw SolverError(
+        forces_rejected(results, carried_by_centre(results.scene, terminal)));
   }
-  for (const std::string &warning : doubts_about(results))
-    terminal.warning(warning);
 }
 
 template <typename Found>

@@ -18,6 +18,34 @@ std::string faults(const Certificate &certificate)
               " of the largest load on a cell");
 }
 
+/** What it means that the load is carried to a small error only. */
+std::string inexact(const Results &results)
+{
+  const Scene &scene = results.scene;
+  std::string where;
+  const std::vector<UnbalancedCell> &cells = results.certificate.unbalanced;
+  if (!cells.empty())
+  {
+    const UnbalancedCell &worst = *std::max_element(
+        cells.begin(), cells.end(),
+        [](const UnbalancedCell &a, const UnbalancedCell &b) {
+          return a.imbalance * b.own_force < b.imbalance * a.own_force;
+        });
+    where =
+        text(" Measured by their own loads, ", counted(cells.size(), "cell"),
+             cells.size() == 1 ? " is" : " are",
+             " not balanced: ", scene.packing.describe(worst.cell), " at ",
+             text_of_point(scene.packing.centre(worst.cell)), " lacks ",
+             worst.imbalance / worst.own_force, " of its load, and may slide.");
+  }
+  return text("The load is carried to within ", results.status.within,
+              " of the largest load on a cell: neither forces that balance it "
+              "exactly nor a mechanism of collapse were found. It may be that "
+              "far above or below what the packing can carry, or "
+              "'Solver/Tolerance' is loose.",
+              where);
+}
+
 bool is_loaded(const Scene &scene)
 {
   return scene.has_body_force || !scene.on_cells.empty() ||
@@ -39,15 +67,25 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
                "its neighbours is not looked at.")};
 }
 
-std::string forces_rejected(const Results &results)
+std::string forces_rejected(const Results &results,
+                            const std::optional<double> force_of_centre)
 {
+  const std::string advice =
+      force_of_centre
+          ? text("The load is carried all the same: the analytic centre "
+                 "balances it, with forces up to ",
+                 *force_of_centre,
+                 " times the largest load on a cell. If that is large, the "
+                 "blocks wedge, and this formulation has not the digits for "
+                 "it: set 'Formulation = analytic centre'. Otherwise take a "
+                 "larger 'Solver/Maximum iterations'.")
+          : "The load may be close to what the packing can carry, or beyond "
+            "without a proof: try 'Formulation = least energy', a larger "
+            "'Solver/Maximum iterations', or a smaller load.";
   return text("The solver ", results.outcome, " after ",
               counted(results.n_iterations, "iteration"),
               ", without forces that balance the load: the certificate finds ",
-              faults(results.certificate),
-              ". The load may be close to what the packing can carry, or "
-              "beyond without a proof: try 'Formulation = least energy', a "
-              "larger 'Solver/Maximum iterations', or a smaller load.");
+              faults(results.certificate), ". ", advice);
 }
 
 std::string earlier_forces_rejected(const Results &results)
@@ -65,14 +103,18 @@ std::vector<std::string> doubts_about(const Results &results)
   if (!is_loaded(results.scene))
     return {"No load acts on the packing, so that all forces are zero. The "
             "section 'Loads' gives loads."};
+  std::vector<std::string> doubts;
+  if (results.status.kind == Status::Kind::carried_within)
+    doubts.push_back(inexact(results));
   const std::string &outcome = results.earlier_outcome.empty()
                                    ? results.outcome
                                    : results.earlier_outcome;
   if (outcome != "converged" && outcome != nothing_to_balance)
-    return {"The solver " + outcome +
-            ". The forces are balanced and admissible to what is said below, "
-            "but may differ from those of the named selection."};
-  return {};
+    doubts.push_back(
+        "The solver " + outcome +
+        ". The forces are balanced and admissible to what is said below, but "
+        "may differ from those of the named selection.");
+  return doubts;
 }
 
 std::string message_of(const Collapse &collapse, const std::string &files)

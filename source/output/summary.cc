@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 constexpr unsigned int n_shown_supports = 4;
 
 /** What stands first in every summary. */
-Json summary_of(const RunRecord &run, const std::string &status)
+Json summary_of(const RunRecord &run, const Status &status)
 {
   const Packing &packing = run.scene.packing;
   std::vector<unsigned int> group_sizes(packing.group_names().size(), 0);
@@ -39,7 +39,9 @@ Json summary_of(const RunRecord &run, const std::string &status)
 
   Json summary;
   summary["title"] = run.title;
-  summary["status"] = status;
+  summary["status"] = status.word();
+  if (status.kind == Status::Kind::carried_within)
+    summary["within"] = status.within;
   summary["processes"] = run.n_processes;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
@@ -102,7 +104,7 @@ void write(std::ostream &out, Json summary, const RunRecord &run)
 void write_summary_json(std::ostream &out, const Results &results)
 {
   const Certificate &certificate = results.certificate;
-  Json summary = summary_of(results, "solved");
+  Json summary = summary_of(results, results.status);
   if (results.correction)
     summary["solver"]["correction"] = *results.correction;
   summary["certificate"] = {
@@ -110,6 +112,9 @@ void write_summary_json(std::ostream &out, const Results &results)
       {"admissibility_violation", certificate.admissibility_violation},
       {"max_utilisation", certificate.max_utilisation},
       {"max_torque", certificate.max_torque}};
+  if (!certificate.unbalanced.empty() &&
+      results.status.kind != Status::Kind::solved)
+    summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   if (!results.never_pressed.empty())
@@ -125,7 +130,7 @@ void write_summary_json(std::ostream &out, const Results &results)
 
 void write_summary_json(std::ostream &out, const Collapse &collapse)
 {
-  Json summary = summary_of(collapse, "collapse");
+  Json summary = summary_of(collapse, {Status::Kind::collapse, 0.});
   Json parts = Json::array();
   for (const LoadPart &part : collapse.parts)
     parts.push_back({{"load", part.name}, {"work", part.work}});
@@ -157,7 +162,7 @@ void show_summary(Terminal &terminal, const Results &results)
     most_compressed = std::min(most_compressed,
                                results.forces.normal[e] / interfaces[e].length);
 
-  terminal.status("solved", true);
+  terminal.status(results.status.description(), true);
   terminal.summary("Selection", results.selection);
   if (!results.earlier_outcome.empty())
     terminal.summary("Forces", results.outcome);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace Voussoir
 {
@@ -14,6 +15,14 @@ namespace
 {
 /** A load, relative to the largest of the scene, that is rounding. */
 constexpr double rounding_of_loads = 1e-12;
+
+/**
+ * An imbalance of a cell, over the reference force, that is rounding; and what
+ * solvers leave of cells without load, which feel others only. A load is light
+ * if it is that far below the reference force.
+ */
+constexpr double rounding_of_imbalance = 1e-14, noise_of_imbalance = 1e-12,
+                 light_load = 1e-6;
 
 /** The largest relative closing of a joint in a mechanism, for rounding. */
 constexpr double largest_closing = 1e-12;
@@ -45,6 +54,93 @@ std::vector<double> reference_forces(const Scene &scene,
       largest = largest_load > 0. ? largest_load : largest_force;
   return reference;
 }
+
+/** By how much the forces of an interface are beyond their limits. */
+double violation(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const unsigned int e)
+{
+  const double length = scene.packing.interfaces()[e].length;
+  return std::max(
+      {0., forces.normal[e],
+       std::abs(forces.tangential[e]) - scene.strength[e] * length});
+}
+
+/**
+ * UnbalancedCell::own_force of each cell, and whether there is a light load on
+ * it or beside it.
+ */
+struct OwnForces
+{
+  OwnForces(const Scene &scene,
+            const InterfaceForces &forces,
+            const std::vector<double> &reference)
+      : size(scene.load_size), near_light(size.size(), false)
+  {
+    const Packing &packing = scene.packing;
+    std::vector<double> beside(size.size() + 1, 0.), pressed(beside);
+    const auto light = [&](const unsigned int c) {
+      return c != packing.ground() &&
+                     scene.load_size[c] <= light_load * reference[c]
+                 ? scene.load_size[c]
+                 : 0.;
+    };
+    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    {
+      const Packing::Interface &i = packing.interfaces()[e];
+      const double force = std::hypot(forces.normal[e], forces.tangential[e]);
+      for (const auto &[c, other] : {std::pair(i.cell_minus, i.cell_plus),
+                                     std::pair(i.cell_plus, i.cell_minus)})
+      {
+        pressed[c] = std::max(pressed[c], force);
+        beside[c] = std::max(beside[c], light(other));
+      }
+    }
+    for (unsigned int c = 0; c < size.size(); ++c)
+    {
+      near_light[c] = light(c) > 0. || beside[c] > 0.;
+      if (!(size[c] > 0.))
+        size[c] = beside[c] > 0. ? beside[c] : pressed[c];
+    }
+  }
+
+  std::vector<double> size;
+  std::vector<bool> near_light;
+};
+
+/**
+ * The cells that are out of balance by their own measure.
+ *
+ * @param sum of all forces on each cell.
+ * @param reference force of each cell.
+ */
+std::vector<UnbalancedCell>
+unbalanced_cells(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const std::vector<Tensor<1, 2>> &sum,
+                 const std::vector<double> &reference)
+{
+  const OwnForces own(scene, forces, reference);
+  std::vector<double> defect;
+  for (const Tensor<1, 2> &left : sum)
+    defect.push_back(left.norm());
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      defect[c] = std::max(defect[c], violation(scene, forces, e));
+  }
+  std::vector<UnbalancedCell> unbalanced;
+  for (unsigned int c = 0; c < own.size.size(); ++c)
+  {
+    const double rounding =
+        own.near_light[c] ? rounding_of_imbalance : noise_of_imbalance;
+    if (defect[c] > largest_accepted_error * own.size[c] &&
+        defect[c] > rounding * reference[c])
+      unbalanced.push_back({c, defect[c], own.size[c]});
+  }
+  return unbalanced;
+}
 } // namespace
 
 Certificate certify(const Scene &scene, const InterfaceForces &forces)
@@ -58,7 +154,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
         !std::isfinite(forces.tangential[e]))
     {
       const double infinity = std::numeric_limits<double>::infinity();
-      return {infinity, infinity, infinity, infinity};
+      return {infinity, infinity, infinity, infinity, {}};
     }
 
   const std::vector<unsigned int> group =
@@ -79,9 +175,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    add(certificate.admissibility_violation,
-        std::max(forces.normal[e],
-                 std::abs(forces.tangential[e]) - scene.strength[e] * i.length),
+    add(certificate.admissibility_violation, violation(scene, forces, e),
         i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(scene, forces, e));
@@ -94,6 +188,10 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     add(certificate.max_torque,
         std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
+  std::vector<double> of_cell(packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    of_cell[c] = reference[group[c]];
+  certificate.unbalanced = unbalanced_cells(scene, forces, sum, of_cell);
   return certificate;
 }
 

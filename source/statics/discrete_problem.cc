@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/discrete_problem.h>
-#include <voussoir/statics/opening.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace Voussoir
 {
 using dealii::Tensor;
 
 DiscreteProblem::DiscreteProblem(const Scene &scene)
+    : DiscreteProblem(scene, std::vector<bool>(scene.packing.n_cells(), true))
 {
-  choose_scales(scene);
+}
+
+DiscreteProblem::DiscreteProblem(const Scene &scene,
+                                 const std::vector<bool> &moves)
+{
+  choose_scales(scene, moves);
   const Packing &packing = scene.packing;
 
   const double area = packing.area();
@@ -21,39 +29,92 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
     centroid += packing.area(c) / area * packing.centre(c);
   centre.reserve(packing.n_cells());
   load.reserve(packing.n_cells() + 1);
+  std::vector<unsigned int> body(packing.n_cells() + 1);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    centre.push_back((packing.centre(c) - centroid) / length_unit);
-    load.push_back(scene.load[c] / (stress_unit * length_unit));
-  }
+    if (moves[c])
+    {
+      body[c] = centre.size();
+      centre.push_back((packing.centre(c) - centroid) / length_unit);
+      load.push_back(scene.load[c] / (stress_unit * length_unit));
+    }
+  for (unsigned int c = 0; c <= packing.n_cells(); ++c)
+    if (c == packing.ground() || !moves[c])
+      body[c] = n_cells();
 
   joint_list.reserve(packing.interfaces().size());
+  bool has_ground = false;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
-    const double length = i.length / length_unit;
-    joint_list.push_back({i.cell_minus, i.cell_plus, i.normal, i.tangent(),
-                          length, packing.distance(i) / length_unit,
-                          scene.strength[e] / stress_unit * length});
+    add_joint(scene, e, body);
+    has_ground |=
+        !joint_list.empty() && joint_list.back().cell_plus == n_cells();
   }
-
-  group = scene.group;
-  if (packing.n_supports() > 0)
+  if (has_ground)
     load.emplace_back();
-  group.resize(load.size());
+  connect_groups();
   balance_loads();
 }
 
-void DiscreteProblem::choose_scales(const Scene &scene)
+/** Joints with the ground have it as c+; those within it are none. */
+void DiscreteProblem::add_joint(const Scene &scene,
+                                const unsigned int interface,
+                                const std::vector<unsigned int> &body)
+{
+  const Packing::Interface &i = scene.packing.interfaces()[interface];
+  unsigned int minus = body[i.cell_minus], plus = body[i.cell_plus];
+  Tensor<1, 2> normal = i.normal, tangent = i.tangent();
+  if (minus == n_cells() && plus == n_cells())
+    return;
+  if (minus == n_cells())
+  {
+    std::swap(minus, plus);
+    normal *= -1.;
+    tangent *= -1.;
+  }
+  const double length = i.length / length_unit;
+  joint_list.push_back({minus, plus, normal, tangent, length,
+                        scene.packing.distance(i) / length_unit,
+                        scene.strength[interface] / stress_unit * length});
+}
+
+/** Find the lowest body of each connected group. */
+void DiscreteProblem::connect_groups()
+{
+  group.resize(n_bodies());
+  std::iota(group.begin(), group.end(), 0u);
+  const auto root_of = [&](unsigned int b) {
+    while (group[b] != b)
+      b = group[b] = group[group[b]];
+    return b;
+  };
+  for (const Joint &joint : joint_list)
+  {
+    const unsigned int a = root_of(joint.cell_minus);
+    const unsigned int b = root_of(joint.cell_plus);
+    group[std::max(a, b)] = std::min(a, b);
+  }
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+    group[b] = root_of(b);
+}
+
+void DiscreteProblem::choose_scales(const Scene &scene,
+                                    const std::vector<bool> &moves)
 {
   const double area = scene.packing.area();
   length_unit = std::sqrt(area / scene.packing.n_cells());
+  double largest = 0.;
+  for (const Packing::Interface &i : scene.packing.interfaces())
+    for (const dealii::Point<2> &x : {i.start, i.end})
+      largest = std::max({largest, std::abs(x[0]), std::abs(x[1])});
+  coordinate_rounding =
+      std::numeric_limits<double>::epsilon() * largest / length_unit;
 
   // All forces on the packing over its size: of the order of the boundary
   // traction, or of the pressure at the foot of a wall under its own weight.
   double total = 0.;
-  for (const Tensor<1, 2> &F : scene.load)
-    total += F.norm();
+  for (unsigned int c = 0; c < moves.size(); ++c)
+    if (moves[c])
+      total += scene.load[c].norm();
   has_load = total > 0.;
   if (has_load)
     stress_unit = total / std::sqrt(area);
@@ -145,11 +206,21 @@ const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const
   return centre;
 }
 
+const Opening &DiscreteProblem::found_opening() const
+{
+  if (!opening_or_not)
+    opening_or_not = find_opening(*this);
+  return *opening_or_not;
+}
+
 const std::vector<double> &DiscreteProblem::opening() const
 {
-  if (!opening_displacement)
-    opening_displacement = find_opening(*this);
-  return *opening_displacement;
+  return found_opening().displacement;
+}
+
+const std::vector<double> &DiscreteProblem::self_stress() const
+{
+  return found_opening().self_stress;
 }
 
 bool DiscreteProblem::is_held(const unsigned int body) const
@@ -183,5 +254,10 @@ double DiscreteProblem::length_scale() const
 double DiscreteProblem::stress_scale() const
 {
   return stress_unit;
+}
+
+double DiscreteProblem::rounding_of_coordinates() const
+{
+  return coordinate_rounding;
 }
 } // namespace Voussoir

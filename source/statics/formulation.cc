@@ -79,14 +79,21 @@ void equilibrate_solution(const DiscreteProblem &problem, Solution &solution)
 void require_interior(const DiscreteProblem &problem,
                       const std::string &formulation)
 {
-  if (problem.opening().empty())
+  if (!problem.opening().empty())
+    return;
+  const std::string advice =
+      "The formulation '" + formulation +
+      "' has no answer there; set 'Formulation = least energy', which has one.";
+  if (!problem.self_stress().empty())
     throw InputError(
         "The supports clamp the packing: no motion opens all contacts, so that "
-        "normal forces can balance by themselves and have no bound. The "
-        "formulation '" +
-        formulation +
-        "' has no answer there; set 'Formulation = least energy', which has "
-        "one.");
+        "normal forces can balance by themselves and have no bound. " +
+        advice);
+  throw InputError(
+      "Whether the supports clamp the packing cannot be told: a motion that "
+      "opens all contacts would open some of them by no more than the rounding "
+      "of the coordinates, or could not be found. " +
+      advice);
 }
 
 SolverParameters::SolverParameters(const Team &team)

@@ -54,24 +54,24 @@ Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
       has_body_force(!body.empty()), load(packing.n_cells()),
-      group(connected_groups(packing))
+      load_size(packing.n_cells(), 0.), group(connected_groups(packing))
 {
   traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
       body.add(packing, c, f.force);
-  check_balance(add_up_loads());
+  add_up_loads();
+  check_balance();
   clear_single_cells();
 }
 
-std::vector<double> Scene::add_up_loads()
+void Scene::add_up_loads()
 {
-  std::vector<double> size(packing.n_cells(), 0.);
   const auto add = [&](const unsigned int c, const Tensor<1, 2> &force,
                        const auto &what) {
     check_size(force, what);
     load[c] += force;
-    size[c] += force.norm();
+    load_size[c] += force.norm();
   };
   const auto &boundary = packing.boundary_edges();
   for (unsigned int b = 0; b < boundary.size(); ++b)
@@ -89,12 +89,11 @@ std::vector<double> Scene::add_up_loads()
 
   // Rounding must not pass for a load where all forces on a cell cancel.
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    if (load[c].norm() <= cancellation_tolerance * size[c])
+    if (load[c].norm() <= cancellation_tolerance * load_size[c])
       load[c] = 0.;
-  return size;
 }
 
-void Scene::check_balance(const std::vector<double> &size) const
+void Scene::check_balance() const
 {
   std::vector<Tensor<1, 2>> total(group.size());
   std::vector<double> sizes(group.size(), 0.);
@@ -102,7 +101,7 @@ void Scene::check_balance(const std::vector<double> &size) const
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     total[group[c]] += load[c];
-    sizes[group[c]] += size[c];
+    sizes[group[c]] += load_size[c];
     ++n_members[group[c]];
   }
 

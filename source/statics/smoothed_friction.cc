@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/hard_contact.h>
 #include <voussoir/statics/settle.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
@@ -56,9 +57,11 @@ public:
   Program(const DiscreteProblem &problem,
           const Contact contact,
           const SolverControls &controls,
+          const double barrier_parameter,
           Terminal &terminal)
       : problem(problem), contact(contact), law(problem, contact),
-        controls(controls), terminal(terminal)
+        controls(controls), barrier_parameter(barrier_parameter),
+        terminal(terminal)
   {
   }
 
@@ -226,6 +229,9 @@ private:
                                                                 : force.normal);
       solution.forces.tangential.push_back(force.tangential);
     }
+    if (contact == Contact::hard)
+      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
+                          tolerance, solution);
     problem.remove_translations(x);
     solution.displacement =
         problem.displacement_of_cells(x, 1. / law.displacement_unit());
@@ -249,6 +255,7 @@ private:
   const Contact contact;
   const SmoothedJoint law;
   const SolverControls &controls;
+  const double barrier_parameter;
   Terminal &terminal;
   /** What an interior point has found, if it was asked. */
   std::optional<Solution> interior;
@@ -310,7 +317,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
 {
   if (contact == Contact::hard)
     require_interior(problem, "smoothed friction' with 'Contact = hard");
-  Program program(problem, contact, controls, terminal);
+  Program program(problem, contact, controls, barrier_parameter, terminal);
   IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
   if (contact == Contact::compliant)
     ipopt.tolerance *= ipopt_over_own_tolerance;

@@ -92,7 +92,7 @@ int main()
     error = std::max(error, std::abs(p[e] - centre[e]));
     tangential = std::max(tangential, std::abs(rigid.tangential[e]));
   }
-  check_error("hard: distance from it", error, 1e-4);
+  check_error("hard: distance from it", error, 1e-8);
   check_error("hard: tangential force", tangential, 1e-6);
   check_error("hard: equilibrium", certify(scene, rigid).equilibrium_residual,
               1e-9);

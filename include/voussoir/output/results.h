@@ -6,6 +6,7 @@
 #include <voussoir/statics/load_parts.h>
 #include <voussoir/statics/reactions.h>
 #include <voussoir/statics/scene.h>
+#include <voussoir/statics/status.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
@@ -72,6 +73,8 @@ struct Results : RunRecord
   std::vector<dealii::Tensor<1, 2>> displacement;
   /** How good the forces are. */
   Certificate certificate;
+  /** What they say of the load. */
+  Status status;
   /** Of each straight support. */
   std::vector<Reaction> reactions;
   /** residual_torques() of each cell, S L^2; empty if not asked for. */

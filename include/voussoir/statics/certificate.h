@@ -4,8 +4,28 @@
 
 #include <voussoir/statics/scene.h>
 
+#include <vector>
+
 namespace Voussoir
 {
+/** A cell whose forces do not balance by their own measure. */
+struct UnbalancedCell
+{
+  /** Its number. */
+  unsigned int cell;
+  /**
+   * The size of the sum of all forces on it, or what a force of one of its
+   * interfaces is beyond its limit, if that is more; S L.
+   */
+  double imbalance;
+  /**
+   * Its measure: the sum of the sizes of the loads on it, or if it has none
+   * that of the largest light one beside it, or else the largest force of its
+   * interfaces; S L.
+   */
+  double own_force;
+};
+
 /**
  * How good a set of interface forces is, computed from the scene and the forces
  * alone, in the user's units, by code that no solver shares. Each group of
@@ -29,6 +49,12 @@ struct Certificate
    * square root of the cell's area. Translations alone do not balance it.
    */
   double max_torque = 0.;
+  /**
+   * The cells that are out of balance by more than largest_accepted_error of
+   * their own force, and by more than rounding: a small load beside a large
+   * one, which the reference force is that of, is judged by itself.
+   */
+  std::vector<UnbalancedCell> unbalanced;
 };
 
 /**

@@ -2,6 +2,7 @@
 #ifndef voussoir_statics_discrete_problem_h
 #define voussoir_statics_discrete_problem_h
 
+#include <voussoir/statics/opening.h>
 #include <voussoir/statics/scene.h>
 #include <voussoir/statics/structure.h>
 
@@ -40,6 +41,13 @@ public:
    */
   explicit DiscreteProblem(const Scene &scene);
 
+  /**
+   * The same with some cells only, those that @p moves has; all others are held
+   * and belong to the ground, without the joints between them. Its mechanisms,
+   * with the others at rest, are mechanisms of the scene.
+   */
+  DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
+
   /** The bodies but for the ground, which is there if there are supports. */
   unsigned int n_cells() const;
   /** Whether there is any load at all. */
@@ -53,10 +61,16 @@ public:
    * A displacement that opens every joint, n_dofs() numbers: the strict
    * interior of the contact constraints. Without supports it is the uniform
    * dilation u = x_c, from the centroid of the packing, for which [u]_e . n_e =
-   * d_e. Empty if there is none, as for a block clamped between two walls: then
-   * there are normal forces that balance by themselves, and no bound to them.
+   * d_e. Empty if none is found.
    */
   const std::vector<double> &opening() const;
+  /**
+   * The proof that there is none, as for a block clamped between two walls:
+   * p_e >= 0 of each joint, of any size, normal forces that balance by
+   * themselves, so that there is no bound to those under a load. Empty if there
+   * is an opening, or if the digits of the coordinates do not tell.
+   */
+  const std::vector<double> &self_stress() const;
   /**
    * Whether @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
@@ -95,19 +109,27 @@ public:
   double length_scale() const;
   /** The unit of stress, in the user's; S. One if there is no load. */
   double stress_scale() const;
+  /** The rounding of the largest of the user's coordinates; nondimensional. */
+  double rounding_of_coordinates() const;
 
 private:
-  void choose_scales(const Scene &scene);
+  const Opening &found_opening() const;
+  void choose_scales(const Scene &scene, const std::vector<bool> &moves);
+  void add_joint(const Scene &scene,
+                 unsigned int interface,
+                 const std::vector<unsigned int> &body);
+  void connect_groups();
   void balance_loads();
 
   double length_unit = 1.;
   double stress_unit = 1.;
   bool has_load = false;
+  double coordinate_rounding = 0.;
   std::vector<dealii::Tensor<1, 2>> centre;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
   /** Found when it is first asked for. */
-  mutable std::optional<std::vector<double>> opening_displacement;
+  mutable std::optional<Opening> opening_or_not;
 };
 
 } // namespace Voussoir

@@ -43,13 +43,14 @@ struct Scene
   bool has_body_force;
   /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
+  /** The sum of the sizes of all forces that F_c is the sum of; S L. */
+  std::vector<double> load_size;
   /** connected_groups() of the packing, n_cells + 1 numbers. */
   std::vector<unsigned int> group;
 
 private:
-  /** @return the sum of the sizes of the forces on each cell. */
-  std::vector<double> add_up_loads();
-  void check_balance(const std::vector<double> &size) const;
+  void add_up_loads();
+  void check_balance() const;
   void clear_single_cells();
 };
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/assess.h>
+#include <voussoir/statics/equilibrate.h>
+#include <voussoir/statics/find_collapse.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/** An error of the certificate that is rounding, also of a million cells. */
+constexpr double rounding_of_balance = 1e-11;
+
+/**
+ * How much more load than forces act on its worst cell another cell may have
+ * and still belong to a part that slides; what is heavier is held.
+ */
+constexpr double heavier = 1e3;
+/** For so many parts a proof of collapse is looked for. */
+constexpr unsigned int n_max_parts = 8;
+
+/**
+ * A strength, in units of the loads on a part over its size, with which joints
+ * hardly slide: with much higher ones solvers lose digits. What is found with
+ * it must be a proof with the true strengths.
+ */
+constexpr double sufficient_strength = 1e3;
+
+/** How long the analytic centre may take, and what may follow it. */
+constexpr unsigned int n_centre_iterations = 100;
+
+double error_of(const Certificate &certificate)
+{
+  return std::max(certificate.equilibrium_residual,
+                  certificate.admissibility_violation);
+}
+
+bool is_exact(const Certificate &certificate)
+{
+  return error_of(certificate) <= rounding_of_balance &&
+         certificate.unbalanced.empty();
+}
+
+bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
+{
+  const DiscreteProblem problem(scene);
+  Solution solution;
+  solution.forces =
+      equilibrate(problem, nondimensional_forces(problem, forces));
+  return is_exact(certify(scene, dimensional_forces(problem, solution)));
+}
+
+/**
+ * The cells that hang together with @p first and have no more than @p load on
+ * them.
+ */
+std::vector<bool>
+part_around(const Scene &scene, const unsigned int first, const double load)
+{
+  const Packing &packing = scene.packing;
+  std::vector<std::vector<unsigned int>> neighbours(packing.n_cells());
+  for (const Packing::Interface &i : packing.interfaces())
+    if (i.cell_plus != packing.ground())
+    {
+      neighbours[i.cell_minus].push_back(i.cell_plus);
+      neighbours[i.cell_plus].push_back(i.cell_minus);
+    }
+  std::vector<bool> part(packing.n_cells(), false);
+  std::vector<unsigned int> to_visit = {first};
+  part[first] = true;
+  while (!to_visit.empty())
+  {
+    const unsigned int c = to_visit.back();
+    to_visit.pop_back();
+    for (const unsigned int other : neighbours[c])
+      if (!part[other] && scene.load_size[other] <= load)
+      {
+        part[other] = true;
+        to_visit.push_back(other);
+      }
+  }
+  return part;
+}
+
+/** Those cells of a part that have a load. */
+std::vector<bool> loaded_of(const Scene &scene, std::vector<bool> part)
+{
+  for (unsigned int c = 0; c < part.size(); ++c)
+    part[c] = part[c] && scene.load_size[c] > 0.;
+  return part;
+}
+
+/** The mechanism of the cells that move, if there is one that is a proof. */
+std::vector<Tensor<1, 2>> collapse_of(const Scene &scene,
+                                      const std::vector<bool> &moves,
+                                      const double highest_strength,
+                                      Terminal &terminal)
+{
+  const DiscreteProblem problem =
+      DiscreteProblem(scene, moves).with_strengths_up_to(highest_strength);
+  if (problem.joints().empty() || !problem.is_loaded())
+    return {};
+  const auto mechanism = find_collapse(SharedProblem(problem), terminal);
+  if (!mechanism)
+    return {};
+  std::vector<Tensor<1, 2>> displacement(moves.size());
+  auto next = mechanism->displacement.begin();
+  for (unsigned int c = 0; c < moves.size(); ++c)
+    if (moves[c])
+      displacement[c] = *next++;
+  return proves_collapse(certify_mechanism(scene, displacement))
+             ? displacement
+             : std::vector<Tensor<1, 2>>();
+}
+
+std::vector<Tensor<1, 2>> collapse_of_parts(const Scene &scene,
+                                            const Certificate &certificate,
+                                            Terminal &terminal)
+{
+  std::vector<UnbalancedCell> left = certificate.unbalanced;
+  for (unsigned int n = 0; n < n_max_parts && !left.empty(); ++n)
+  {
+    const UnbalancedCell lightest =
+        *std::min_element(left.begin(), left.end(),
+                          [](const UnbalancedCell &a, const UnbalancedCell &b) {
+                            return a.own_force < b.own_force;
+                          });
+    const std::vector<bool> part =
+        part_around(scene, lightest.cell, heavier * lightest.own_force);
+    for (const std::vector<bool> &moves : {loaded_of(scene, part), part})
+      for (const double highest_strength :
+           {std::numeric_limits<double>::infinity(), sufficient_strength})
+      {
+        std::vector<Tensor<1, 2>> found =
+            collapse_of(scene, moves, highest_strength, terminal);
+        if (!found.empty())
+          return found;
+      }
+    left.erase(
+        std::remove_if(left.begin(), left.end(),
+                       [&](const UnbalancedCell &u) { return part[u.cell]; }),
+        left.end());
+  }
+  return {};
+}
+} // namespace
+
+Assessment assess(const Scene &scene,
+                  const InterfaceForces &forces,
+                  const Certificate &certificate,
+                  Terminal &terminal)
+{
+  if (is_exact(certificate))
+    return {};
+  const double error = error_of(certificate);
+  if (error <= largest_accepted_error)
+  {
+    if (can_be_balanced(scene, forces))
+      return {};
+    std::vector<Tensor<1, 2>> mechanism;
+    if (error > rounding_of_balance)
+      mechanism =
+          collapse_of(scene, std::vector<bool>(scene.packing.n_cells(), true),
+                      std::numeric_limits<double>::infinity(), terminal);
+    if (mechanism.empty())
+      mechanism = collapse_of_parts(scene, certificate, terminal);
+    if (!mechanism.empty())
+      return {{Status::Kind::collapse, 0.}, std::move(mechanism)};
+  }
+  return {{Status::Kind::carried_within, error}, {}};
+}
+
+std::optional<double> carried_by_centre(const Scene &scene, Terminal &terminal)
+{
+  try
+  {
+    const DiscreteProblem problem(scene);
+    SolverControls controls;
+    controls.n_max_iterations = n_centre_iterations;
+    const Solution solution =
+        AnalyticCentre().solve(problem, controls, terminal);
+    if (solution.mechanism)
+      return {};
+    const InterfaceForces forces = dimensional_forces(problem, solution);
+    if (!is_exact(certify(scene, forces)))
+      return {};
+    double force = 0., load = 0.;
+    for (unsigned int e = 0; e < forces.normal.size(); ++e)
+      force =
+          std::max(force, std::hypot(forces.normal[e], forces.tangential[e]));
+    for (const Tensor<1, 2> &F : scene.load)
+      load = std::max(load, F.norm());
+    return force / load;
+  }
+  catch (const InputError &)
+  {
+  }
+  catch (const SolverError &)
+  {
+  }
+  catch (const std::bad_alloc &)
+  {
+  }
+  return {}; // whoever asked has no second opinion
+}
+} // namespace Voussoir
