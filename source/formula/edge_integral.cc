@@ -22,6 +22,9 @@ constexpr unsigned int n_points = 15;
 
 /** The length of a piece in which a hidden peak would not count. */
 constexpr double shortest_piece = 1e-12;
+/** The error of a first look at a piece, over the size of the function there,
+ * with which not even the estimate can be trusted. */
+constexpr double roughness = 1e-2;
 /** More pieces are not made for the sake of peaks. */
 constexpr unsigned int n_max_pieces = 200;
 
@@ -48,7 +51,9 @@ public:
     {
       // Halves may follow at the end of the list.
       Integral<Sums> found = look_at(pieces[k]);
-      while (pieces.size() < n_max_pieces && may_hide_a_peak(pieces[k]))
+      while (
+          pieces.size() < n_max_pieces &&
+          (found.error > roughness * found.size || may_hide_a_peak(pieces[k])))
       {
         const double middle = 0.5 * (pieces[k].begin + pieces[k].end);
         pieces.push_back(pieces[k]);

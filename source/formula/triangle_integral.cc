@@ -35,11 +35,12 @@ constexpr unsigned int n_points = 21;
 constexpr double narrowest_strip = 1e-14;
 
 /**
- * TriangleRule::unevenness(), over the mean size of the function, with which
- * the rule is good for integral and moments: its error is then about 1e-13,
- * theirs about 1e-12.
+ * TriangleRule::unevenness() with which the rule is good, over the geometric
+ * mean of the sizes of the function in the triangle and in all of them. The
+ * errors of the integral and of its moments are at most about its square times
+ * the local size: of a wave that passes zero, the moments.
  */
-constexpr double smallest_unevenness = 1e-4;
+constexpr double smallest_unevenness = 2e-5;
 
 /** The change of an integral by cutting its triangle in four, over its size,
  * that shows that it needs no more of that. */
@@ -47,6 +48,10 @@ constexpr double smallest_change = 1e-12;
 
 /** How often a triangle is cut in four before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
+
+/** The same change with which not even the estimates of integrate() can be
+ * trusted: a peak was met, but not resolved. */
+constexpr double roughness = 1e-2;
 
 /** More triangles are not cut for the sake of peaks. */
 constexpr unsigned int n_max_quartered = 500;
@@ -193,42 +198,38 @@ private:
            const unsigned int level)
   {
     const bool hides = may_hide_a_peak(part, found, limits);
-    if (found.unevenness <= smallest_unevenness * mean_size && !hides)
+    const double local_size = found.size / area_of(part);
+    if (found.unevenness <=
+            smallest_unevenness * std::sqrt(mean_size * local_size) &&
+        !hides)
     {
       sum += found.sums;
       return;
     }
-    if (level == n_refinements && !hides)
+    const std::array<Triangle, 4> triangles = quarters(part);
+    std::array<Found, 4> finer;
+    Found all;
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      finer[k] = apply_rule(triangles[k]);
+      all.sums += finer[k].sums;
+      all.size += finer[k].size;
+    }
+    const double change = abs(all.sums - found.sums);
+    if (change <= smallest_change * mean_size * area_of(part) && !hides)
+    {
+      sum += all.sums;
+      error += change;
+      return;
+    }
+    const bool is_rough = hides || change > roughness * all.size;
+    if (level == n_refinements && !(is_rough && n_quartered < n_max_quartered))
     {
       AreaPiece piece;
       piece.corners.assign(part.begin(), part.end());
       return integrate_strips(piece);
     }
-    add_quarters(part, found, limits, level, hides);
-  }
-
-  void add_quarters(const Triangle &part,
-                    const Found &found,
-                    const Jumps::Limits &limits,
-                    const unsigned int level,
-                    const bool hides)
-  {
-    const std::array<Triangle, 4> triangles = quarters(part);
-    std::array<Found, 4> finer;
-    Sums sums = 0.;
-    for (unsigned int k = 0; k < 4; ++k)
-    {
-      finer[k] = apply_rule(triangles[k]);
-      sums += finer[k].sums;
-    }
-    const double change = abs(sums - found.sums);
-    if (change <= smallest_change * mean_size * area_of(part) && !hides)
-    {
-      sum += sums;
-      error += change;
-      return;
-    }
-    n_quartered += hides;
+    n_quartered += level == n_refinements;
     for (unsigned int k = 0; k < 4; ++k)
       add(triangles[k], finer[k], limits, std::min(level + 1, n_refinements));
   }
@@ -237,7 +238,7 @@ private:
                        const Found &found,
                        const Jumps::Limits &limits) const
   {
-    if (!jumps.has_formulas() || n_quartered >= n_max_quartered)
+    if (!jumps.has_formulas())
       return false;
     const auto ranges =
         jumps.ranges(box_around({part.begin(), part.end()}), limits);

@@ -231,7 +231,7 @@ private:
     }
     if (contact == Contact::hard)
       refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
-                          tolerance, solution);
+                          controls.tolerance, solution);
     problem.remove_translations(x);
     solution.displacement =
         problem.displacement_of_cells(x, 1. / law.displacement_unit());

@@ -231,7 +231,7 @@ void check_cuts()
 void check_smooth()
 {
   Numbers numbers(2);
-  const dealii::QGauss<2> gauss(100);
+  const dealii::QGauss<2> gauss(160);
   double worst = 0.;
   bool all_accurate = true;
   for (unsigned int k = 0; k < 60; ++k)
