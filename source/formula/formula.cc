@@ -82,6 +82,22 @@ Interval closer_range(const Bounds &bounds, const double middle)
   return lower <= upper ? Interval(lower, upper) : Interval(middle);
 }
 
+/** The same of a level that all of an interval is equal to but for rounding. */
+std::optional<double> level_beside(const Interval &a,
+                                   const double first_step,
+                                   const double period,
+                                   const double scale)
+{
+  constexpr double rounding = 1e-14;
+  double level = first_step;
+  if (period > 0.)
+    level += period * std::rint((a.lower() - first_step) / period);
+  const double distance = magnitude(a - level);
+  return distance > 0. && distance <= rounding * scale
+             ? std::optional<double>(level)
+             : std::nullopt;
+}
+
 /** Whether a value is not zero, but for a set of measure zero. */
 enum class Truth
 {
@@ -453,9 +469,13 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
     const SteppedFunction *const function =
         node.kind == Kind::stepped ? &stepped_functions()[node.number]
                                    : nullptr;
-    const auto level = level_inside(
-        arguments[jump].value, function != nullptr ? function->first_step : 0.,
-        function != nullptr ? function->period : 0.);
+    const Interval &argument = arguments[jump].value;
+    const double first_step = function != nullptr ? function->first_step : 0.;
+    const double period = function != nullptr ? function->period : 0.;
+    auto level = level_inside(argument, first_step, period);
+    if (!level && std::isinf(magnitude(limits[jump])))
+      level = level_beside(argument, first_step, period,
+                           magnitude(node_bounds[node.operand[0]].value));
     if (!level)
       continue;
     const double scale =

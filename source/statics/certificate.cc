@@ -198,17 +198,20 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
 bool proves_collapse(const MechanismCertificate &certificate)
 {
   return certificate.closing_violation <= largest_closing &&
-         certificate.work_over_dissipation > 1.;
+         certificate.work_over_dissipation > 1. &&
+         certificate.share_of_closing < 1.;
 }
 
 MechanismCertificate certify_mechanism(const Scene &scene,
                                        std::vector<Tensor<1, 2>> displacement)
 {
   double largest = 0., closing = 0., work = 0., dissipation = 0.;
+  double largest_load = 0., all_closings = 0.;
   for (unsigned int c = 0; c < displacement.size(); ++c)
   {
     largest = std::max(largest, displacement[c].norm());
     work += scene.load[c] * displacement[c];
+    largest_load = std::max(largest_load, scene.load[c].norm());
   }
   displacement.emplace_back(); // the ground does not move
   for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
@@ -217,6 +220,7 @@ MechanismCertificate certify_mechanism(const Scene &scene,
     const Tensor<1, 2> jump =
         displacement[i.cell_plus] - displacement[i.cell_minus];
     closing = std::max(closing, -(jump * i.normal));
+    all_closings += std::max(0., -(jump * i.normal));
     dissipation += scene.strength[e] * i.length * std::abs(jump * i.tangent());
   }
 
@@ -227,6 +231,11 @@ MechanismCertificate certify_mechanism(const Scene &scene,
     certificate.work_over_dissipation =
         dissipation > 0. ? work / dissipation
                          : std::numeric_limits<double>::infinity();
+  if (all_closings > 0.)
+    certificate.share_of_closing =
+        work > dissipation
+            ? all_closings * largest_load / (work - dissipation)
+            : std::numeric_limits<double>::infinity();
   return certificate;
 }
 } // namespace Voussoir

@@ -29,7 +29,7 @@ bool converges(Newton &newton, const double tolerance)
     return false;
   for (unsigned int k = 0; k < n_max_steps; ++k)
   {
-    newton.step(least_shift, newton.u());
+    newton.full_step();
     const double change = newton.force_change();
     if (change <= largest_force_change && newton.imbalance() <= tolerance)
       return true;
@@ -44,7 +44,7 @@ std::vector<JointLaw::Jump> most_balanced(Newton &newton)
   double least = newton.imbalance();
   for (unsigned int k = 0; k < n_max_steps && least > rounding; ++k)
   {
-    newton.step(least_shift, newton.u());
+    newton.full_step();
     const double before = least;
     if (newton.imbalance() < least)
     {

@@ -107,6 +107,26 @@ double Newton::step(const double shift, const std::vector<double> &centre)
   return search(direction(shift, centre), shift, centre);
 }
 
+void Newton::full_step()
+{
+  ++iterations;
+  const std::vector<double> d = direction(least_shift, present.u);
+  const std::vector<Jump> step_jumps = jumps_of(d);
+  State trial;
+  go(d, step_jumps, std::min(1., longest_step(step_jumps)), trial);
+  accept(std::move(trial));
+}
+
+/** As far as the energy is finite, with a margin. */
+double Newton::longest_step(const std::vector<Jump> &step_jumps) const
+{
+  double longest = longest_expansion / fraction_to_boundary;
+  for (unsigned int e = 0; e < step_jumps.size(); ++e)
+    longest =
+        std::min(longest, law.longest_step(e, present.jumps[e], step_jumps[e]));
+  return fraction_to_boundary * structure.team().min(longest);
+}
+
 std::vector<double> Newton::direction(double shift,
                                       const std::vector<double> &centre)
 {
@@ -185,26 +205,13 @@ double Newton::search(const std::vector<double> &direction,
   };
 
   const std::vector<Jump> step_jumps = jumps_of(direction);
-  double longest = longest_expansion / fraction_to_boundary;
-  for (unsigned int e = 0; e < step_jumps.size(); ++e)
-    longest =
-        std::min(longest, law.longest_step(e, present.jumps[e], step_jumps[e]));
-  longest = fraction_to_boundary * structure.team().min(longest);
+  const double longest = longest_step(step_jumps);
 
   State trial;
   double t = 0.;
   const auto slope_at = [&](const double at) {
     t = at;
-    trial.u = present.u;
-    for (unsigned int k = 0; k < direction.size(); ++k)
-      trial.u[k] += t * direction[k];
-    trial.jumps = present.jumps;
-    for (unsigned int e = 0; e < step_jumps.size(); ++e)
-    {
-      trial.jumps[e].normal += t * step_jumps[e].normal;
-      trial.jumps[e].tangential += t * step_jumps[e].tangential;
-    }
-    evaluate(trial);
+    go(direction, step_jumps, t, trial);
     const double s = slope(trial);
     return std::isfinite(s) ? s : std::numeric_limits<double>::max();
   };
@@ -241,6 +248,29 @@ double Newton::search(const std::vector<double> &direction,
         },
         n_searches);
   }
+  accept(std::move(trial));
+  return t;
+}
+
+void Newton::go(const std::vector<double> &direction,
+                const std::vector<Jump> &step_jumps,
+                const double t,
+                State &trial)
+{
+  trial.u = present.u;
+  for (unsigned int k = 0; k < direction.size(); ++k)
+    trial.u[k] += t * direction[k];
+  trial.jumps = present.jumps;
+  for (unsigned int e = 0; e < step_jumps.size(); ++e)
+  {
+    trial.jumps[e].normal += t * step_jumps[e].normal;
+    trial.jumps[e].tangential += t * step_jumps[e].tangential;
+  }
+  evaluate(trial);
+}
+
+void Newton::accept(State trial)
+{
   last_force_change = 0.;
   for (unsigned int e = 0; e < trial.forces.size(); ++e)
     last_force_change = std::max(
@@ -249,7 +279,6 @@ double Newton::search(const std::vector<double> &direction,
          std::abs(trial.forces[e].tangential - present.forces[e].tangential)});
   last_force_change = structure.team().max(last_force_change);
   present = std::move(trial);
-  return t;
 }
 
 const std::vector<double> &Newton::u() const

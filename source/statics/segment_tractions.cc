@@ -124,14 +124,14 @@ segment_tractions_of_text(const std::string &list, const std::string &parameter)
     if (!is_valid)
       throw InputError("The parameter '" + parameter + "' has the element '" +
                        line + ": " + value +
-                       "'; \"x, y to x, y: g_x, g_y\" is expected, with "
-                       "finite numbers, as in 0, 1 to 0.5, 1: 0, -10, or "
-                       "\"g_x, g_y to g_x, g_y\" after the colon.");
+                       "'; write \"x, y to x, y: g_x, g_y\" with finite "
+                       "numbers, as in 0, 1 to 0.5, 1: 0, -10, or \"g_x, g_y "
+                       "to g_x, g_y\" after the colon.");
     const SegmentTraction segment = {*numbers[0], *numbers[1], *numbers[2],
                                      *numbers.back()};
     if (segment.start == segment.end)
       throw InputError("The parameter '" + parameter + "' has the line '" +
-                       line + "', which has no length.");
+                       line + "', which has no length; give two points.");
     segments.push_back(segment);
   }
   return segments;
@@ -163,8 +163,8 @@ void add_segment_traction(const Packing &packing,
                            text_of_point(segment.end) + ", of which ";
   if (covered > 1.)
     throw InputError(text(line, "parts run along two edges of the boundary, as "
-                                "at an open joint. Use 'Loads/Traction', which "
-                                "can ask for the normal nx, ny."));
+                                "at an open joint; take 'Loads/Traction', "
+                                "which can ask for the normal nx, ny."));
   throw InputError(
       text(line,
            covered == 0. ? std::string("nothing")

@@ -61,8 +61,9 @@ public:
    * @param middle their values at its centre.
    * @param limits of the arguments of the jumps, n_jumps() intervals.
    * @param crossings take the jumps whose arguments have a level strictly
-   *   inside what is possible in the box and within the limits; those that the
-   *   value there does not depend on are left out.
+   *   inside what is possible in the box and within the limits, or, without
+   *   limits, are equal to one but for rounding; those that the value there does
+   *   not depend on are left out.
    */
   Bounds bounds(const std::vector<Bounds> &variables,
                 const std::vector<double> &middle,

@@ -83,11 +83,17 @@ struct MechanismCertificate
   double closing_violation = 0.;
   /** Work of the load over the dissipation of friction; infinite if none. */
   double work_over_dissipation = 0.;
+  /**
+   * What the largest load on a cell would do in all closings together, over the
+   * work of the load less the dissipation: with one or more of it, normal forces
+   * of the size of that load could take up the difference.
+   */
+  double share_of_closing = 0.;
 };
 
 /**
  * Whether the load does more work than friction can dissipate, and joints close
- * by rounding only.
+ * by rounding only, also beside that work.
  */
 bool proves_collapse(const MechanismCertificate &certificate);
 

@@ -61,6 +61,15 @@ public:
    */
   double step(double shift, const std::vector<double> &centre);
 
+  /**
+   * Take Newton's own step, with the least shift, to its full length or the end
+   * of the energy's domain: close to the minimum, where rounding decides what a
+   * line search finds.
+   *
+   * @throws SolverError if the linear system cannot be solved.
+   */
+  void full_step();
+
   /** The displacement: n_dofs() numbers, with the ghosts. */
   const std::vector<double> &u() const;
 
@@ -113,6 +122,13 @@ private:
   void refine(const std::vector<Jump> &second,
               const std::vector<double> &right,
               std::vector<double> &d);
+  double longest_step(const std::vector<Jump> &step_jumps) const;
+  /** Find @p trial at @p t steps in a direction. */
+  void go(const std::vector<double> &direction,
+          const std::vector<Jump> &step_jumps,
+          double t,
+          State &trial);
+  void accept(State trial);
   double search(const std::vector<double> &direction,
                 double shift,
                 const std::vector<double> &centre);
