@@ -22,6 +22,17 @@ Interval integer_power(const Interval &a, const int n)
 {
   return n < 0 ? 1. / boost::numeric::pow(a, -n) : boost::numeric::pow(a, n);
 }
+
+/** a^p for p > 0 where a is not negative. */
+Bounds positive_power(const Bounds &a, const double p)
+{
+  const auto power = [&](const double exponent) {
+    const double first = std::pow(a.value.lower(), exponent);
+    const double last = std::pow(a.value.upper(), exponent);
+    return Interval(std::min(first, last), std::max(first, last));
+  };
+  return chain(a, power(p), p * power(p - 1.));
+}
 } // namespace
 
 double magnitude(const Interval &a)
@@ -86,6 +97,8 @@ Bounds pow(const Bounds &a, const Bounds &b)
       return chain(a, integer_power(a.value, n),
                    double(n) * integer_power(a.value, n - 1));
   }
+  if (is_number(b.value) && b.value.lower() > 0. && a.value.lower() >= 0.)
+    return positive_power(a, b.value.lower());
   if (!(a.value.lower() > 0.))
     return {Interval::whole(), {{Interval::whole(), Interval::whole()}}};
   const Bounds product = b * chain(a, log(a.value), 1. / a.value);

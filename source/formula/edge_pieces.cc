@@ -70,7 +70,8 @@ private:
     const Crossing &crossing = easiest(crossings);
     if (length < shortest_piece || open.size() + done.size() > n_max_pieces)
       done.push_back({part.begin, part.end, false, part.limits});
-    else if (magnitude(crossing.distance.value) <= rounding * crossing.scale)
+    else if (std::isfinite(crossing.scale) &&
+             magnitude(crossing.distance.value) <= rounding * crossing.scale)
       choose_side(part, crossing);
     else if (excludes_zero(crossing.distance.slope[0]))
       cut_at_root(part, crossing);

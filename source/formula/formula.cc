@@ -98,6 +98,11 @@ std::optional<double> level_beside(const Interval &a,
              : std::nullopt;
 }
 
+bool has_no_limits(const Interval &a)
+{
+  return std::isinf(a.lower()) && std::isinf(a.upper());
+}
+
 /** Whether a value is not zero, but for a set of measure zero. */
 enum class Truth
 {
@@ -473,7 +478,7 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
     const double first_step = function != nullptr ? function->first_step : 0.;
     const double period = function != nullptr ? function->period : 0.;
     auto level = level_inside(argument, first_step, period);
-    if (!level && std::isinf(magnitude(limits[jump])))
+    if (!level && has_no_limits(limits[jump]))
       level = level_beside(argument, first_step, period,
                            magnitude(node_bounds[node.operand[0]].value));
     if (!level)

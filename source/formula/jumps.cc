@@ -151,8 +151,10 @@ double Jumps::distance(const Crossing &crossing, const Point<2> &p) const
       first.begin() - 1;
   values[0] = p[0];
   values[1] = p[1];
-  return formulas[f].get().argument(crossing.jump - first[f], values) -
-         crossing.level;
+  const double distance =
+      formulas[f].get().argument(crossing.jump - first[f], values) -
+      crossing.level;
+  return std::isnan(distance) ? 0. : distance;
 }
 
 Jumps::Limits

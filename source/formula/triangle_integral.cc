@@ -53,6 +53,9 @@ constexpr unsigned int n_refinements = 3;
  * trusted: a peak was met, but not resolved. */
 constexpr double roughness = 1e-2;
 
+/** The part of the area in which nothing is looked for any more. */
+constexpr double smallest_part = 1e-14;
+
 /** More triangles are not cut for the sake of peaks. */
 constexpr unsigned int n_max_quartered = 500;
 
@@ -198,6 +201,11 @@ private:
            const unsigned int level)
   {
     const bool hides = may_hide_a_peak(part, found, limits);
+    if (area_of(part) <= smallest_part * area)
+    {
+      sum += found.sums;
+      return;
+    }
     const double local_size = found.size / area_of(part);
     if (found.unevenness <=
             smallest_unevenness * std::sqrt(mean_size * local_size) &&

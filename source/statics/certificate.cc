@@ -233,9 +233,8 @@ MechanismCertificate certify_mechanism(const Scene &scene,
                          : std::numeric_limits<double>::infinity();
   if (all_closings > 0.)
     certificate.share_of_closing =
-        work > dissipation
-            ? all_closings * largest_load / (work - dissipation)
-            : std::numeric_limits<double>::infinity();
+        work > dissipation ? all_closings * largest_load / (work - dissipation)
+                           : std::numeric_limits<double>::infinity();
   return certificate;
 }
 } // namespace Voussoir

@@ -89,10 +89,13 @@ double HardJoint::longest_step(const unsigned int /*e*/,
 
 void refine_hard_contact(const DiscreteProblem &problem,
                          const HardJoint &law,
-                         const std::vector<double> &u,
+                         std::vector<double> &u,
                          const double tolerance,
                          Solution &solution)
 {
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    if (!(problem.jump(joint, u.data()).normal > 0.))
+      return; // by rounding; the energy has no value there
   JointSystem system(problem, LinearSolver::automatic);
   Newton newton(problem, law, system, u);
   std::vector<JointLaw::Jump> forces;
@@ -113,6 +116,7 @@ void refine_hard_contact(const DiscreteProblem &problem,
   }
   solution.n_iterations += newton.n_iterations();
   solution.n_evaluations += newton.n_evaluations();
+  u = newton.u();
   solution.outcome = "converged";
 }
 } // namespace Voussoir

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/floating_point.h>
 #include <voussoir/statics/interior_point.h>
 
 #include <algorithm>
@@ -75,6 +76,9 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
 
 bool InteriorPoint::step()
 {
+  // Where rounding leaves no step, what comes out is not a number; it is looked
+  // at before it is used.
+  const InvalidOperationsAllowed allowed;
   ++iterations;
   const double mean = product();
   find_shortages();

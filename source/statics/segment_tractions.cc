@@ -78,6 +78,19 @@ std::optional<Overlap> overlap(const SegmentTraction &segment,
   return part.end > part.begin ? std::optional<Overlap>(part) : std::nullopt;
 }
 
+/** Whether parts, ascending, cover the line once. */
+bool cover_all(const std::vector<Overlap> &parts)
+{
+  double end = 0.;
+  for (const Overlap &part : parts)
+  {
+    if (std::abs(part.begin - end) > largest_distance)
+      return false;
+    end = part.end;
+  }
+  return std::abs(end - 1.) <= largest_distance;
+}
+
 /** Add the traction on a part of the line, times @p factor, to its edge. */
 void add_part(const Packing &packing,
               const SegmentTraction &segment,
@@ -150,7 +163,10 @@ void add_segment_traction(const Packing &packing,
       parts.push_back(*part);
       covered += part->end - part->begin;
     }
-  if (std::abs(covered - 1.) <= largest_distance)
+  std::sort(parts.begin(), parts.end(), [](const Overlap &a, const Overlap &b) {
+    return a.begin < b.begin;
+  });
+  if (cover_all(parts))
   {
     // The whole load acts, also if the last digits of its ends are missing.
     for (const Overlap &part : parts)
@@ -161,7 +177,7 @@ void add_segment_traction(const Packing &packing,
                            "' has the line from " +
                            text_of_point(segment.start) + " to " +
                            text_of_point(segment.end) + ", of which ";
-  if (covered > 1.)
+  if (covered > 1. - largest_distance)
     throw InputError(text(line, "parts run along two edges of the boundary, as "
                                 "at an open joint; take 'Loads/Traction', "
                                 "which can ask for the normal nx, ny."));

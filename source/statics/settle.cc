@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/settle.h>
 
@@ -115,9 +116,13 @@ Solution settle(const DiscreteProblem &problem,
       return minimise_by_interior_point(problem, costs, controls,
                                         displacement_unit, solution, terminal);
   }
-  catch (const std::bad_alloc &)
+  catch (const SolverError &)
   {
     // The first answer stands.
+  }
+  catch (const std::bad_alloc &)
+  {
+    // So it does.
   }
   return solution;
 }

@@ -62,8 +62,8 @@ public:
    * @param limits of the arguments of the jumps, n_jumps() intervals.
    * @param crossings take the jumps whose arguments have a level strictly
    *   inside what is possible in the box and within the limits, or, without
-   *   limits, are equal to one but for rounding; those that the value there does
-   *   not depend on are left out.
+   *   limits, are equal to one but for rounding; those that the value there
+   * does not depend on are left out.
    */
   Bounds bounds(const std::vector<Bounds> &variables,
                 const std::vector<double> &middle,

@@ -46,14 +46,14 @@ private:
  *
  * @param problem was solved.
  * @param law of its joints.
- * @param u Ipopt's displacement, n_dofs() numbers.
+ * @param u Ipopt's displacement, n_dofs() numbers; replaced, as the forces are.
  * @param tolerance the largest imbalance that will do.
  * @param solution with Ipopt's forces. They are replaced, and the outcome is
  *   "converged", if the steps converge; else nothing is changed.
  */
 void refine_hard_contact(const DiscreteProblem &problem,
                          const HardJoint &law,
-                         const std::vector<double> &u,
+                         std::vector<double> &u,
                          double tolerance,
                          Solution &solution);
 } // namespace Voussoir
