@@ -192,10 +192,10 @@ void check_segments()
 
 void check_warnings()
 {
-  // Rounding decides on which side of y = 0.3 the joint at 0.1 + 0.2 is.
+  // Rounding decides on which side of 0.1 + 0.2 the joint at 0.3 is.
   const Packing courses = wall(10, 1);
   for (const std::string &warning :
-       strengths_of(courses, "y < 0.3 ? 1 : 2").warnings)
+       strengths_of(courses, "y < 0.1 + 0.2 ? 1 : 2").warnings)
     std::cout << warning << std::endl;
   check("none where the jump is beside it",
         strengths_of(courses, "y < 0.3 + 1e-9 ? 1 : 2").warnings.empty());
