@@ -326,7 +326,7 @@ int main()
   Process earlier(program({"Packing/Voronoi/Number of points=20"}));
   check("An earlier run", earlier.status() == 0);
   std::ofstream("output/notes.txt") << "the user's own\n";
-  interrupt("in the solver", SIGINT, ipopt, packed(500));
+  interrupt("in the solver", SIGINT, ipopt, packed(150));
   for (const char *file :
        {"interfaces.csv", "cells.csv", "blocks.vtu", "stress.vtu"})
     interrupt(std::string("in ") + file, SIGTERM, {}, [file](const Process &) {

@@ -85,7 +85,7 @@ struct MechanismCertificate
   double work_over_dissipation = 0.;
   /**
    * What the largest load on a cell would do in all closings together, over the
-   * work of the load less the dissipation: with one or more of it, normal
+   * work of the load less the dissipation: where it is not small, normal
    * forces of the size of that load could take up the difference.
    */
   double share_of_closing = 0.;
