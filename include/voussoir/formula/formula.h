@@ -117,7 +117,8 @@ private:
   };
 
   friend class FormulaReader;
-  friend Formula read_formula(const mu::Parser &, const std::vector<double> &);
+  friend Formula read_formula(const mu::Parser &parser,
+                              const std::vector<double> &variables);
 
   static unsigned int n_operands(Kind kind);
   static bool has_jump(Kind kind);

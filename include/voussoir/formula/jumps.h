@@ -11,11 +11,16 @@
 
 namespace Voussoir
 {
-/** A parallelogram of points centre + s half_axes[0] + t half_axes[1], with s
- * and t from -1 to 1; lengths. The second axis may be zero. */
+/**
+ * A parallelogram of points centre + s half_axes[0] + t half_axes[1], with s
+ * and t from -1 to 1.
+ */
 struct Patch
 {
+  /** Its middle; lengths. */
   dealii::Point<2> centre;
+  /** From there to the middles of two sides; lengths. The second may be zero.
+   */
   std::array<dealii::Tensor<1, 2>, 2> half_axes;
 };
 
@@ -29,7 +34,9 @@ Patch box_around(const std::vector<dealii::Point<2>> &points);
 class Jumps
 {
 public:
+  /** Of all jumps of the formulas, counted through. */
   using Crossing = Formula::Crossing;
+  /** Of the arguments of all jumps. */
   using Limits = Formula::Limits;
 
   /** None: a smooth function. */

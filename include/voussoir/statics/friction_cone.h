@@ -53,7 +53,13 @@ public:
   /** A step: changes of force, w, sliding and r. */
   struct Step
   {
-    double q, w, v, r;
+    /** @{ */
+    /** The change of the quantity of that name. */
+    double q;
+    double w;
+    double v;
+    double r;
+    /** @} */
   };
   /** The step to the product @p target whose change of force is @p dq. */
   Step step(double target, double dq) const;

@@ -46,6 +46,7 @@ struct JointCost
 class InteriorPoint
 {
 public:
+  /** Of displacements or forces; see Structure::Jump. */
   using Jump = Structure::Jump;
 
   /** What is looked for. */
