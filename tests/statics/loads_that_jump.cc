@@ -182,12 +182,13 @@ void check_segments()
               std::abs(sum + 1.900001), 1e-12);
 
   const Packing on_ground = block_on_ground();
-  for (const std::string &bad :
+  for (const char *const bad :
        {"0.5, 1 to 1.5, 1: 0, -1", "0, 0.5 to 1, 0.5: 0, -1",
         "0, 0 to 1, 0: 0, -1", "0, 1 to 1, 1", "0, 1 to 1: 0, -1",
         "0, 1 to 1, 1: 0, nan", "0, 1 to 0, 1: 0, 1", "0, 1; 1, 1: 0, 1"})
-    show_refusal(
-        [&] { loads_on(on_ground, "set Segment tractions = " + bad); });
+    show_refusal([&] {
+      loads_on(on_ground, std::string("set Segment tractions = ") + bad);
+    });
 }
 
 void check_warnings()
@@ -200,7 +201,7 @@ void check_warnings()
   check("none where the jump is beside it",
         strengths_of(courses, "y < 0.3 + 1e-9 ? 1 : 2").warnings.empty());
   const Packing packing = block_on_ground();
-  for (const std::string &settings :
+  for (const char *const settings :
        {"set Traction = 0; ny > 0.5 ? x*sin(1/x) : 0",
         "set Traction = 0; y > 1 - 1e-16 ? 1 : 0"})
     for (const std::string &warning : loads_on(packing, settings).warnings)
