@@ -328,8 +328,11 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
     throw SolverError(text("The solver proposes a collapse mechanism, but it "
                            "closes joints by ",
                            proof.closing_violation,
-                           " of its size and the ratio of work to dissipation "
-                           "is ",
+                           " of its size, with which forces of the size of the "
+                           "load could do ",
+                           proof.share_of_closing,
+                           " of the difference between work and dissipation, "
+                           "and the ratio of these is ",
                            proof.work_over_dissipation,
                            ", which proves nothing. Try 'Formulation = least "
                            "energy', or a load farther from what the packing "

@@ -97,7 +97,7 @@ private:
       return false;
     const Patch patch = {a + 0.5 * (piece.begin + piece.end) * (b - a),
                          {{0.5 * length * (b - a), {}}}};
-    return !samples.cover(jumps.ranges(patch, piece.limits).front());
+    return !samples.cover(jumps.bounds_in(patch, piece.limits).front(), 0.);
   }
 
   void add(const EdgePiece &piece, Integral<Sums> found)

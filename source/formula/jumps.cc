@@ -9,6 +9,7 @@
 namespace Voussoir
 {
 using dealii::Point;
+using dealii::Tensor;
 
 namespace
 {
@@ -30,6 +31,23 @@ Patch box_around(const std::vector<Point<2>> &points)
   for (unsigned int i = 0; i < 2; ++i)
     patch.half_axes[i][i] = 0.5 * (upper[i] - lower[i]);
   return patch;
+}
+
+Patch rectangle_around(const std::array<Point<2>, 3> &triangle)
+{
+  unsigned int longest = 0;
+  double length = 0.;
+  for (unsigned int i = 0; i < 3; ++i)
+    if (triangle[i].distance(triangle[(i + 1) % 3]) > length)
+    {
+      longest = i;
+      length = triangle[i].distance(triangle[(i + 1) % 3]);
+    }
+  const Tensor<1, 2> side = triangle[(longest + 1) % 3] - triangle[longest];
+  const Tensor<1, 2> arm = triangle[(longest + 2) % 3] - triangle[longest];
+  const Tensor<1, 2> height = arm - (arm * side) / (side * side) * side;
+  return {triangle[longest] + 0.5 * (side + height),
+          {{0.5 * side, 0.5 * height}}};
 }
 
 Jumps::Jumps(const std::vector<std::reference_wrapper<const Formula>> &formulas,
@@ -60,12 +78,12 @@ bool Jumps::has_formulas() const
   return !formulas.empty();
 }
 
-std::vector<Interval> Jumps::ranges(const Patch &patch,
-                                    const Limits &limits) const
+std::vector<Bounds> Jumps::bounds_in(const Patch &patch,
+                                     const Limits &limits) const
 {
   const InvalidOperationsAllowed allowed;
   place(patch);
-  return ranges_there(limits);
+  return bounds_there(limits);
 }
 
 Jumps::Limits Jumps::no_limits() const
@@ -106,17 +124,14 @@ std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
   return crossings;
 }
 
-std::vector<Interval> Jumps::ranges_there(const Limits &limits) const
+std::vector<Bounds> Jumps::bounds_there(const Limits &limits) const
 {
-  std::vector<Interval> ranges;
+  std::vector<Bounds> all;
   std::vector<Crossing> crossings;
   for (unsigned int f = 0; f < formulas.size(); ++f)
-    ranges.push_back(
-        formulas[f]
-            .get()
-            .bounds(bounds, values, limits_of(f, limits), crossings)
-            .value);
-  return ranges;
+    all.push_back(formulas[f].get().bounds(bounds, values, limits_of(f, limits),
+                                           crossings));
+  return all;
 }
 
 bool Jumps::is_step(const Crossing &crossing,
@@ -129,15 +144,16 @@ bool Jumps::is_step(const Crossing &crossing,
   const auto beside = [&](const double far) {
     Crossing at_next = crossing;
     at_next.level = std::nextafter(crossing.level, far);
-    return ranges_there(on_side(at_next, far < 0., limits));
+    return bounds_there(on_side(at_next, far < 0., limits));
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto below = beside(-infinity), above = beside(infinity);
   for (unsigned int f = 0; f < formulas.size(); ++f)
   {
-    const double gap = std::max(below[f].lower() - above[f].upper(),
-                                above[f].lower() - below[f].upper());
-    if (gap > rounding_of_values * (magnitude(below[f]) + magnitude(above[f])))
+    const Interval &lower = below[f].value, &upper = above[f].value;
+    const double gap =
+        std::max(lower.lower() - upper.upper(), upper.lower() - lower.upper());
+    if (gap > rounding_of_values * (magnitude(lower) + magnitude(upper)))
       return true;
   }
   return false;

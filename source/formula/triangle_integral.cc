@@ -200,16 +200,15 @@ private:
            const Jumps::Limits &limits,
            const unsigned int level)
   {
-    const bool hides = may_hide_a_peak(part, found, limits);
     if (area_of(part) <= smallest_part * area)
     {
       sum += found.sums;
       return;
     }
     const double local_size = found.size / area_of(part);
-    if (found.unevenness <=
-            smallest_unevenness * std::sqrt(mean_size * local_size) &&
-        !hides)
+    const double even = smallest_unevenness * std::sqrt(mean_size * local_size);
+    const bool hides = may_hide_a_peak(part, found, limits, even);
+    if (found.unevenness <= even && !hides)
     {
       sum += found.sums;
       return;
@@ -244,13 +243,12 @@ private:
 
   bool may_hide_a_peak(const Triangle &part,
                        const Found &found,
-                       const Jumps::Limits &limits) const
+                       const Jumps::Limits &limits,
+                       const double negligible) const
   {
-    if (!jumps.has_formulas())
-      return false;
-    const auto ranges =
-        jumps.ranges(box_around({part.begin(), part.end()}), limits);
-    return !cover(found.samples, ranges);
+    return jumps.has_formulas() &&
+           !cover(found.samples,
+                  jumps.bounds_in(rectangle_around(part), limits), negligible);
   }
 
   /** Add the integral over a piece that one curve may cross. */

@@ -36,7 +36,8 @@ std::string inexact(const Results &results)
              cells.size() == 1 ? " is" : " are",
              " not balanced: ", scene.packing.describe(worst.cell), " at ",
              text_of_point(scene.packing.centre(worst.cell)), " lacks ",
-             worst.imbalance / worst.own_force, " of its load, and may slide.");
+             worst.imbalance / worst.own_force,
+             " of the load on it or beside it, and may slide.");
   }
   return text("The load is carried to within ", results.status.within,
               " of the largest load on a cell: neither forces that balance it "

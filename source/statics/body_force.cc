@@ -61,7 +61,8 @@ bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
       samples[i].add(part.samples[i].least);
       samples[i].add(part.samples[i].most);
     }
-  return !cover(samples, jumps.ranges(box_of(packing, c), jumps.no_limits()));
+  return !cover(samples, jumps.bounds_in(box_of(packing, c), jumps.no_limits()),
+                0.);
 }
 
 /** A sub-cell: the triangle of the centre and side i of a cell. */

@@ -33,14 +33,15 @@ double longest(const double a,
   const double constant = determinant(a, b, c);
   const double root = half_linear * half_linear - quadratic * constant;
   double t = da < 0. ? -a / da : infinity;
-  if (root >= 0.)
-  {
-    const double sum =
-        -(half_linear + std::copysign(std::sqrt(root), half_linear));
+  if (!(root >= 0.))
+    return t;
+  const double sum =
+      -(half_linear + std::copysign(std::sqrt(root), half_linear));
+  // It is zero only of a constant.
+  if (sum != 0.)
     for (const double zero : {sum / quadratic, constant / sum})
       if (zero > 0.)
         t = std::min(t, zero);
-  }
   return t;
 }
 } // namespace

@@ -23,10 +23,13 @@ using dealii::Tensor;
 namespace
 {
 /**
- * The distance of an edge from the line, over the length of the line, up to
- * which the line runs along it: coordinates are often written with few digits.
+ * The distance of an edge from the line, where they run side by side and over
+ * the longer one, up to which the line runs along it: coordinates are often
+ * written with few digits.
  */
 constexpr double largest_distance = 1e-6;
+/** What parts of the line may leave out of it, or cover twice. */
+constexpr double largest_gap = 1e-6;
 
 /** Two finite numbers "a, b", or nothing. */
 std::optional<Point<2>> pair_of_text(const std::string &text)
@@ -64,18 +67,18 @@ std::optional<Overlap> overlap(const SegmentTraction &segment,
   const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
   const Tensor<1, 2> line = segment.end - segment.start;
   const double square = line.norm_square();
-  double at[2];
-  unsigned int k = 0;
-  for (const Point<2> &p : {edge.start, edge.end})
-  {
-    const Tensor<1, 2> arm = p - segment.start;
-    if (std::abs(cross(line, arm)) > largest_distance * square)
+  const double s = (edge.start - segment.start) * line / square;
+  const double t = (edge.end - segment.start) * line / square;
+  const Overlap part = {b, std::max(std::min(s, t), 0.),
+                        std::min(std::max(s, t), 1.)};
+  if (!(part.end > part.begin))
+    return {};
+  const Tensor<1, 2> along = (edge.end - edge.start) / edge.length;
+  for (const double at : {part.begin, part.end})
+    if (std::abs(cross(along, segment.start + at * line - edge.start)) >
+        largest_distance * std::max(edge.length, line.norm()))
       return {};
-    at[k++] = arm * line / square;
-  }
-  const Overlap part = {b, std::max(std::min(at[0], at[1]), 0.),
-                        std::min(std::max(at[0], at[1]), 1.)};
-  return part.end > part.begin ? std::optional<Overlap>(part) : std::nullopt;
+  return part;
 }
 
 /** Whether parts, ascending, cover the line once. */
@@ -84,11 +87,11 @@ bool cover_all(const std::vector<Overlap> &parts)
   double end = 0.;
   for (const Overlap &part : parts)
   {
-    if (std::abs(part.begin - end) > largest_distance)
+    if (std::abs(part.begin - end) > largest_gap)
       return false;
     end = part.end;
   }
-  return std::abs(end - 1.) <= largest_distance;
+  return std::abs(end - 1.) <= largest_gap;
 }
 
 /** Add the traction on a part of the line, times @p factor, to its edge. */
@@ -177,7 +180,7 @@ void add_segment_traction(const Packing &packing,
                            "' has the line from " +
                            text_of_point(segment.start) + " to " +
                            text_of_point(segment.end) + ", of which ";
-  if (covered > 1. - largest_distance)
+  if (covered > 1. - largest_gap)
     throw InputError(text(line, "parts run along two edges of the boundary, as "
                                 "at an open joint; take 'Loads/Traction', "
                                 "which can ask for the normal nx, ny."));

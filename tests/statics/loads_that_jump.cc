@@ -11,6 +11,7 @@
 #include <voussoir/stress/cell_means.h>
 
 #include "tests.h"
+#include <iomanip>
 
 using namespace Voussoir;
 using dealii::Point;
@@ -180,6 +181,19 @@ void check_segments()
     sum += courses.boundary_edges()[b].length * of_few_digits.traction[b][1];
   check_error("all of a load of which the ends have few digits",
               std::abs(sum + 1.900001), 1e-12);
+
+  // A short line on a long edge, askew by the last digit of its ends.
+  const Packing turned = turned_squares(3);
+  const Packing::BoundaryEdge &edge = turned.boundary_edges()[0];
+  const Tensor<1, 2> along = edge.end - edge.start;
+  const Tensor<1, 2> askew = 5e-7 * edge.length * edge.normal;
+  const Point<2> start = edge.start + 0.4 * along;
+  const Point<2> end = edge.start + 0.402 * along + askew;
+  const auto short_line = loads_on(
+      turned, text(std::setprecision(16), "set Segment tractions = ", start[0],
+                   ", ", start[1], " to ", end[0], ", ", end[1], ": 0, -1"));
+  check_error("a short line on a long edge",
+              std::abs(short_line.traction[0][1] / 0.002 + 1.), 1e-6);
 
   const Packing on_ground = block_on_ground();
   for (const char *const bad :

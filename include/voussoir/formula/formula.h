@@ -74,6 +74,8 @@ private:
   /** The empty formula is for FormulaReader alone. */
   Formula() = default;
 
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
   enum class Kind
   {
     constant,
@@ -108,11 +110,11 @@ private:
     std::array<unsigned int, 3> operand;
     /** Of a constant. */
     double constant;
-    /** Of a variable or a function: its number. */
+    /** Of a variable or a function: its number; else none. */
     unsigned int number;
     /** The first node that belongs to it. */
     unsigned int first;
-    /** The number of its jump, if it has one. */
+    /** The number of its jump; none if it has no jump. */
     unsigned int jump;
   };
 
@@ -130,6 +132,7 @@ private:
   double argument_of(const Node &node) const;
   Bounds argument_bounds(const Node &node, const Interval &limit) const;
   Bounds bounds_of(const Node &node) const;
+  double middle_of(const Node &node, const Bounds &bounds) const;
   Bounds bounds_of_jump(const Node &node, const Bounds &argument) const;
   void evaluate_branch(unsigned int i,
                        const Bounds &argument,

@@ -27,6 +27,9 @@ struct Patch
 /** The axis-parallel rectangle around some points. */
 Patch box_around(const std::vector<dealii::Point<2>> &points);
 
+/** The rectangle on the longest side of a triangle, of twice its area. */
+Patch rectangle_around(const std::array<dealii::Point<2>, 3> &triangle);
+
 /**
  * The curves in the plane across which a function of the place may jump or have
  * a kink, as its formulas say. See Formula.
@@ -58,11 +61,12 @@ public:
   /** Whether there is none at all. */
   bool empty() const;
 
-  /** Whether there are formulas, and so ranges(). */
+  /** Whether there are formulas, and so bounds_in(). */
   bool has_formulas() const;
 
-  /** What each formula is between in @p patch within @p limits, roughly. */
-  std::vector<Interval> ranges(const Patch &patch, const Limits &limits) const;
+  /** Those of each formula in @p patch within @p limits; the slopes are along
+   * the half axes. */
+  std::vector<Bounds> bounds_in(const Patch &patch, const Limits &limits) const;
 
   /** No limits to the argument of any jump. */
   Limits no_limits() const;
@@ -93,8 +97,8 @@ public:
 private:
   /** Place @p patch in values and bounds. */
   void place(const Patch &patch) const;
-  /** The bounds of each formula where it was placed. */
-  std::vector<Interval> ranges_there(const Limits &limits) const;
+  /** Those of each formula where it was placed. */
+  std::vector<Bounds> bounds_there(const Limits &limits) const;
   Limits limits_of(unsigned int formula, const Limits &limits) const;
 
   std::vector<std::reference_wrapper<const Formula>> formulas;

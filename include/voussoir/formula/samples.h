@@ -32,29 +32,35 @@ struct Samples
   }
 
   /**
-   * Whether all that @p range allows is near to what was seen; true as well if
-   * the range is not bounded, and nothing can be said.
+   * Whether all that @p bounds allow is near to what was seen, or they allow
+   * nothing far from a linear function; true as well if they do not bound the
+   * value, and nothing can be said.
+   *
+   * @param negligible the distance from a linear function that is none.
    */
-  bool cover(const Interval &range) const
+  bool cover(const Bounds &bounds, const double negligible) const
   {
+    const Interval &range = bounds.value;
     // Points do not reach the ends of a part, a box is larger than a triangle
     // in it, and bounds are not the closest.
     constexpr double allowance = 2., rounding = 1e-9;
     const double slack = allowance * (most - least) +
                          rounding * std::max(std::abs(least), std::abs(most));
     return !std::isfinite(magnitude(range)) ||
-           (range.lower() >= least - slack && range.upper() <= most + slack);
+           (range.lower() >= least - slack && range.upper() <= most + slack) ||
+           width(bounds.slope[0]) + width(bounds.slope[1]) <= negligible;
   }
 };
 
-/** Whether the samples of functions cover their ranges, as far as these are
- * known: those of the first ranges.size() functions. */
+/** Whether the samples of functions cover their bounds, as far as these are
+ * known: those of the first bounds.size() functions. */
 inline bool cover(const std::array<Samples, 2> &samples,
-                  const std::vector<Interval> &ranges)
+                  const std::vector<Bounds> &bounds,
+                  const double negligible)
 {
   bool all = true;
-  for (unsigned int i = 0; i < samples.size() && i < ranges.size(); ++i)
-    all &= samples[i].cover(ranges[i]);
+  for (unsigned int i = 0; i < samples.size() && i < bounds.size(); ++i)
+    all &= samples[i].cover(bounds[i], negligible);
   return all;
 }
 } // namespace Voussoir
