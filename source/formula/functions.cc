@@ -59,7 +59,10 @@ const std::vector<SmoothFunction> &smooth_functions()
       {"tan", [](double x) { return std::tan(x); },
        [](const Bounds &a) {
          const Interval range = tan(a.value);
-         return chain(a, range, 1. + square(range));
+         // Across a pole it does not increase.
+         return chain(a, range,
+                      std::isfinite(magnitude(range)) ? 1. + square(range)
+                                                      : Interval::whole());
        }},
       {"asin", [](double x) { return std::asin(x); },
        [](const Bounds &a) {

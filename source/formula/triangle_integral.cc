@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -46,6 +47,10 @@ constexpr double smallest_unevenness = 2e-5;
  * that shows that it needs no more of that. */
 constexpr double smallest_change = 1e-12;
 
+/** The change of the whole integral that is not looked for any more, over the
+ * size of the function. */
+constexpr double smallest_doubt = 1e-14;
+
 /** How often a triangle is cut in four before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
 
@@ -56,8 +61,12 @@ constexpr double roughness = 1e-2;
 /** The part of the area in which nothing is looked for any more. */
 constexpr double smallest_part = 1e-14;
 
-/** More triangles are not cut for the sake of peaks. */
-constexpr unsigned int n_max_quartered = 500;
+/** More triangles are not cut in four. */
+constexpr unsigned int n_max_cut = 1000;
+
+/** The function is not evaluated more often than that to be exact: then what is
+ * left takes each of its rules once. */
+constexpr unsigned int n_max_evaluations = 2000000;
 
 double area_of(const Triangle &triangle)
 {
@@ -131,7 +140,9 @@ private:
     const Found found = apply_rule(triangle);
     mean_size = found.size / area;
     samples = found.samples;
-    add(triangle, found, jumps.no_limits(), 0);
+    const Jumps::Limits no_limits = jumps.no_limits();
+    look_at(triangle, found, no_limits, 0);
+    cut_doubtful();
   }
 
   void integrate_pieces()
@@ -154,12 +165,14 @@ private:
             sum += apply_rule(part).sums;
           }
           else
-            add(part, apply_rule(part), piece.limits, 0);
+            look_at(part, apply_rule(part), piece.limits, 0);
+    cut_doubtful();
   }
 
   /** At a point; the constant is the mean size. */
-  Sums at(const Point<2> &p) const
+  Sums at(const Point<2> &p)
   {
+    ++n_evaluations;
     const Tensor<1, 2> value = f(p);
     const Tensor<1, 2> arm = (p - origin) / scale;
     Sums sums;
@@ -168,7 +181,7 @@ private:
     return sums;
   }
 
-  Found apply_rule(const Triangle &part) const
+  Found apply_rule(const Triangle &part)
   {
     static const TriangleRule rule;
     const Tensor<1, 2> a = part[1] - part[0], b = part[2] - part[0];
@@ -194,26 +207,65 @@ private:
     return found;
   }
 
-  /** Add the integral over a triangle in which the function is smooth. */
-  void add(const Triangle &part,
-           const Found &found,
-           const Jumps::Limits &limits,
-           const unsigned int level)
+  /** A triangle in which the function is smooth, and what is known of it. */
+  struct Part
   {
-    if (area_of(part) <= smallest_part * area)
+    Triangle corners;
+    Found found;
+    const Jumps::Limits *limits;
+    /** How often it was cut in four. */
+    unsigned int level;
+    /** The integral of what bounds allow and was not seen; zero if none. */
+    double hidden;
+    /** What cutting it may change, roughly. */
+    double doubt;
+
+    bool operator<(const Part &other) const
+    {
+      return doubt < other.doubt;
+    }
+  };
+
+  /** Add the integral over a triangle, or put it off to be cut. */
+  void look_at(const Triangle &corners,
+               const Found &found,
+               const Jumps::Limits &limits,
+               const unsigned int level)
+  {
+    const double part_area = area_of(corners);
+    const double even =
+        smallest_unevenness * std::sqrt(mean_size * found.size / part_area);
+    const double hidden = hidden_in(corners, found, limits, even);
+    if (part_area <= smallest_part * area ||
+        (found.unevenness <= even && hidden == 0.))
     {
       sum += found.sums;
       return;
     }
-    const double local_size = found.size / area_of(part);
-    const double even = smallest_unevenness * std::sqrt(mean_size * local_size);
-    const bool hides = may_hide_a_peak(part, found, limits, even);
-    if (found.unevenness <= even && !hides)
+    doubtful.push_back({corners, found, &limits, level, hidden,
+                        std::max(hidden, found.unevenness * part_area)});
+    std::push_heap(doubtful.begin(), doubtful.end());
+  }
+
+  /** Go through what was put off, the most doubtful first. */
+  void cut_doubtful()
+  {
+    while (!doubtful.empty())
     {
-      sum += found.sums;
-      return;
+      std::pop_heap(doubtful.begin(), doubtful.end());
+      const Part part = doubtful.back();
+      doubtful.pop_back();
+      // The mean may be larger than when the part was put off.
+      if (part.doubt <= smallest_doubt * mean_size * area)
+        sum += part.found.sums;
+      else
+        cut(part);
     }
-    const std::array<Triangle, 4> triangles = quarters(part);
+  }
+
+  void cut(const Part &part)
+  {
+    const std::array<Triangle, 4> triangles = quarters(part.corners);
     std::array<Found, 4> finer;
     Found all;
     for (unsigned int k = 0; k < 4; ++k)
@@ -222,33 +274,44 @@ private:
       all.sums += finer[k].sums;
       all.size += finer[k].size;
     }
-    const double change = abs(all.sums - found.sums);
-    if (change <= smallest_change * mean_size * area_of(part) && !hides)
+    mean_size = std::max(mean_size, all.size / area);
+    const double change = abs(all.sums - part.found.sums);
+    const double enough = smallest_change * mean_size * area_of(part.corners);
+    const bool is_rough = change > roughness * all.size;
+    const bool is_last = n_cut >= n_max_cut;
+    if ((change <= enough && part.hidden == 0.) || (is_last && is_rough))
     {
       sum += all.sums;
-      error += change;
+      error += change <= enough ? change : all.size;
       return;
     }
-    const bool is_rough = hides || change > roughness * all.size;
-    if (level == n_refinements && !(is_rough && n_quartered < n_max_quartered))
+    if (is_last ||
+        (part.level >= n_refinements && !is_rough && part.hidden == 0.))
     {
       AreaPiece piece;
-      piece.corners.assign(part.begin(), part.end());
+      piece.corners.assign(part.corners.begin(), part.corners.end());
       return integrate_strips(piece);
     }
-    n_quartered += level == n_refinements;
+    ++n_cut;
     for (unsigned int k = 0; k < 4; ++k)
-      add(triangles[k], finer[k], limits, std::min(level + 1, n_refinements));
+      look_at(triangles[k], finer[k], *part.limits, part.level + 1);
   }
 
-  bool may_hide_a_peak(const Triangle &part,
-                       const Found &found,
-                       const Jumps::Limits &limits,
-                       const double negligible) const
+  /** See Part::hidden; for @p negligible see Samples::cover(). */
+  double hidden_in(const Triangle &part,
+                   const Found &found,
+                   const Jumps::Limits &limits,
+                   const double negligible) const
   {
-    return jumps.has_formulas() &&
-           !cover(found.samples,
-                  jumps.bounds_in(rectangle_around(part), limits), negligible);
+    if (!jumps.has_formulas())
+      return 0.;
+    const auto bounds = jumps.bounds_in(rectangle_around(part), limits);
+    if (cover(found.samples, bounds, negligible))
+      return 0.;
+    double range = 0.;
+    for (const Bounds &of_component : bounds)
+      range = std::max(range, width(of_component.value));
+    return range * area_of(part);
   }
 
   /** Add the integral over a piece that one curve may cross. */
@@ -257,12 +320,20 @@ private:
     const std::vector<double> cuts = strips(piece);
     for (unsigned int k = 0; k + 1 < cuts.size(); ++k)
     {
-      const auto strip =
-          integrate<n_points>([&](const double s) { return across(piece, s); },
-                              cuts[k], cuts[k + 1], outer_tolerance);
+      const auto strip = integrate<n_points>(
+          [&](const double s) { return across(piece, s); }, cuts[k],
+          cuts[k + 1], tolerance_or_any(outer_tolerance));
       sum += strip.value;
       error += strip.error;
     }
+  }
+
+  /** What integrate() is to reach: anything if it has had its evaluations. */
+  double tolerance_or_any(const double tolerance) const
+  {
+    return n_evaluations < n_max_evaluations
+               ? tolerance
+               : std::numeric_limits<double>::infinity();
   }
 
   /** Where corners are, and the curve leaves the piece; ascending. */
@@ -289,14 +360,14 @@ private:
   }
 
   /** The integral along the line at @p s through a piece. */
-  Sums across(const AreaPiece &piece, const double s) const
+  Sums across(const AreaPiece &piece, const double s)
   {
     const auto [a, b] = ends(piece, s);
     const double length = b[piece.along] - a[piece.along];
     const auto between = [&](const double begin, const double end) {
       return length * integrate<n_points>(
                           [&](const double t) { return at(a + t * (b - a)); },
-                          begin, end, inner_tolerance)
+                          begin, end, tolerance_or_any(inner_tolerance))
                           .value;
     };
     if (!(length > 0.))
@@ -349,7 +420,9 @@ private:
   Sums sum = 0.;
   std::array<Samples, 2> samples;
   double mean_size = 0., error = 0., uncertain = 0.;
-  unsigned int n_quartered = 0;
+  /** A heap. */
+  std::vector<Part> doubtful;
+  unsigned int n_cut = 0, n_evaluations = 0;
 };
 } // namespace
 

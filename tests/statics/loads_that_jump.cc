@@ -5,6 +5,7 @@
 // those by hand. Tractions on lines are clipped to edges to rounding, with
 // their first moments. What cannot be integrated exactly is a warning.
 
+#include <voussoir/base/text.h>
 #include <voussoir/statics/friction.h>
 #include <voussoir/statics/loads.h>
 #include <voussoir/statics/supports.h>
