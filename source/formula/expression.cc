@@ -19,6 +19,8 @@ struct Expression::Implementation
   mu::Parser parser;
   std::vector<double> values;
   bool is_constant = false;
+  /** Its value if it is constant. */
+  double constant = 0.;
   std::optional<Formula> formula;
 };
 
@@ -69,7 +71,7 @@ Expression::Expression(const std::string &formula,
     // Asked once, and of a valid formula: muParser parses anew for it, and is
     // content with names it does not know.
     implementation->is_constant = parser.GetUsedVar().empty();
-    parser.Eval(); // the byte code again
+    implementation->constant = parser.Eval(); // and the byte code again
     implementation->formula = read_formula(parser, implementation->values);
   }
   catch (const mu::ParserError &error)
@@ -85,6 +87,19 @@ Expression &Expression::operator=(Expression &&) noexcept = default;
 double Expression::operator()(const std::vector<double> &values) const
 {
   std::copy(values.begin(), values.end(), implementation->values.begin());
+  return value();
+}
+
+double Expression::operator()(const std::initializer_list<double> values) const
+{
+  std::copy(values.begin(), values.end(), implementation->values.begin());
+  return value();
+}
+
+double Expression::value() const
+{
+  if (implementation->is_constant)
+    return implementation->constant;
   const InvalidOperationsAllowed allowed;
   return implementation->parser.Eval();
 }

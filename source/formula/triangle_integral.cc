@@ -36,7 +36,7 @@ constexpr unsigned int n_points = 21;
 constexpr double narrowest_strip = 1e-14;
 
 /**
- * TriangleRule::unevenness() with which the rule is good, over the geometric
+ * LinearFit::unevenness() with which the rule is good, over the geometric
  * mean of the sizes of the function in the triangle and in all of them. The
  * errors of the integral and of its moments are at most about its square times
  * the local size: of a wave that passes zero, the moments.
@@ -187,7 +187,7 @@ private:
     const Tensor<1, 2> a = part[1] - part[0], b = part[2] - part[0];
     const double part_area = 0.5 * cross(a, b);
     Found found;
-    std::array<TriangleRule::Values, 2> values;
+    std::array<LinearFit<TriangleRule::n_points>::Values, 2> values;
     for (unsigned int q = 0; q < rule.n_points; ++q)
     {
       const Sums there =
@@ -203,7 +203,8 @@ private:
       }
     }
     for (unsigned int i = 0; i < 2; ++i)
-      found.unevenness = std::max(found.unevenness, rule.unevenness(values[i]));
+      found.unevenness =
+          std::max(found.unevenness, rule.fit.unevenness(values[i]));
     return found;
   }
 

@@ -28,22 +28,21 @@ bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
          !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
 }
 
-/** Over the triangles of the centre and each side of a cell. */
-std::vector<TriangleIntegral>
-integrals(const Packing &packing,
-          const unsigned int c,
-          const std::function<Tensor<1, 2>(const Point<2> &)> &b,
-          const Jumps &jumps,
-          const bool closely)
+/** Put into @p parts those over the triangles of the centre and each side of
+ * a cell. */
+void integrate(const Packing &packing,
+               const unsigned int c,
+               const std::function<Tensor<1, 2>(const Point<2> &)> &b,
+               const Jumps &jumps,
+               const bool closely,
+               std::vector<TriangleIntegral> &parts)
 {
   static const Jumps none;
-  std::vector<TriangleIntegral> parts;
-  parts.reserve(packing.n_sides(c));
+  parts.clear();
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     parts.push_back(triangle_integral(
         {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
         packing.centre(c), b, closely ? jumps : none));
-  return parts;
 }
 
 /** Whether bounds allow in a cell what was not seen in its triangles. */
@@ -87,6 +86,7 @@ BodyForce::BodyForce(
     Inaccuracies *const inaccuracies)
 {
   allocate(packing);
+  std::vector<TriangleIntegral> parts;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
@@ -95,9 +95,9 @@ BodyForce::BodyForce(
         };
     // A look at the whole cell is cheaper than one at each triangle.
     const bool closely = is_near(jumps, packing, c);
-    auto parts = integrals(packing, c, b_c, jumps, closely);
+    integrate(packing, c, b_c, jumps, closely, parts);
     if (!closely && may_hide_a_peak(parts, jumps, packing, c))
-      parts = integrals(packing, c, b_c, jumps, true);
+      integrate(packing, c, b_c, jumps, true, parts);
     double error = 0., size = 0., uncertain = 0.;
     for (unsigned int i = 0; i < parts.size(); ++i)
     {

@@ -66,15 +66,15 @@ public:
   /** @throws InputError that ends with @p where if the value is not finite. */
   template <typename Where>
   double component(const unsigned int i,
-                   const std::vector<double> &values,
+                   const std::initializer_list<double> values,
                    const Where &where) const
   {
     const double value = f[i](values);
     if (!std::isfinite(value))
-      throw InputError(text("'", parameter, "' has the component '",
-                            components[i], "', which is ",
-                            text_of_number(value), " at ",
-                            text_of_point({values[0], values[1]}), where()));
+      throw InputError(
+          text("'", parameter, "' has the component '", components[i],
+               "', which is ", text_of_number(value), " at ",
+               text_of_point({values.begin()[0], values.begin()[1]}), where()));
     return value;
   }
 

@@ -4,6 +4,7 @@
 
 #include <voussoir/formula/formula.h>
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ public:
    * for. Not thread safe.
    */
   double operator()(const std::vector<double> &values) const;
+  /** The same of a list that is not stored. */
+  double operator()(std::initializer_list<double> values) const;
 
   /** Whether the formula uses none of the variables. */
   bool is_constant() const;
@@ -50,6 +53,8 @@ public:
 
 private:
   struct Implementation;
+  double value() const;
+
   std::unique_ptr<Implementation> implementation;
 };
 

@@ -2,10 +2,7 @@
 #ifndef voussoir_formula_triangle_rule_h
 #define voussoir_formula_triangle_rule_h
 
-#include <deal.II/base/point.h>
-
-#include <array>
-#include <vector>
+#include <voussoir/formula/linear_fit.h>
 
 namespace Voussoir
 {
@@ -18,28 +15,19 @@ namespace Voussoir
  * and exponentials in all directions the error is at most 0.11 times its cube;
  * null rules of higher degree are blind in some directions.
  */
-class TriangleRule
+struct TriangleRule
 {
-public:
   TriangleRule();
 
   /** The number of points, seven. */
   static constexpr unsigned int n_points = 7;
-  /** Values of a function in them. */
-  using Values = std::array<double, n_points>;
 
   /** In the triangle (0, 0), (1, 0), (0, 1), of area one half. */
   std::vector<dealii::Point<2>> points;
   /** They add up to one. */
   std::vector<double> weights;
-
-  /** The root mean square of what is left of @p values by the linear function
-   * that fits them best; in their unit. */
-  double unevenness(const Values &values) const;
-
-private:
-  /** An orthonormal basis of the linear functions, by their values. */
-  std::array<Values, 3> linear;
+  /** Of values in them. */
+  LinearFit<n_points> fit;
 };
 } // namespace Voussoir
 
