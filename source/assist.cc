@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/assist.h>
-#include <voussoir/base/terminal.h>
 #include <voussoir/output/stress_pieces.h>
 #include <voussoir/statics/least_energy.h>
+#include <voussoir/terminal/terminal.h>
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <ostream>
+#include <string>
 
 namespace Voussoir
 {
@@ -13,20 +16,19 @@ void assist(const Team &team)
 {
   Terminal &silent = Terminal::silent(); // the root says what there is to say
   std::optional<StressPart> stress;
-  for (;;)
-    switch (team.wait())
-    {
-    case Team::Task::none:
-      return;
-    case Team::Task::least_energy:
-      assist_least_energy(team, silent);
-      break;
-    case Team::Task::stress:
-      stress.emplace(assist_stress(team, silent));
-      break;
-    case Team::Task::writing:
-      write_stress_piece(*stress, team);
-      break;
-    }
+  const std::map<std::string, std::function<void()>> tasks = {
+      {least_energy_task,
+       [&] {
+         assist_least_energy(team, silent);
+       }},
+      {stress_task,
+       [&] {
+         stress.emplace(assist_stress(team, silent));
+       }},
+      {writing_task, [&] {
+         write_stress_piece(*stress, team);
+       }}};
+  for (std::string task = team.wait(); !task.empty(); task = team.wait())
+    tasks.at(task)();
 }
 } // namespace Voussoir

@@ -2,8 +2,8 @@
 #include <voussoir/assist.h>
 #include <voussoir/base/blas.h>
 #include <voussoir/base/floating_point.h>
-#include <voussoir/base/interruption.h>
 #include <voussoir/command_line.h>
+#include <voussoir/terminal/interruption.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -48,7 +48,7 @@ int main(int argc, char **argv)
       interruption.clear_screen();
     status = Voussoir::run_command_line({argv + 1, argv + argc}, std::cout,
                                         std::cerr, team, screens);
-    team.call(Voussoir::Team::Task::none);
+    team.call("");
   }
   else
   {

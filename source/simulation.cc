@@ -12,9 +12,9 @@
 #include <voussoir/output/stress_pieces.h>
 #include <voussoir/output/stress_vtu.h>
 #include <voussoir/output/summary.h>
+#include <voussoir/scene/certificate.h>
 #include <voussoir/simulation.h>
 #include <voussoir/statics/assess.h>
-#include <voussoir/statics/certificate.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/unused_settings.h>
 
@@ -117,9 +117,10 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   terminal.set_verbosity(verbosity);
   for (const std::string &warning : unused_settings(prm))
     terminal.warning(warning);
-  const ResultDirectory check_early(output_directory);
+  ResultDirectory target(output_directory);
+  target.try_out();
   for (const std::filesystem::path &file : packing.input_files(directory))
-    check_early.spare(file);
+    target.spare(file);
   std::optional<EarlierRun> earlier;
   if (!forces_from.empty())
     earlier.emplace(forces_from);

@@ -2,7 +2,7 @@
 #ifndef voussoir_tests_polygons_h
 #define voussoir_tests_polygons_h
 
-#include <voussoir/packing/polygons.h>
+#include <voussoir/packing/polygons/polygons.h>
 
 #include <fstream>
 

@@ -4,12 +4,12 @@
 
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
-#include <voussoir/base/terminal.h>
-#include <voussoir/packing/voronoi.h>
-#include <voussoir/packing/wall.h>
-#include <voussoir/statics/certificate.h>
-#include <voussoir/statics/formulation.h>
-#include <voussoir/statics/scene.h>
+#include <voussoir/packing/generators/wall.h>
+#include <voussoir/packing/voronoi/voronoi.h>
+#include <voussoir/scene/certificate.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/statics/solver_parameters.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #ifndef voussoir_assist_h
 #define voussoir_assist_h
 
-#include <voussoir/base/team.h>
+#include <voussoir/parallel/team.h>
 
 namespace Voussoir
 {

@@ -2,8 +2,8 @@
 #ifndef voussoir_command_line_h
 #define voussoir_command_line_h
 
-#include <voussoir/base/screen.h>
-#include <voussoir/base/team.h>
+#include <voussoir/parallel/team.h>
+#include <voussoir/terminal/screen.h>
 
 #include <iosfwd>
 #include <string>

@@ -2,17 +2,17 @@
 #ifndef voussoir_simulation_h
 #define voussoir_simulation_h
 
-#include <voussoir/base/terminal.h>
-#include <voussoir/output/earlier_run.h>
+#include <voussoir/input/earlier_run.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
-#include <voussoir/packing/generator.h>
-#include <voussoir/statics/formulation.h>
-#include <voussoir/statics/friction.h>
-#include <voussoir/statics/loads.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/packing/packing_parameters.h>
+#include <voussoir/scene/friction.h>
+#include <voussoir/scene/loads.h>
+#include <voussoir/scene/supports.h>
+#include <voussoir/statics/solver_parameters.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>

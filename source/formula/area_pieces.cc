@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/formula/area_pieces.h>
-#include <voussoir/packing/geometry.h>
 
 #include <algorithm>
 #include <cmath>

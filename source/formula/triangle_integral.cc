@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/formula/area_pieces.h>
 #include <voussoir/formula/edge_pieces.h>
 #include <voussoir/formula/gauss_kronrod.h>
 #include <voussoir/formula/triangle_integral.h>
 #include <voussoir/formula/triangle_rule.h>
-#include <voussoir/packing/geometry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/interruption.h>
 #include <voussoir/output/result_directory.h>
+#include <voussoir/terminal/interruption.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -48,7 +48,16 @@ ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(std::strerror(errno));
   Uninterrupted().state("nothing was written, and '" + directory.string() +
-                        "' is as it was.");
+                        (fs::exists(directory) ? "' is as it was."
+                                               : "' was not made."));
+}
+
+void ResultDirectory::try_out()
+{
+  Uninterrupted whole;
+  make_staging(whole);
+  discard();
+  whole.on_interruption({});
 }
 
 void ResultDirectory::spare(const fs::path &input) const

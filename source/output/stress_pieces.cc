@@ -47,7 +47,7 @@ void write_stress_pieces(ResultDirectory &files,
     names.push_back(text("stress_", r, ".vtu"));
     paths.push_back(characters(files.place_for(names.back()).string()));
   }
-  team.call(Team::Task::writing);
+  team.call(writing_task);
   const auto failures = team.together([&]() {
     const std::vector<char> path = team.scatter(paths);
     return team.gather(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary.h>
+#include <voussoir/packing/connected_groups.h>
 #include <voussoir/version.h>
 
 #include <deal.II/base/config.h>
@@ -45,13 +46,12 @@ Json summary_of(const RunRecord &run, const Status &status)
   summary["processes"] = run.n_processes;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
-  summary["packing"] = {
-      {"cells", packing.n_cells()},
-      {"interfaces", packing.interfaces().size()},
-      {"supports", packing.n_supports()},
-      {"boundary_edges", packing.boundary_edges().size()},
-      {"static_indeterminacy", packing.static_indeterminacy()},
-      {"groups", groups}};
+  summary["packing"] = {{"cells", packing.n_cells()},
+                        {"interfaces", packing.interfaces().size()},
+                        {"supports", packing.n_supports()},
+                        {"boundary_edges", packing.boundary_edges().size()},
+                        {"static_indeterminacy", static_indeterminacy(packing)},
+                        {"groups", groups}};
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};

@@ -29,4 +29,14 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
   }
   return group;
 }
+
+unsigned int static_indeterminacy(const Packing &packing)
+{
+  const std::vector<unsigned int> group = connected_groups(packing);
+  unsigned int n_free_groups = 0;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    n_free_groups += (group[c] == c && group[c] != group[packing.ground()]);
+  return 2 * packing.interfaces().size() -
+         2 * (packing.n_cells() - n_free_groups);
+}
 } // namespace Voussoir

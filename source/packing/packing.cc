@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/cell_groups.h>
-#include <voussoir/packing/connected_groups.h>
-#include <voussoir/packing/geometry.h>
+#include <voussoir/packing/group_names.h>
 #include <voussoir/packing/packing.h>
 
 #include <algorithm>
@@ -369,15 +368,6 @@ const Point<2> &Packing::vertex(const unsigned int cell,
                                 const unsigned int i) const
 {
   return mesh.vertices[mesh.loops[mesh.first[cell] + i % n_sides(cell)]];
-}
-
-unsigned int Packing::static_indeterminacy() const
-{
-  const std::vector<unsigned int> group = connected_groups(*this);
-  unsigned int n_free_groups = 0;
-  for (unsigned int c = 0; c < n_cells(); ++c)
-    n_free_groups += (group[c] == c && group[c] != group[ground()]);
-  return 2 * interface_list.size() - 2 * (n_cells() - n_free_groups);
 }
 
 const std::vector<unsigned int> &Packing::not_convex() const

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
-#include <voussoir/statics/newton.h>
+#include <voussoir/statics/barrier_problem.h>
 #include <voussoir/statics/settle.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
@@ -15,24 +16,6 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/**
- * With this decrement the forces of the next step are right to its square. It
- * is the same for every tolerance, so that the centre is, too.
- */
-constexpr double largest_decrement = 1e-7;
-/**
- * The same for the forces themselves. In joints that are much stronger than
- * their load the decrement says little on them, and rounding leaves in each
- * step a part of their error.
- */
-constexpr double largest_force_change = 1e-6;
-
-/**
- * Newton's method takes up to 25 iterations where there is a centre or a
- * mechanism (measured: 60 to 10,000 cells, at 0.1 to 2 of the limit load).
- */
-constexpr unsigned int n_max_newton_iterations = 50;
-
 /** The shifts of fixed_joints(): from, to, and the ratio of one to the next. */
 constexpr double first_shift = 1e-4, shift_ratio = 1e-2;
 /** The smaller, the closer to the limit of its strength a joint may be. */
@@ -44,37 +27,6 @@ constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 constexpr double half_way = 0.316;
 constexpr double fixed_joints_decrement = 1e-4;
 constexpr unsigned int n_max_fixed_joints_steps = 30;
-
-/** The work of a load, over the size of its terms, that is not rounding. */
-constexpr double least_resistance = 1e-10;
-
-/**
- * The multiple of the problem's opening that has the least energy. Where the
- * load does not resist it any will do.
- */
-std::vector<double> start(const SharedProblem &problem, const BarrierJoint &law)
-{
-  const Structure &structure = problem.structure();
-  std::vector<double> u = problem.opening();
-
-  double sum_of_weights = 0.;
-  for (unsigned int e = 0; e < structure.joints().size(); ++e)
-    if (structure.is_own(structure.joints()[e]))
-      sum_of_weights += law.weight(e);
-  double size_of_terms = 0.;
-  for (unsigned int b = 0; b < structure.n_own_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms +=
-          std::abs(structure.loads()[b][i] * u[structure.dof(b, i)]);
-  const double resistance = -structure.work(u.data());
-  if (resistance > least_resistance * structure.team().sum(size_of_terms))
-  {
-    const double factor = structure.team().sum(sum_of_weights) / resistance;
-    for (double &component : u)
-      component *= factor;
-  }
-  return u;
-}
 
 /**
  * Find the joints where all admissible and balanced states have p = 0 or
@@ -128,26 +80,6 @@ fixed_joints(const DiscreteProblem &problem,
   return fixed;
 }
 
-Solution minimise_barrier(const SharedProblem &problem,
-                          const BarrierJoint &law,
-                          JointSystem &system,
-                          const double tolerance,
-                          const unsigned int n_max_iterations,
-                          Terminal &terminal)
-{
-  Newton newton(problem.structure(), law, system, start(problem, law));
-  const auto advance = [&]() -> std::optional<Mechanism> {
-    newton.step(least_shift, newton.u());
-    return {};
-  };
-  NewtonControls until;
-  until.imbalance = tolerance;
-  until.decrement = largest_decrement;
-  until.force_change = largest_force_change;
-  until.n_max_iterations = std::min(n_max_newton_iterations, n_max_iterations);
-  // No displacement of its own: the barrier's grows with its parameter.
-  return minimise(problem, newton, until, advance, 0., terminal);
-}
 } // namespace
 
 std::string AnalyticCentre::name() const
@@ -220,7 +152,7 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
         n_iterations >= controls.n_max_iterations)
       break;
     law = BarrierJoint(problem, weights);
-    Newton newton(problem, law, system, start(whole, law));
+    Newton newton(problem, law, system, start_of_barrier(whole, law));
     const auto fixed =
         fixed_joints(problem, law, last_shift,
                      controls.n_max_iterations - n_iterations, newton);
@@ -247,13 +179,4 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
   return solution;
 }
 
-std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
-                                                  Terminal &terminal)
-{
-  const BarrierJoint law(problem.structure(), BarrierWeights::equal);
-  JointSystem system(problem.structure(), LinearSolver::automatic);
-  return minimise_barrier(problem, law, system, SolverControls().tolerance,
-                          n_max_newton_iterations, terminal)
-      .mechanism;
-}
 } // namespace Voussoir

@@ -206,23 +206,6 @@ const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const
   return centre;
 }
 
-const Opening &DiscreteProblem::found_opening() const
-{
-  if (!opening_or_not)
-    opening_or_not = find_opening(*this);
-  return *opening_or_not;
-}
-
-const std::vector<double> &DiscreteProblem::opening() const
-{
-  return found_opening().displacement;
-}
-
-const std::vector<double> &DiscreteProblem::self_stress() const
-{
-  return found_opening().self_stress;
-}
-
 bool DiscreteProblem::is_held(const unsigned int body) const
 {
   const bool with_ground =

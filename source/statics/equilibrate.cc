@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_system.h>
 #include <voussoir/statics/equilibrate.h>
-#include <voussoir/statics/joint_system.h>
 
 #include <algorithm>
 #include <cmath>

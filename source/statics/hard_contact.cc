@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/hard_contact.h>
-#include <voussoir/statics/newton.h>
 
 #include <cmath>
 #include <limits>

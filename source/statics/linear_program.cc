@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/displacement_program.h>
+#include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
@@ -18,7 +19,7 @@ using Joint = DiscreteProblem::Joint;
  * the constraints are [u]_e . n_e of all joints, then v_e - [u]_e . t_e and
  * v_e + [u]_e . t_e of each with a strength.
  */
-class Program : public ConvexProgram
+class Program : public DisplacementProgram
 {
 public:
   explicit Program(const DiscreteProblem &problem) : problem(problem)
@@ -31,7 +32,7 @@ public:
   /** The problem's opening, and v_e = d_e above its least. */
   std::vector<double> start() const override
   {
-    std::vector<double> x = problem.opening();
+    std::vector<double> x = opening_of(problem).displacement;
     x.resize(n_unknowns());
     for (unsigned int k = 0; k < rough.size(); ++k)
     {
@@ -131,14 +132,14 @@ private:
   std::vector<unsigned int> rough;
 };
 
-Solution solve_program(const DiscreteProblem &problem,
-                       const SolverControls &controls,
-                       Terminal &terminal)
+Solution solve_linear_program(const DiscreteProblem &problem,
+                              const SolverControls &controls,
+                              Terminal &terminal)
 {
   Program program(problem);
-  const IpoptResult result = solve_with_ipopt(
-      problem, program, {controls.tolerance, controls.n_max_iterations},
-      terminal);
+  const ProgramResult result =
+      solve_program(problem, program,
+                    {controls.tolerance, controls.n_max_iterations}, terminal);
   Solution solution = make_solution(problem, result);
   if (!solution.mechanism)
     solution.forces = program.forces(result.multipliers);
@@ -174,7 +175,7 @@ Solution LinearProgram::select(const DiscreteProblem &problem,
   return solve_with_sufficient_strengths(
       problem, controls,
       [&](const DiscreteProblem &at_most, const SolverControls &rest) {
-        return solve_program(at_most, rest, terminal);
+        return solve_linear_program(at_most, rest, terminal);
       });
 }
 } // namespace Voussoir

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/statics/joint_system.h>
+#include <voussoir/algebra/joint_system.h>
+#include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/mechanism.h>
 
 #include <algorithm>
@@ -109,7 +110,7 @@ double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 {
   if (largest_closing(problem, v) <= rounding_of_closing)
     return 0.;
-  const std::vector<double> &opening = problem.opening();
+  const std::vector<double> &opening = opening_of(problem).displacement;
   if (opening.empty())
     return keep_joints_closed(problem, v)
                ? 0.

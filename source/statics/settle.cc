@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/settle.h>
 
 #include <algorithm>
@@ -108,7 +109,7 @@ Solution settle(const DiscreteProblem &problem,
     return solution;
   try
   {
-    if (!problem.opening().empty())
+    if (!opening_of(problem).displacement.empty())
       solution.mechanism = find_collapse_by_load_factor(problem, terminal);
     if (solution.mechanism)
       solution.outcome = "stopped by a proof of collapse";

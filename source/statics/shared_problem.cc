@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/shared_problem.h>
 
 #include <deal.II/base/exceptions.h>
@@ -194,14 +195,14 @@ void SharedProblem::on_root(const Action &action) const
 std::vector<double> SharedProblem::opening() const
 {
   std::vector<double> of_whole;
-  on_root([&]() { of_whole = whole->opening(); });
+  on_root([&]() { of_whole = opening_of(*whole).displacement; });
   return part ? scatter(of_whole) : of_whole;
 }
 
 bool SharedProblem::has_opening() const
 {
   bool has_one = false;
-  on_root([&]() { has_one = !whole->opening().empty(); });
+  on_root([&]() { has_one = !opening_of(*whole).displacement.empty(); });
   return team.broadcast(has_one);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters.h>
-#include <voussoir/statics/convex_program.h>
+#include <voussoir/statics/displacement_program.h>
+#include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/hard_contact.h>
 #include <voussoir/statics/settle.h>
 #include <voussoir/statics/smoothed_friction.h>
@@ -51,7 +52,7 @@ constexpr double imbalance_near_rounding = 1e-7;
 constexpr unsigned int n_before_interior_point = 60;
 
 /** The energy of SmoothedJoint; the unknowns are the displacements alone. */
-class Program : public ConvexProgram
+class Program : public DisplacementProgram
 {
 public:
   Program(const DiscreteProblem &problem,
@@ -68,7 +69,7 @@ public:
   /** Hard contact starts where every joint is open. */
   std::vector<double> start() const override
   {
-    return contact == Contact::hard ? problem.opening()
+    return contact == Contact::hard ? opening_of(problem).displacement
                                     : std::vector<double>(problem.n_dofs(), 0.);
   }
 
@@ -181,7 +182,7 @@ public:
   }
 
   /** The forces at the end, and the displacement with eps = 1. */
-  Solution solution(IpoptResult result)
+  Solution solution(ProgramResult result)
   {
     if (has_answer())
     {
@@ -213,7 +214,7 @@ private:
     return interior && (interior->converged() || interior->mechanism);
   }
 
-  Solution solution_of_ipopt(IpoptResult result) const
+  Solution solution_of_ipopt(ProgramResult result) const
   {
     std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
     const std::vector<double> multipliers = result.multipliers;
@@ -332,7 +333,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
   }
 
   Solution solution =
-      program.solution(solve_with_ipopt(problem, program, ipopt, terminal));
+      program.solution(solve_program(problem, program, ipopt, terminal));
   for (Tensor<1, 2> &u : solution.displacement)
     u *= smoothing_length;
   return solution;

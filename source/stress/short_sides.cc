@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/geometry.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/stress/short_sides.h>
 
 #include <cmath>

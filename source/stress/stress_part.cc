@@ -94,7 +94,7 @@ StressPart reconstruct_on_root(const Scene &scene,
                                const Team &team,
                                Terminal &terminal)
 {
-  team.call(Team::Task::stress);
+  team.call(stress_task);
   return team.together([&]() {
     team.broadcast(how);
     const std::size_t n_cells = scene.packing.n_cells();

@@ -4,8 +4,8 @@
 // closer than rounding, many cells at one point, slender bricks, courses of
 // very different heights, cells of 3 and of 1,000 sides, one to three cells.
 
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/geometry.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <deal.II/base/numbers.h>

@@ -6,8 +6,8 @@
 // All but the centres, whose forces lie in the interior that vanishes at the
 // limit, answer always.
 
-#include <voussoir/packing/arch.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/packing/generators/arch.h>
+#include <voussoir/scene/supports.h>
 
 #include "judgement.h"
 

@@ -9,8 +9,8 @@
 // The shortage of a load that friction hardly takes part in may fall below the
 // tolerance of least energy, which then finds a balance to that.
 
+#include <voussoir/scene/supports.h>
 #include <voussoir/statics/interior_point.h>
-#include <voussoir/statics/supports.h>
 
 #include "judgement.h"
 #include <chrono>

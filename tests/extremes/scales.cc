@@ -6,7 +6,7 @@
 // load, and divided by length and stress they are the same at every scale.
 
 #include <voussoir/base/text.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/scene/supports.h>
 
 #include "judgement.h"
 

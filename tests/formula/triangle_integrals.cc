@@ -5,10 +5,10 @@
 // functions, with 20 periods too, against Gauss' rule of many points; and jumps
 // that meet in the triangle.
 
+#include <voussoir/base/geometry.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/formula/inaccuracies.h>
 #include <voussoir/formula/triangle_integral.h>
-#include <voussoir/packing/geometry.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -144,5 +144,5 @@ int main(int argc, char **argv)
   compare_stress("fine", small, {true, 0, 0}, team);
   compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, team);
   std::cout.rdbuf(terminal);
-  team.call(Team::Task::none);
+  team.call("");
 }

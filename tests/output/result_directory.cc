@@ -77,6 +77,13 @@ int main()
   check("no directory stays for results that are not there",
         !fs::exists("new"));
 
+  // Before anything is solved: a name that no file system takes.
+  show_refusal([] {
+    ResultDirectory("new/" + std::string(300, 'x')).try_out();
+  });
+  ResultDirectory("new/below").try_out();
+  check("nothing stays of a trial", !fs::exists("new"));
+
   std::ofstream("file") << "in the way\n";
   try
   {

@@ -6,8 +6,8 @@
 
 #include <voussoir/output/stress_vtu.h>
 #include <voussoir/packing/cell_range.h>
-#include <voussoir/packing/random_points.h>
-#include <voussoir/packing/voronoi_cells.h>
+#include <voussoir/packing/voronoi/random_points.h>
+#include <voussoir/packing/voronoi/voronoi_cells.h>
 
 #include <filesystem>
 #include <fstream>

@@ -4,7 +4,7 @@
 // mirror images to the last bit, piers and skewbacks; failures.
 
 #include <voussoir/base/text.h>
-#include <voussoir/packing/arch.h>
+#include <voussoir/packing/generators/arch.h>
 
 #include "tests.h"
 

@@ -3,6 +3,7 @@
 // Groups of cells by conditions on their centres; names that cannot be used.
 
 #include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
 
 #include "tests.h"
 

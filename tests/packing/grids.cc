@@ -4,8 +4,8 @@
 // regular and have six neighbours inside, quadrilaterals are convex at the
 // largest perturbation; failures.
 
-#include <voussoir/packing/honeycomb.h>
-#include <voussoir/packing/perturbed_grid.h>
+#include <voussoir/packing/generators/honeycomb.h>
+#include <voussoir/packing/generators/perturbed_grid.h>
 
 #include "tests.h"
 

@@ -25,7 +25,7 @@ int main()
   std::cout << packing.n_cells() << " cells, " << packing.interfaces().size()
             << " interfaces, " << packing.boundary_edges().size()
             << " boundary edges, static indeterminacy "
-            << packing.static_indeterminacy() << std::endl;
+            << static_indeterminacy(packing) << std::endl;
   for (const auto &i : packing.interfaces())
     std::cout << i.cell_minus << " -> " << i.cell_plus << "  n = " << i.normal
               << "  t = " << i.tangent() << "  length " << i.length << "  at "
@@ -64,5 +64,5 @@ int main()
   std::cout << "touching in a point: " << two.interfaces().size()
             << " interfaces, groups " << connected_groups(two)[0] << " and "
             << connected_groups(two)[1] << ", static indeterminacy "
-            << two.static_indeterminacy() << std::endl;
+            << static_indeterminacy(two) << std::endl;
 }

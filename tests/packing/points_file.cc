@@ -3,7 +3,7 @@
 // Points files: the separators and comments that are read, and the lines that
 // are not.
 
-#include <voussoir/packing/points_file.h>
+#include <voussoir/packing/polygons/points_file.h>
 
 #include "tests.h"
 #include <fstream>

@@ -5,7 +5,7 @@
 // is the same packing.
 
 #include <voussoir/output/packing_files.h>
-#include <voussoir/packing/polygon_checks.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>

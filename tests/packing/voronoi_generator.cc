@@ -3,7 +3,7 @@
 // The generator of Voronoi packings: the seed decides, Lloyd steps make the
 // cells alike, scaling the rectangle scales the packing; failures.
 
-#include <voussoir/packing/voronoi.h>
+#include <voussoir/packing/voronoi/voronoi.h>
 
 #include "tests.h"
 #include <fstream>

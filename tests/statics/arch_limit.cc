@@ -5,9 +5,9 @@
 // does not depend on the thickness. Each formulation carries it just above and
 // proves the collapse just below.
 
-#include <voussoir/packing/arch.h>
-#include <voussoir/statics/reactions.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/packing/generators/arch.h>
+#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/supports.h>
 
 #include "tests.h"
 

@@ -4,7 +4,7 @@
 // corrections come out, every formulation's loose answers balance to rounding
 // afterwards, and no answer gets worse.
 
-#include <voussoir/statics/certificate.h>
+#include <voussoir/scene/certificate.h>
 #include <voussoir/statics/equilibrate.h>
 
 #include "tests.h"

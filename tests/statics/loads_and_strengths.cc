@@ -6,9 +6,9 @@
 // refused.
 
 #include <voussoir/packing/cell_groups.h>
-#include <voussoir/statics/friction.h>
-#include <voussoir/statics/loads.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/scene/friction.h>
+#include <voussoir/scene/loads.h>
+#include <voussoir/scene/supports.h>
 
 #include "tests.h"
 

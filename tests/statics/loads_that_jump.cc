@@ -6,9 +6,9 @@
 // their first moments. What cannot be integrated exactly is a warning.
 
 #include <voussoir/base/text.h>
-#include <voussoir/statics/friction.h>
-#include <voussoir/statics/loads.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/scene/friction.h>
+#include <voussoir/scene/loads.h>
+#include <voussoir/scene/supports.h>
 #include <voussoir/stress/cell_means.h>
 
 #include "tests.h"

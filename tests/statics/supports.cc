@@ -4,9 +4,10 @@
 // the reaction is the weight, clamped blocks hang by friction, and what has no
 // interior of the contact constraints is named.
 
-#include <voussoir/packing/arch.h>
-#include <voussoir/statics/reactions.h>
-#include <voussoir/statics/supports.h>
+#include <voussoir/packing/generators/arch.h>
+#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/supports.h>
+#include <voussoir/statics/find_opening.h>
 
 #include "tests.h"
 
@@ -132,7 +133,8 @@ int main()
     const Scene clamped =
         under_weight(column({1.}, 1.), strength, 1., "abs(nx) > 0.5");
     const DiscreteProblem problem(clamped);
-    check("clamped: nothing opens both sides", problem.opening().empty());
+    check("clamped: nothing opens both sides",
+          opening_of(problem).displacement.empty());
     for (const Way &way : {least_energy, compliant})
     {
       const Solution solution = Solver(way).solve(problem);
@@ -193,7 +195,8 @@ int main()
         under_weight(Packing(generator.generate("", Terminal::silent())),
                      strength, 22., "y < 0.001");
     const DiscreteProblem problem(piers);
-    check("arch on held piers: clamped", problem.opening().empty());
+    check("arch on held piers: clamped",
+          opening_of(problem).displacement.empty());
     const Solution solution = Solver(least_energy).solve(problem);
     if (strength > 21.48)
       check_certificate("arch on held piers", piers,
@@ -210,7 +213,7 @@ int main()
   const Scene arch = under_weight(flat_arch(7, 0.2), 1.2, 1., "abs(nx) > 0.99");
   check("flat arch: two supports", arch.packing.n_supports() == 2);
   const DiscreteProblem arch_problem(arch);
-  const std::vector<double> opening = arch_problem.opening();
+  const std::vector<double> opening = opening_of(arch_problem).displacement;
   bool opens = !opening.empty();
   for (const auto &joint : arch_problem.joints())
     opens &= arch_problem.jump(joint, opening.data()).normal > 0.;

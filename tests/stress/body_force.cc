@@ -5,7 +5,7 @@
 // cells with more sides, over the cell. The mean stress of the cells is that of
 // the exact field; the torque of the body force counts.
 
-#include <voussoir/statics/supports.h>
+#include <voussoir/scene/supports.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/stress/reconstruction.h>
 

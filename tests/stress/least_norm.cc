@@ -6,7 +6,7 @@
 // block of unit density. The error of the stress against that of a finer mesh
 // falls by refinement.
 
-#include <voussoir/packing/geometry.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/stress/fan.h>
 #include <voussoir/stress/least_norm.h>
 

@@ -5,7 +5,7 @@
 // up to the length of the sides; under a uniform one exactly. The elements
 // themselves refuse a cell whose sides they cannot resolve.
 
-#include <voussoir/packing/geometry.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/stress/fan.h>
 #include <voussoir/stress/least_norm.h>
 #include <voussoir/stress/short_sides.h>

@@ -2,8 +2,8 @@
 #ifndef voussoir_output_result_directory_h
 #define voussoir_output_result_directory_h
 
-#include <voussoir/base/interruption.h>
-#include <voussoir/base/terminal.h>
+#include <voussoir/terminal/interruption.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <filesystem>
 #include <functional>
@@ -24,12 +24,21 @@ class ResultDirectory
 {
 public:
   /**
-   * @throws InputError if nothing can be written there; so a long run does not
-   *   find that out at its end. Nothing is created yet.
+   * Nothing is created yet.
+   *
+   * @throws InputError if it is plain that nothing can be written there.
    * @param terminal is told which file is being written.
    */
   explicit ResultDirectory(std::filesystem::path directory,
                            Terminal &terminal = Terminal::silent());
+  /**
+   * Make what write() needs, and remove it, so that a long run does not find
+   * out at its end that this cannot be.
+   *
+   * @throws InputError if it cannot.
+   */
+  void try_out();
+
   /**
    * @throws InputError if @p input is one of the files that a run may write
    * here: it would be lost.

@@ -2,10 +2,10 @@
 #ifndef voussoir_output_results_h
 #define voussoir_output_results_h
 
-#include <voussoir/statics/certificate.h>
-#include <voussoir/statics/load_parts.h>
-#include <voussoir/statics/reactions.h>
-#include <voussoir/statics/scene.h>
+#include <voussoir/scene/certificate.h>
+#include <voussoir/scene/load_parts.h>
+#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/scene.h>
 #include <voussoir/statics/status.h>
 #include <voussoir/stress/reconstruction.h>
 

@@ -5,6 +5,8 @@
 #include <voussoir/output/result_directory.h>
 #include <voussoir/stress/stress_part.h>
 
+#include <string>
+
 namespace Voussoir
 {
 /**
@@ -17,6 +19,9 @@ namespace Voussoir
 void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
                          const Team &team);
+
+/** What the root calls the others to for it; see Team::call(). */
+inline const std::string writing_task = "writing";
 
 /** The part of another process in write_stress_pieces(). */
 void write_stress_piece(const StressPart &part, const Team &team);

@@ -2,8 +2,8 @@
 #ifndef voussoir_output_summary_h
 #define voussoir_output_summary_h
 
-#include <voussoir/base/terminal.h>
 #include <voussoir/output/results.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <iosfwd>
 

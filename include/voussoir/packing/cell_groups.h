@@ -5,36 +5,9 @@
 #include <voussoir/packing/packing.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace Voussoir
 {
-/** The name of the group of what supports the packing. */
-extern const std::string ground_name;
-
-/**
- * What is wrong with @p name for a group of cells, as the end of a sentence
- * about it; empty if nothing is. Names stand in lists of parameters and in
- * files, so they have none of the characters that separate there.
- */
-std::string fault_of_group_name(const std::string &name);
-
-/** The name in quotes for a message, with ? for what cannot be shown. */
-std::string quoted_group_name(const std::string &name);
-
-/** @throws InputError if @p name cannot be that of a group of cells. */
-void check_group_name(const std::string &name);
-
-/**
- * Split a list "name: value; name: value", as parameters about groups of cells
- * have it, into names and values without the spaces around them.
- *
- * @throws InputError naming @p parameter if an element has no name or value.
- */
-std::vector<std::pair<std::string, std::string>>
-split_named_list(const std::string &list, const std::string &parameter);
-
 /**
  * The number of the group @p name.
  *

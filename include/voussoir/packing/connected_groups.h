@@ -27,6 +27,13 @@ enum class Ground
  */
 std::vector<unsigned int> connected_groups(const Packing &packing,
                                            Ground ground = Ground::connects);
+
+/**
+ * The degree of static indeterminacy, of forces without moments: two forces
+ * per interface, less the independent equations of force balance, two per cell
+ * but for two per connected group of cells that has no support.
+ */
+unsigned int static_indeterminacy(const Packing &packing);
 } // namespace Voussoir
 
 #endif

@@ -197,13 +197,6 @@ public:
   /** Vertex @p i of a cell, counted modulo the number of its sides; lengths. */
   const dealii::Point<2> &vertex(unsigned int cell, unsigned int i) const;
 
-  /**
-   * The degree of static indeterminacy, of forces without moments: two forces
-   * per interface, less the independent equations of force balance, two per
-   * cell but for two per connected group of cells that has no support.
-   */
-  unsigned int static_indeterminacy() const;
-
   /** The cells that are not convex, only star-shaped; ascending numbers. */
   const std::vector<unsigned int> &not_convex() const;
   /** What the user ought to know of how the input was understood. */

@@ -4,9 +4,7 @@
 
 #include <voussoir/statics/barrier_joint.h>
 #include <voussoir/statics/formulation.h>
-#include <voussoir/statics/shared_problem.h>
 
-#include <optional>
 #include <string>
 
 namespace Voussoir
@@ -46,19 +44,6 @@ private:
 
   BarrierWeights weights = BarrierWeights::edge_area;
 };
-
-/**
- * Look for a proof that the load on a packing with an opening is not carried.
- * The iterates of the barrier problem close no joint and need no correction to
- * be mechanisms; where there is one they meet it within some 25 iterations,
- * close to the limit and far beyond, and where there is none they converge.
- * Collective.
- *
- * @return the proof, or none if none was found, which proves nothing.
- * @throws SolverError if a linear system cannot be solved.
- */
-std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
-                                                  Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -2,9 +2,9 @@
 #ifndef voussoir_statics_assess_h
 #define voussoir_statics_assess_h
 
-#include <voussoir/base/terminal.h>
-#include <voussoir/statics/certificate.h>
+#include <voussoir/scene/certificate.h>
 #include <voussoir/statics/status.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <optional>
 #include <vector>

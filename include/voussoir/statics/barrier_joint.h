@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_barrier_joint_h
 #define voussoir_statics_barrier_joint_h
 
-#include <voussoir/statics/joint_law.h>
+#include <voussoir/algebra/joint_law.h>
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 #ifndef voussoir_statics_discrete_problem_h
 #define voussoir_statics_discrete_problem_h
 
+#include <voussoir/algebra/structure.h>
+#include <voussoir/scene/scene.h>
 #include <voussoir/statics/opening.h>
-#include <voussoir/statics/scene.h>
-#include <voussoir/statics/structure.h>
 
 #include <optional>
 #include <vector>
@@ -58,20 +58,6 @@ public:
    */
   const std::vector<dealii::Tensor<1, 2>> &centres() const;
   /**
-   * A displacement that opens every joint, n_dofs() numbers: the strict
-   * interior of the contact constraints. Without supports it is the uniform
-   * dilation u = x_c, from the centroid of the packing, for which [u]_e . n_e =
-   * d_e. Empty if none is found.
-   */
-  const std::vector<double> &opening() const;
-  /**
-   * The proof that there is none, as for a block clamped between two walls:
-   * p_e >= 0 of each joint, of any size, normal forces that balance by
-   * themselves, so that there is no bound to those under a load. Empty if there
-   * is an opening, or if the digits of the coordinates do not tell.
-   */
-  const std::vector<double> &self_stress() const;
-  /**
    * Whether @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
    */
@@ -113,7 +99,6 @@ public:
   double rounding_of_coordinates() const;
 
 private:
-  const Opening &found_opening() const;
   void choose_scales(const Scene &scene, const std::vector<bool> &moves);
   void add_joint(const Scene &scene,
                  unsigned int interface,
@@ -128,10 +113,10 @@ private:
   std::vector<dealii::Tensor<1, 2>> centre;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
-  /** Found when it is first asked for. */
-  mutable std::optional<Opening> opening_or_not;
+  friend const Opening &opening_of(const DiscreteProblem &problem);
+  /** See opening_of(). */
+  mutable std::optional<Opening> opening;
 };
-
 } // namespace Voussoir
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef voussoir_statics_find_collapse_h
 #define voussoir_statics_find_collapse_h
 
-#include <voussoir/base/terminal.h>
 #include <voussoir/statics/shared_problem.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <optional>
 

@@ -2,36 +2,19 @@
 #ifndef voussoir_statics_formulation_h
 #define voussoir_statics_formulation_h
 
-#include <voussoir/base/terminal.h>
 #include <voussoir/statics/discrete_problem.h>
 #include <voussoir/statics/solution.h>
+#include <voussoir/statics/solver_controls.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace Voussoir
 {
 /** The outcome where there is no interface or no load. */
 inline const std::string nothing_to_balance = "nothing to balance";
-
-/** What all formulations are told about how to solve. */
-struct SolverControls
-{
-  /** Largest force imbalance to stop at, nondimensional. */
-  double tolerance = 1e-10;
-  /** After so many iterations a solver gives up. */
-  unsigned int n_max_iterations = 300;
-  /** Whether equilibrate() follows. */
-  bool equilibrate = false;
-  /**
-   * The processes that can help; a formulation that cannot use them works on
-   * the root alone.
-   */
-  Team team = Team();
-};
 
 /**
  * A way to select one of the admissible and balanced states of the interface
@@ -78,32 +61,10 @@ private:
  * answer there.
  *
  * @throws InputError if no motion opens all contacts of @p problem; see
- *   DiscreteProblem::opening().
+ *   opening_of().
  */
 void require_interior(const DiscreteProblem &problem,
                       const std::string &formulation);
-
-/** The entry `Formulation` and the section `Solver`. */
-class SolverParameters
-{
-public:
-  /** With all formulations, and the processes that can help them. */
-  explicit SolverParameters(const Team &team = Team());
-
-  /** Declare the entry and the section, and bind them. */
-  void add_parameters(dealii::ParameterHandler &prm);
-
-  /** The one that was chosen, with its parameters. */
-  const Formulation &formulation() const;
-
-  /** What all formulations are told. */
-  const SolverControls &controls() const;
-
-private:
-  std::vector<std::unique_ptr<Formulation>> formulations;
-  unsigned int chosen = 0;
-  SolverControls common;
-};
 
 /** Correct the forces of @p solution by equilibrate(), and say by how much. */
 void equilibrate_solution(const DiscreteProblem &problem, Solution &solution);

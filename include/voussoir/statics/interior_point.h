@@ -2,9 +2,9 @@
 #ifndef voussoir_statics_interior_point_h
 #define voussoir_statics_interior_point_h
 
+#include <voussoir/algebra/joint_system.h>
 #include <voussoir/statics/discrete_problem.h>
 #include <voussoir/statics/friction_cone.h>
-#include <voussoir/statics/joint_system.h>
 
 #include <vector>
 

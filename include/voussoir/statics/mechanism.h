@@ -42,7 +42,7 @@ struct Mechanism
 /**
  * Look whether the displacement @p u (n_dofs() numbers, any size) proves that
  * the load is not carried. Where it closes joints it is first corrected by
- * DiscreteProblem::opening(), which opens all of them; the correction's work
+ * opening_of(), which opens all of them; the correction's work
  * and dissipation are counted, so a mechanism that is returned is a proof.
  *
  * @return none if @p u proves nothing.

@@ -2,11 +2,11 @@
 #ifndef voussoir_statics_settle_h
 #define voussoir_statics_settle_h
 
-#include <voussoir/base/terminal.h>
-#include <voussoir/statics/formulation.h>
 #include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/mechanism.h>
 #include <voussoir/statics/solution.h>
+#include <voussoir/statics/solver_controls.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <optional>
 #include <vector>

@@ -38,9 +38,9 @@ public:
   /** The part of this process. */
   const Structure &structure() const;
 
-  /** This process' part of DiscreteProblem::opening(); collective. */
+  /** This process' part of the displacement of opening_of(); collective. */
   std::vector<double> opening() const;
-  /** Whether DiscreteProblem::opening() is one; collective. */
+  /** Whether opening_of() has one; collective. */
   bool has_opening() const;
 
   /**

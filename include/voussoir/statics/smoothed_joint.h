@@ -2,8 +2,8 @@
 #ifndef voussoir_statics_smoothed_joint_h
 #define voussoir_statics_smoothed_joint_h
 
+#include <voussoir/algebra/joint_law.h>
 #include <voussoir/statics/discrete_problem.h>
-#include <voussoir/statics/joint_law.h>
 
 namespace Voussoir
 {

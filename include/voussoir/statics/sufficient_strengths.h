@@ -2,7 +2,8 @@
 #ifndef voussoir_statics_sufficient_strengths_h
 #define voussoir_statics_sufficient_strengths_h
 
-#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/solution.h>
+#include <voussoir/statics/solver_controls.h>
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 #define voussoir_stress_cell_forces_h
 
 #include <voussoir/packing/cell_range.h>
-#include <voussoir/statics/scene.h>
+#include <voussoir/scene/scene.h>
 
 #include <vector>
 

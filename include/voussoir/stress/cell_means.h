@@ -2,7 +2,7 @@
 #ifndef voussoir_stress_cell_means_h
 #define voussoir_stress_cell_means_h
 
-#include <voussoir/statics/scene.h>
+#include <voussoir/scene/scene.h>
 
 #include <vector>
 

@@ -2,10 +2,10 @@
 #ifndef voussoir_stress_reconstruction_h
 #define voussoir_stress_reconstruction_h
 
-#include <voussoir/base/terminal.h>
-#include <voussoir/statics/scene.h>
+#include <voussoir/scene/scene.h>
 #include <voussoir/stress/cell_forces.h>
 #include <voussoir/stress/cell_stress.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -2,9 +2,9 @@
 #ifndef voussoir_stress_stress_part_h
 #define voussoir_stress_stress_part_h
 
-#include <voussoir/base/team.h>
-#include <voussoir/base/terminal.h>
+#include <voussoir/parallel/team.h>
 #include <voussoir/stress/reconstruction.h>
+#include <voussoir/terminal/terminal.h>
 
 #include <vector>
 
@@ -42,7 +42,10 @@ StressPart reconstruct_on_root(const Scene &scene,
                                const Team &team,
                                Terminal &terminal);
 
-/** The same for another process; see Team::Task::stress. */
+/** What the root calls the others to for it; see Team::call(). */
+inline const std::string stress_task = "stress";
+
+/** The same for another process. */
 StressPart assist_stress(const Team &team, Terminal &terminal);
 } // namespace Voussoir
 

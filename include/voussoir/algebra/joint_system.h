@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_algebra_joint_system_h
+#define voussoir_algebra_joint_system_h
+
+#include <voussoir/algebra/linear_method.h>
+
+#include <deal.II/base/timer.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The shift with which a system is meant to have none, for matrices with
+ * entries of order one: far below what the forces could show, far enough above
+ * rounding for a factorisation.
+ */
+constexpr double least_shift = 1e-13;
+/** How much larger the next shift is when a factorisation fails. */
+constexpr double factor_of_shift = 100.;
+
+/** What solves the linear systems; see JointSystem. */
+enum class LinearSolver
+{
+  /** What is faster at the size of the problem. */
+  automatic,
+  /** Cholesky, or Substructures on several processes. */
+  direct,
+  /** Conjugate gradients with Multigrid. */
+  multigrid
+};
+
+/**
+ * The linear systems of Newton's method: find u with
+ *
+ *     sum_e B_e^T (a_e^n n_e n_e^T + a_e^t t_e t_e^T) B_e u + shift u = r,
+ *
+ * where B_e u is the jump [u]_e, a_e^n and a_e^t are coefficients of the joints
+ * that are not negative, and the shift is positive, so that the matrix is
+ * symmetric and positive definite. If a_e^n = a_e^t in every joint, the two
+ * components of u come apart, and one matrix of half the size serves both.
+ *
+ * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
+ * factorise each its own part, and the root what couples them; see
+ * Substructures. `multigrid` is the method of conjugate gradients with
+ * Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
+ * `automatic` takes what is faster at the size of the problem.
+ * prepare() and solve() are collective.
+ */
+class JointSystem
+{
+public:
+  /** @param structure has the joints; it must outlive this object. */
+  JointSystem(const Structure &structure, LinearSolver kind);
+
+  /**
+   * Prepare to solve with the given coefficients, one pair for each joint.
+   *
+   * @return false if a factorisation found that rounding has cost the matrix
+   *   its positive definiteness; a larger shift helps then.
+   */
+  bool prepare(const std::vector<Structure::Jump> &coefficients, double shift);
+
+  /**
+   * The solution for the right-hand side @p r, of which that of own bodies
+   * counts; with the ghosts. n_dofs() numbers each.
+   */
+  std::vector<double> solve(const std::vector<double> &r);
+
+  /** Whether another solve() costs little after a prepare(). */
+  bool is_direct() const;
+
+  /** How long prepare() and solve() have taken so far; seconds. */
+  double seconds() const;
+
+private:
+  std::unique_ptr<LinearMethod> make(unsigned int n_components) const;
+
+  const Structure &structure;
+  const LinearSolver kind;
+  /** For systems of one component and of two; made when first needed. */
+  std::array<std::unique_ptr<LinearMethod>, 2> methods;
+  LinearMethod *current = nullptr;
+  dealii::Timer timer;
+};
+} // namespace Voussoir
+
+#endif

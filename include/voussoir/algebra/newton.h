@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_algebra_newton_h
+#define voussoir_algebra_newton_h
+
+#include <voussoir/algebra/joint_law.h>
+#include <voussoir/algebra/joint_system.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Newton's method for the displacement, step by step.
+ *
+ * It looks for the minimum of
+ *
+ *     sum_e energy_e([u]_e) - sum_c F_c . u_c,
+ *
+ * in the semismooth sense where the forces have kinks. A formulation decides on
+ * the course.
+ *
+ * A step aims at the minimum with the proximal term shift / 2 |v - centre|^2
+ * added, which bounds it where no joint holds a cell. A line search follows
+ * until the slope of the energy has nearly vanished; it uses forces only, since
+ * energies cancel.
+ *
+ * If several processes share the structure all take the same steps together;
+ * what is asked of all bodies or joints is that of all processes.
+ */
+class Newton
+{
+public:
+  /** Of displacements or forces; see Structure::Jump. */
+  using Jump = Structure::Jump;
+
+  /**
+   * The references must outlive this object.
+   *
+   * @param structure has bodies, joints and loads.
+   * @param law of the joints.
+   * @param system solves the linear systems.
+   * @param u where to begin, n_dofs() numbers with the ghosts; the energy must
+   *   be finite there.
+   */
+  Newton(const Structure &structure,
+         const JointLaw &law,
+         JointSystem &system,
+         std::vector<double> u);
+
+  /**
+   * Take one step.
+   *
+   * @return the length of the step, in units of Newton's own.
+   * @throws SolverError if the linear system cannot be solved.
+   */
+  double step(double shift, const std::vector<double> &centre);
+
+  /**
+   * Take Newton's own step, with the least shift, to its full length or the end
+   * of the energy's domain: close to the minimum, where rounding decides what a
+   * line search finds.
+   *
+   * @throws SolverError if the linear system cannot be solved.
+   */
+  void full_step();
+
+  /** The displacement: n_dofs() numbers, with the ghosts. */
+  const std::vector<double> &u() const;
+
+  /** [u]_e of each joint of this process. */
+  const std::vector<Jump> &jumps() const;
+
+  /** f_e^n and f_e^t of each joint of this process. */
+  const std::vector<Jump> &forces() const;
+  /** The largest component of the sum of all forces on a cell. */
+  double imbalance() const;
+  /** The same with the force -shift (u - centre) of the proximal term. */
+  double imbalance(double shift, const std::vector<double> &centre) const;
+  /**
+   * The size of the last step, measured by the energy.
+   *
+   * It is (r . A^{-1} r)^(1/2), where r is what the step had to balance.
+   */
+  double decrement() const;
+  /** The largest change of a force in the last step. */
+  double force_change() const;
+
+  /** How many steps were taken. */
+  unsigned int n_iterations() const;
+
+  /** How often the forces were evaluated. */
+  unsigned int n_evaluations() const;
+  /** How long the linear systems have taken so far; see JointSystem. */
+  double seconds_of_systems() const;
+
+private:
+  /** A displacement and what follows from it. */
+  struct State
+  {
+    std::vector<double> u;
+    /**
+     * Those of u, but summed up from those of the steps: differences of u
+     * itself would lose, in a stiff joint, the digits of its force.
+     */
+    std::vector<Jump> jumps;
+    std::vector<Jump> forces;
+    /** Minus the sum of all forces on each cell. */
+    std::vector<double> gradient;
+  };
+
+  std::vector<Jump> jumps_of(const std::vector<double> &u) const;
+  /** Find forces and gradient from the jumps. */
+  void evaluate(State &state);
+  std::vector<double> direction(double shift,
+                                const std::vector<double> &centre);
+  void refine(const std::vector<Jump> &second,
+              const std::vector<double> &right,
+              std::vector<double> &d);
+  double longest_step(const std::vector<Jump> &step_jumps) const;
+  /** Find @p trial at @p t steps in a direction. */
+  void go(const std::vector<double> &direction,
+          const std::vector<Jump> &step_jumps,
+          double t,
+          State &trial);
+  void accept(State trial);
+  double search(const std::vector<double> &direction,
+                double shift,
+                const std::vector<double> &centre);
+
+  const Structure &structure;
+  const JointLaw &law;
+  JointSystem &system;
+  State present;
+  double last_decrement;
+  double last_force_change;
+  unsigned int iterations = 0;
+  unsigned int evaluations = 0;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_algebra_sparse_factor_h
+#define voussoir_algebra_sparse_factor_h
+
+#include <voussoir/algebra/structure.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <initializer_list>
+#include <memory>
+#include <vector>
+
+struct cholmod_common_struct;
+struct cholmod_sparse_struct;
+struct cholmod_factor_struct;
+
+namespace Voussoir
+{
+/**
+ * The matrix of a system of JointSystem, of the first bodies of a structure and
+ * the joints between them, with its sparse Cholesky factors by CHOLMOD.
+ *
+ * The system is of one component, a_e in place of the blocks, or of two. The
+ * lower triangle is stored by columns; where the entries of each joint go is
+ * found once.
+ */
+class SparseFactor
+{
+public:
+  /**
+   * Find the pattern of the matrix.
+   *
+   * @param structure has the joints; it must outlive this object.
+   * @param n_components of the system, one or two.
+   * @param n_bodies how many bodies count; not fewer than are own.
+   * @param last bodies to be eliminated after all others, ascending.
+   * @throws std::bad_alloc if there is not enough memory.
+   */
+  SparseFactor(const Structure &structure,
+               unsigned int n_components,
+               unsigned int n_bodies,
+               const std::vector<unsigned int> &last = {});
+  ~SparseFactor();
+  SparseFactor(const SparseFactor &) = delete;
+  SparseFactor &operator=(const SparseFactor &) = delete;
+
+  /**
+   * Fill in the coefficients and the shift of own bodies, and factorise. To the
+   * diagonal of each of the last bodies its largest entry is added, so that
+   * there are factors whatever else holds these bodies; see added().
+   *
+   * @return false if the matrix is not positive definite.
+   * @throws std::bad_alloc if there is not enough memory, and where CHOLMOD's
+   *   integers are too small.
+   */
+  bool factorise(const std::vector<Structure::Jump> &coefficients,
+                 double shift);
+
+  /** How many unknowns there are: n_components times n_bodies. */
+  unsigned int n() const;
+
+  /** How many of them are those of the last bodies. */
+  unsigned int n_last() const;
+
+  /**
+   * Solve for @p r, ordered by unknowns; @p n_columns right-hand sides, one
+   * behind the other.
+   */
+  std::vector<double> solve(const std::vector<double> &r,
+                            unsigned int n_columns);
+
+  // ------------------------------------------ for the last bodies, if any
+
+  /**
+   * Half of solve(): L^{-1} P r, ordered as the unknowns are eliminated, so
+   * that the last come last.
+   */
+  std::vector<double> forward(const std::vector<double> &r,
+                              unsigned int n_columns);
+  /** The other half: P^T L^{-T} y, ordered by unknowns. */
+  std::vector<double> backward(const std::vector<double> &y,
+                               unsigned int n_columns);
+
+  /** The unknowns of the last bodies in the order of their elimination. */
+  std::vector<unsigned int> last_unknowns() const;
+
+  /** The lower triangular block of L of the last bodies. */
+  const dealii::FullMatrix<double> &last_block() const;
+
+  /** What was added to the diagonal of each of the last_unknowns(). */
+  std::vector<double> added() const;
+
+private:
+  void make_pattern();
+  void fill(const std::vector<Structure::Jump> &coefficients, double shift);
+  void analyse();
+  void extract_last_block();
+  std::vector<double> solve(std::initializer_list<int> systems,
+                            const std::vector<double> &r,
+                            unsigned int n_columns);
+
+  const Structure &structure;
+  const unsigned int n_components;
+  const unsigned int n_bodies;
+  const std::vector<unsigned int> last;
+  std::unique_ptr<cholmod_common_struct> common;
+  cholmod_sparse_struct *matrix = nullptr;
+  cholmod_factor_struct *factor = nullptr;
+  /** Where the diagonal entry of each column is. */
+  std::vector<int> of_body;
+  /** Where the first entry of each column of each joint's block is. */
+  std::vector<int> of_joint;
+  /** Of each of the last bodies. */
+  std::vector<double> addition;
+  dealii::FullMatrix<double> block;
+};
+} // namespace Voussoir
+
+#endif

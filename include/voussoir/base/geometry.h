@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_geometry_h
+#define voussoir_base_geometry_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Twice the area of the triangle between two vectors, a_x b_y - a_y b_x:
+ * positive if @p b points to the left of @p a; L^2.
+ */
+inline double cross(const dealii::Tensor<1, 2> &a,
+                    const dealii::Tensor<1, 2> &b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/**
+ * The area of a loop of vertices, negative if it runs clockwise; L^2. By
+ * triangles from the first vertex, so that a distant origin cancels nothing.
+ */
+inline double signed_area(const std::vector<dealii::Point<2>> &loop)
+{
+  double area = 0.;
+  for (unsigned int i = 1; i + 1 < loop.size(); ++i)
+    area += 0.5 * cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+  return area;
+}
+} // namespace Voussoir
+
+#endif

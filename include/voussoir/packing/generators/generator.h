@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_generators_generator_h
+#define voussoir_packing_generators_generator_h
+
+#include <voussoir/packing/packing.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** One source of packings, with the parameters that it needs. */
+class PackingGenerator
+{
+public:
+  virtual ~PackingGenerator() = default;
+
+  /** The name in `set Generator = ...`; also the name of its subsection. */
+  virtual std::string name() const = 0;
+
+  /** One line on what it makes, for the documentation of the parameters. */
+  virtual std::string meaning() const = 0;
+
+  /** Declare the parameters in the current subsection and bind them. */
+  virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+
+  /**
+   * Make the cells of the packing, from the parameters that were parsed.
+   *
+   * @param directory where relative paths among the parameters start.
+   * @param terminal is told how far that has come, where it can be long.
+   * @throws InputError if the parameters describe no packing.
+   */
+  virtual CellLoops generate(const std::filesystem::path &directory,
+                             Terminal &terminal) const = 0;
+
+  /** The files that generate() reads. */
+  virtual std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path & /*directory*/) const
+  {
+    return {};
+  }
+};
+
+/**
+ * Check the number of cells, before any memory is asked for.
+ *
+ * @throws InputError if a packing has more cells than numbers of 32 bits can
+ *   count the sides of.
+ * @param entries the names of the parameters that it follows from.
+ */
+void check_number_of_cells(double n_cells, const std::string &entries);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_generators_wall_grid_h
+#define voussoir_packing_generators_wall_grid_h
+
+#include <optional>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The lines on which the joints of a rectangular wall lie. Its lower left
+ * corner is the origin. Every position is computed here, so that positions
+ * that are meant to be equal are so to the last bit.
+ */
+class WallGrid
+{
+public:
+  /** @param width, height lengths. */
+  WallGrid(double width,
+           double height,
+           unsigned int n_courses,
+           unsigned int n_stretchers);
+
+  /** The number of courses, the height of the wall in bricks. */
+  unsigned int n_courses() const;
+  /** The number of stretchers, the width of the wall in bricks. */
+  unsigned int n_stretchers() const;
+  /** The width of the wall; a length. */
+  double width() const;
+  /** The height of a bed joint, 0 below the first course; a length. */
+  double bed_joint(unsigned int level) const;
+  /** A position of head joints, in quarters of a stretcher; a length. */
+  double head_joint(unsigned int quarter) const;
+  /** The bed joint at the height @p y, if there is one. */
+  std::optional<unsigned int> level_at(double y) const;
+
+  /**
+   * The position that agrees with @p x: of a head joint, of an earlier call, or
+   * @p x itself. Lengths.
+   */
+  double snap(double x);
+
+  /** Positions nearer to each other than this are one; a length. */
+  double resolution() const;
+
+private:
+  double total_width, total_height;
+  unsigned int courses, stretchers;
+  std::vector<double> other_positions;
+};
+} // namespace Voussoir
+
+#endif

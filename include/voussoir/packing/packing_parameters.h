@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_packing_parameters_h
+#define voussoir_packing_packing_parameters_h
+
+#include <voussoir/packing/generators/generator.h>
+
+#include <memory>
+
+namespace Voussoir
+{
+/** The section `Packing`: which generator makes the packing, and from what. */
+class PackingParameters
+{
+public:
+  /** With all generators, each with the defaults of its parameters. */
+  PackingParameters();
+
+  /** Declare the section, with those of the generators, and bind it. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /** The files that make_packing() reads. */
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const;
+
+  /**
+   * The packing that the parameters describe, with the groups of the entry
+   * `Groups`, and without supports.
+   *
+   * @param directory where relative paths among the parameters start.
+   * @param terminal see PackingGenerator::generate().
+   * @throws InputError if the parameters describe no packing: as
+   *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.
+   */
+  Packing make_packing(const std::filesystem::path &directory,
+                       Terminal &terminal) const;
+
+private:
+  std::vector<std::unique_ptr<PackingGenerator>> generators;
+  unsigned int chosen = 0;
+  std::string groups;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_polygons_polygon_list_h
+#define voussoir_packing_polygons_polygon_list_h
+
+#include <deal.II/base/point.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** Polygons as they stand in a file; cell c of the packing is polygon c. */
+struct PolygonList
+{
+  /** One polygon, which is to be a cell. */
+  struct Polygon
+  {
+    /** The vertices in order, the first not repeated at the end; lengths. */
+    std::vector<dealii::Point<2>> ring;
+    /** The name of the group of cells that it belongs to; empty if none. */
+    std::string group;
+    /** The record of the file that it comes from, counted from one. */
+    unsigned int record;
+  };
+
+  /** The file that they were read from. */
+  std::filesystem::path file;
+  /** What a record of the file is: a line, or a feature of a drawing. */
+  std::string record_name = "line";
+  /** In the order of the file. */
+  std::vector<Polygon> polygons;
+  /** What the user ought to know of how the file was understood. */
+  std::vector<std::string> notices;
+
+  /** A record for messages, such as "line 3 of 'wall.wkt'". */
+  std::string describe_record(unsigned int record) const;
+
+  /** A cell for messages, such as "Cell 2 (line 3 of 'wall.wkt')". */
+  std::string describe(unsigned int cell) const;
+
+  /** Throw the InputError that @p cell has @p fault, which begins "is ...". */
+  [[noreturn]] void refuse(unsigned int cell, const std::string &fault) const;
+};
+
+/**
+ * The text of a file of polygons, without the byte order mark that some
+ * programs put first.
+ *
+ * @throws InputError if the file cannot be read.
+ */
+std::string read_polygon_text(const std::filesystem::path &file);
+} // namespace Voussoir
+
+#endif

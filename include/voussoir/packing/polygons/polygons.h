@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_polygons_polygons_h
+#define voussoir_packing_polygons_polygons_h
+
+#include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/polygons/polygon_list.h>
+
+namespace Voussoir
+{
+/**
+ * Cells that were drawn or computed by another program: each polygon of a file
+ * is a cell, in the order of the file. Cells that touch become neighbours; see
+ * match_polygons().
+ */
+class PolygonGenerator : public PackingGenerator
+{
+public:
+  std::string name() const override;
+  std::string meaning() const override;
+  void add_parameters(dealii::ParameterHandler &prm) override;
+  CellLoops generate(const std::filesystem::path &directory,
+                     Terminal &terminal) const override;
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const override;
+
+private:
+  std::vector<dealii::Point<2>>
+  read_centres(const std::filesystem::path &directory,
+               const PolygonList &polygons) const;
+
+  std::string file;
+  std::string centres_file;
+  double tolerance = 0.;
+};
+
+/**
+ * Read a file in the format that the extension of its name tells: .wkt and .txt
+ * by read_wkt_file(), .off by read_off_file(), all else by read_ogr_file().
+ */
+PolygonList read_polygons(const std::filesystem::path &file);
+} // namespace Voussoir
+
+#endif

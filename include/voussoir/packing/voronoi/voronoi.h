@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_voronoi_voronoi_h
+#define voussoir_packing_voronoi_voronoi_h
+
+#include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/voronoi/random_points.h>
+#include <voussoir/packing/voronoi/voronoi_cells.h>
+
+namespace Voussoir
+{
+/**
+ * The Voronoi cells of points in a rectangle or a convex polygon; the points
+ * are read from a file or drawn at random, with a density of 1/h(x, y)^2 where
+ * cells of the size h are wanted. Lloyd steps, which move each point to the
+ * centroid of its cell, make the cells more alike: with the weight h^-4, since
+ * centroidal cells in the plane have a size proportional to the weight's power
+ * -1/4 (Gersho's conjecture; Du, Faber and Gunzburger 1999, SIAM Review
+ * 41:637). Cells are numbered as their points.
+ */
+class VoronoiGenerator : public PackingGenerator
+{
+public:
+  std::string name() const override;
+  std::string meaning() const override;
+  void add_parameters(dealii::ParameterHandler &prm) override;
+  CellLoops generate(const std::filesystem::path &directory,
+                     Terminal &terminal) const override;
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const override;
+
+private:
+  enum class Source
+  {
+    file,
+    random
+  };
+
+  enum class Domain
+  {
+    rectangle,
+    polygon
+  };
+
+  void check_rectangle() const;
+  ConvexPolygon make_domain() const;
+  PointList make_points(const ConvexPolygon &polygon,
+                        const CellSize &size,
+                        const std::filesystem::path &directory) const;
+
+  Domain domain = Domain::rectangle;
+  Rectangle rectangle{{0., 0.}, {1., 1.}};
+  std::vector<dealii::Point<2>> polygon_vertices;
+  Source source = Source::random;
+  std::string points_file;
+  unsigned int n_points = 100;
+  unsigned int seed = 1;
+  std::string cell_size = "1";
+  unsigned int n_lloyd_steps = 0;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_parallel_team_h
+#define voussoir_parallel_team_h
+
+#include <voussoir/base/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The processes that work on one run. Process 0, the root, reads the input,
+ * decides what is done and writes; the others wait until it calls() them to a
+ * task, in which all take part.
+ *
+ * A team of one needs no MPI, which otherwise must give the same result of a
+ * sum to all processes, bit by bit: what they do next depends on it. Functions
+ * that are collective say so.
+ */
+class Team
+{
+public:
+  /** This process alone. */
+  Team() = default;
+  /** The processes of @p communicator. */
+  explicit Team(MPI_Comm communicator);
+
+  /** That of MPI; MPI_COMM_SELF for one process alone. */
+  MPI_Comm communicator() const;
+  /** The number of processes. */
+  unsigned int size() const;
+  /** The number of this process, from 0 to size() - 1. */
+  unsigned int rank() const;
+  /** Whether this is process 0. */
+  bool is_root() const;
+
+  /**
+   * On the root, collective with wait(): let the others return from it with the
+   * name of a @p task, of up to 31 letters; none of them to end.
+   */
+  void call(const std::string &task) const;
+  /** On the others: sleep until the root calls. */
+  std::string wait() const;
+
+  /**
+   * End all processes with exit status 4; for an error that the others do not
+   * know of and would wait for without end.
+   */
+  [[noreturn]] void abort(const std::string &message) const;
+
+  /**
+   * Take part in a task: do @p action, and abort() for an error other than a
+   * SolverError, which all processes find together.
+   */
+  template <typename Action>
+  auto together(const Action &action) const;
+
+  /** @{ */
+  /** Over all processes, the same bits on each; collective. */
+  template <typename T>
+  T sum(T value) const;
+
+  template <typename T>
+  T max(T value) const;
+
+  template <typename T>
+  T min(T value) const;
+  /** @} */
+  /** Whether it holds on all processes; collective. */
+  bool all(bool value) const;
+
+  /** The root's @p value, on all processes; plain data, collective. */
+  template <typename T>
+  T broadcast(T value) const;
+
+  /**
+   * On the root the values of each process; nothing on the others. Collective.
+   */
+  template <typename T>
+  std::vector<std::vector<T>> gather(const std::vector<T> &values) const;
+
+  /**
+   * What the root has for this process, element rank() of its @p values, which
+   * are not asked for on the others; collective.
+   */
+  template <typename T>
+  std::vector<T> scatter(const std::vector<std::vector<T>> &values) const;
+
+  /** @{ */
+  /** From one process to another, which receives it; plain data. */
+  template <typename T>
+  void send(const std::vector<T> &values, unsigned int to) const;
+
+  template <typename T>
+  std::vector<T> receive(unsigned int from) const;
+  /** @} */
+
+private:
+  /** For messages of plain data. */
+  class Datatype;
+
+  void send(const void *data,
+            std::size_t size,
+            std::size_t count,
+            unsigned int to) const;
+  std::size_t size_of_message(std::size_t size, unsigned int from) const;
+  void receive(void *data,
+               std::size_t size,
+               std::size_t count,
+               unsigned int from) const;
+
+  MPI_Comm processes = MPI_COMM_SELF;
+  unsigned int n_processes = 1;
+  unsigned int own_rank = 0;
+};
+
+// ---------------------------------------------------------------- templates
+
+template <typename Action>
+auto Team::together(const Action &action) const
+{
+  try
+  {
+    return action();
+  }
+  catch (const SolverError &)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc &)
+  {
+    if (n_processes > 1)
+      abort("There is not enough memory for this packing.");
+    throw;
+  }
+  catch (const std::exception &error)
+  {
+    if (n_processes > 1)
+      abort(error.what());
+    throw;
+  }
+}
+
+template <typename T>
+T Team::sum(const T value) const
+{
+  return n_processes == 1 ? value
+                          : dealii::Utilities::MPI::sum(value, processes);
+}
+
+template <typename T>
+T Team::max(const T value) const
+{
+  return n_processes == 1 ? value
+                          : dealii::Utilities::MPI::max(value, processes);
+}
+
+template <typename T>
+T Team::min(const T value) const
+{
+  return n_processes == 1 ? value
+                          : dealii::Utilities::MPI::min(value, processes);
+}
+
+inline bool Team::all(const bool value) const
+{
+  return min(value ? 1 : 0) == 1;
+}
+
+template <typename T>
+T Team::broadcast(T value) const
+{
+  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+  if (n_processes > 1)
+    MPI_Bcast(&value, sizeof(T), MPI_BYTE, 0, processes);
+  return value;
+}
+
+template <typename T>
+std::vector<std::vector<T>> Team::gather(const std::vector<T> &values) const
+{
+  std::vector<std::vector<T>> gathered;
+  if (!is_root())
+    send(values, 0);
+  else
+  {
+    gathered.push_back(values);
+    for (unsigned int r = 1; r < n_processes; ++r)
+      gathered.push_back(receive<T>(r));
+  }
+  return gathered;
+}
+
+template <typename T>
+std::vector<T> Team::scatter(const std::vector<std::vector<T>> &values) const
+{
+  if (!is_root())
+    return receive<T>(0);
+  for (unsigned int r = 1; r < n_processes; ++r)
+    send(values[r], r);
+  return values[0];
+}
+
+template <typename T>
+void Team::send(const std::vector<T> &values, const unsigned int to) const
+{
+  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+  send(values.data(), sizeof(T), values.size(), to);
+}
+
+template <typename T>
+std::vector<T> Team::receive(const unsigned int from) const
+{
+  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+  std::vector<T> values(size_of_message(sizeof(T), from));
+  receive(values.data(), sizeof(T), values.size(), from);
+  return values;
+}
+} // namespace Voussoir
+
+#endif

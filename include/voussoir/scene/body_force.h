@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_scene_body_force_h
+#define voussoir_scene_body_force_h
+
+#include <voussoir/formula/inaccuracies.h>
+#include <voussoir/formula/jumps.h>
+#include <voussoir/packing/packing.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <functional>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A body force b, integrated over the cells of a packing and over their
+ * sub-cells, the triangles of the centre and one side. Without any body force
+ * it is empty, and costs nothing.
+ */
+class BodyForce
+{
+public:
+  /** No body force. */
+  BodyForce() = default;
+
+  /**
+   * The integrals of b(x); see triangle_integral().
+   *
+   * @param packing has the cells.
+   * @param b gives the body force, S/L, at a point of the cell of a number. It
+   *   may throw.
+   * @param jumps of b.
+   * @param inaccuracies look at each integral, if given.
+   */
+  BodyForce(const Packing &packing,
+            const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
+                                                     unsigned int)> &b,
+            const Jumps &jumps = Jumps(),
+            Inaccuracies *inaccuracies = nullptr);
+
+  /** Add the force @p f per unit thickness, spread evenly over @p cell. */
+  void
+  add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
+
+  /** Whether there is none, and none was added. */
+  bool empty() const;
+
+  /** The force on @p cell; S L. */
+  dealii::Tensor<1, 2> force(const Packing &packing, unsigned int cell) const;
+  /** The force on sub-cell @p i of @p cell, which lies along its side i; S L.
+   */
+  dealii::Tensor<1, 2>
+  force(const Packing &packing, unsigned int cell, unsigned int i) const;
+  /**
+   * The integral over @p cell of the outer product of b and x - x_c: component
+   * ij is that of b_i (x - x_c)_j; S L^2.
+   */
+  dealii::Tensor<2, 2> moment(unsigned int cell) const;
+
+private:
+  void allocate(const Packing &packing);
+
+  /** By packing.first_side(cell) + i. */
+  std::vector<dealii::Tensor<1, 2>> on_sub_cell;
+  std::vector<dealii::Tensor<2, 2>> moment_of_cell;
+};
+} // namespace Voussoir
+
+#endif

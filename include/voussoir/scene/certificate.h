@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_scene_certificate_h
+#define voussoir_scene_certificate_h
+
+#include <voussoir/scene/scene.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/** A cell whose forces do not balance by their own measure. */
+struct UnbalancedCell
+{
+  /** Its number. */
+  unsigned int cell;
+  /**
+   * The size of the sum of all forces on it, or what a force of one of its
+   * interfaces is beyond its limit, if that is more; S L.
+   */
+  double imbalance;
+  /**
+   * Its measure: the sum of the sizes of the loads on it, or if it has none
+   * that of the largest light one beside it, or else the largest force of its
+   * interfaces; S L.
+   */
+  double own_force;
+};
+
+/**
+ * How good a set of interface forces is, computed from the scene and the forces
+ * alone, in the user's units, by code that no solver shares. Each group of
+ * cells that touch each other has a reference force of its own, the largest
+ * load on one of them; without it the largest of the scene counts, or else the
+ * largest force. The measures are those of the worst group.
+ */
+struct Certificate
+{
+  /** Largest size of the sum of all forces on a cell, over the reference. */
+  double equilibrium_residual = 0.;
+  /**
+   * Largest violation of f_e^n <= 0 and of |f_e^t| <= s_e |e|, over the
+   * reference force.
+   */
+  double admissibility_violation = 0.;
+  /** Largest |f_e^t| / (s_e |e|). */
+  double max_utilisation = 0.;
+  /**
+   * Largest residual torque of a cell, over the reference force times the
+   * square root of the cell's area. Translations alone do not balance it.
+   */
+  double max_torque = 0.;
+  /**
+   * The cells that are out of balance by more than largest_accepted_error of
+   * their own force, and by more than rounding: a small load beside a large
+   * one, which the reference force is that of, is judged by itself.
+   */
+  std::vector<UnbalancedCell> unbalanced;
+};
+
+/**
+ * The largest residual or violation in a certificate with which a state counts
+ * as solved; more only if the user asked for a looser tolerance.
+ */
+constexpr double largest_accepted_error = 1e-6;
+
+/**
+ * Judge forces. Those that are not finite are infinitely wrong by all
+ * measures.
+ */
+Certificate certify(const Scene &scene, const InterfaceForces &forces);
+
+/**
+ * How good a proof of collapse is, by the same rules: the displacements, one
+ * for each cell, may be multiplied by any positive number.
+ */
+struct MechanismCertificate
+{
+  /**
+   * Largest closing of a joint, over the largest |u_c|.
+   *
+   * The closing is -[u]_e . n_e where that is positive.
+   */
+  double closing_violation = 0.;
+  /** Work of the load over the dissipation of friction; infinite if none. */
+  double work_over_dissipation = 0.;
+  /**
+   * What the largest load on a cell would do in all closings together, over the
+   * work of the load less the dissipation: where it is not small, normal
+   * forces of the size of that load could take up the difference.
+   */
+  double share_of_closing = 0.;
+};
+
+/**
+ * Whether the load does more work than friction can dissipate, and joints close
+ * by rounding only, also beside that work.
+ */
+bool proves_collapse(const MechanismCertificate &certificate);
+
+/**
+ * Judge the displacement of each cell, of any size and unit; the ground does
+ * not move.
+ */
+MechanismCertificate
+certify_mechanism(const Scene &scene,
+                  std::vector<dealii::Tensor<1, 2>> displacement);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_displacement_program_h
+#define voussoir_statics_displacement_program_h
+
+#include <voussoir/algebra/convex_program.h>
+#include <voussoir/statics/solution.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A ConvexProgram whose unknowns begin with the displacements of a
+ * DiscreteProblem, n_dofs() numbers, and may go on with others.
+ */
+class DisplacementProgram : public ConvexProgram
+{
+public:
+  /** Where to begin; as many numbers as there are unknowns. */
+  virtual std::vector<double> start() const = 0;
+
+  /** Why to stop after @p iteration; empty to go on. */
+  virtual std::string verdict(unsigned int /*iteration*/)
+  {
+    return {};
+  }
+};
+
+/** What solve_program() found. */
+struct ProgramResult
+{
+  /** The unknowns, where Ipopt stopped. */
+  std::vector<double> x;
+  /**
+   * Of each constraint, not positive.
+   *
+   * That of [u]_e . n_e >= 0 is f_e^n = -p_e.
+   */
+  std::vector<double> multipliers;
+  /** The proof, if there is one, that there is no minimum. */
+  std::optional<Mechanism> mechanism;
+  /** The number of Ipopt's iterations. */
+  unsigned int n_iterations = 0;
+  /** How often value() was asked for. */
+  unsigned int n_evaluations = 0;
+  /** Why it stopped, in a few words; "converged" if it did. */
+  std::string outcome;
+};
+
+/**
+ * Solve @p program with Ipopt. In each connected group of cells one is held
+ * where it starts, since a translation changes nothing. The iterates are
+ * watched for mechanisms; after many iterations without a minimum
+ * find_collapse() is asked.
+ *
+ * @param problem whose displacements are the first unknowns.
+ * @param program to be solved.
+ * @param controls of Ipopt; the unknowns held and loose are found here.
+ * @param terminal sees the iterations.
+ * @throws SolverError if Ipopt ends without a point and without a mechanism.
+ * @throws std::bad_alloc if it has not enough memory.
+ */
+ProgramResult solve_program(const DiscreteProblem &problem,
+                            DisplacementProgram &program,
+                            IpoptControls controls,
+                            Terminal &terminal);
+
+/** A solution without its forces, and with displacement zero. */
+Solution make_solution(const DiscreteProblem &problem, ProgramResult result);
+} // namespace Voussoir
+
+#endif

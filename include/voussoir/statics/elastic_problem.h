@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_elastic_problem_h
+#define voussoir_statics_elastic_problem_h
+
+#include <voussoir/algebra/joint_law.h>
+#include <voussoir/algebra/joint_system.h>
+#include <voussoir/statics/shared_problem.h>
+#include <voussoir/statics/solver_controls.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <optional>
+
+namespace Voussoir
+{
+/**
+ * The law of elastic joints that open and slide.
+ *
+ * Their stiffness is k_e = |e| / d_e:
+ *
+ *     energy = k_e min(y, 0)^2 / 2 + Huber(x),
+ *
+ * where y and x are the normal and the tangential jump and Huber's function is
+ * k_e x^2 / 2 up to the slope s_e |e| and continues with that slope. The forces
+ * are admissible for any jump.
+ */
+class ElasticJoint : public JointLaw
+{
+public:
+  /** @param structure has the joints; it must outlive this object. */
+  explicit ElasticJoint(const Structure &structure);
+
+  Jump force(unsigned int e, const Jump &jump) const override;
+  Jump second_derivative(unsigned int e, const Jump &jump) const override;
+
+private:
+  const Structure &structure;
+};
+
+/** How to minimise the energy of ElasticJoint; plain data. */
+struct ElasticOrder
+{
+  LinearSolver linear_solver = LinearSolver::automatic;
+  double tolerance = SolverControls().tolerance;
+  unsigned int n_max_iterations = SolverControls().n_max_iterations;
+};
+
+/**
+ * Minimise the energy of ElasticJoint by Newton's method; collective.
+ *
+ * @param problem shares out and collects.
+ * @param order how.
+ * @param displacement_unit see minimise().
+ * @param terminal sees the iterations.
+ * @throws SolverError if a linear system cannot be solved.
+ */
+Solution minimise_elastic(const SharedProblem &problem,
+                          const ElasticOrder &order,
+                          double displacement_unit,
+                          Terminal &terminal);
+
+/**
+ * Look for a proof that the load is not carried, in the displacements of the
+ * elastic joints, which grow along a mechanism if there is one. Slower than
+ * find_collapse_by_barrier(), but it needs no opening. Collective.
+ *
+ * @return the proof, or none if none was found, or a linear system cannot be
+ *   solved, which proves nothing.
+ */
+std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
+                                                  Terminal &terminal);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_find_opening_h
+#define voussoir_statics_find_opening_h
+
+#include <voussoir/statics/discrete_problem.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Whether a motion opens every joint of @p problem: the strict interior of the
+ * contact constraints. Found when it is first asked for.
+ *
+ * Where the supports all face one way it is the uniform dilation, with the
+ * ground drawn back. Else Newton's method looks for the minimum of
+ *
+ *     sum_e k_e min([u]_e . n_e - d_e, 0)^2 / 2,
+ *
+ * which is zero if every joint can open by d_e. If not, the forces of the
+ * springs at the minimum are p. A step that opens every joint, however little,
+ * is u as well.
+ */
+const Opening &opening_of(const DiscreteProblem &problem);
+
+/**
+ * Whether the displacement @p u (n_dofs() numbers) opens every joint by more
+ * than the rounding of its normal, which is that of the coordinates over the
+ * length of the joint, could make of it.
+ */
+bool opens_all_joints(const DiscreteProblem &problem,
+                      const std::vector<double> &u);
+
+/**
+ * Whether no motion opens every joint by more than that, since the normal
+ * forces @p p, one for each joint, balance by themselves: if every |u_c| <= 1,
+ * then the least [u]_e . n_e is at most the sum of what is left on the cells
+ * over the sum of p.
+ */
+bool is_self_stress(const DiscreteProblem &problem,
+                    const std::vector<double> &p);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_solver_controls_h
+#define voussoir_statics_solver_controls_h
+
+#include <voussoir/parallel/team.h>
+
+namespace Voussoir
+{
+/** What all formulations are told about how to solve. */
+struct SolverControls
+{
+  /** Largest force imbalance to stop at, nondimensional. */
+  double tolerance = 1e-10;
+  /** After so many iterations a solver gives up. */
+  unsigned int n_max_iterations = 300;
+  /** Whether equilibrate() follows. */
+  bool equilibrate = false;
+  /**
+   * The processes that can help; a formulation that cannot use them works on
+   * the root alone.
+   */
+  Team team = Team();
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_solver_parameters_h
+#define voussoir_statics_solver_parameters_h
+
+#include <voussoir/statics/formulation.h>
+
+#include <memory>
+#include <vector>
+
+namespace Voussoir
+{
+/** The entry `Formulation` and the section `Solver`. */
+class SolverParameters
+{
+public:
+  /** With all formulations, and the processes that can help them. */
+  explicit SolverParameters(const Team &team = Team());
+
+  /** Declare the entry and the section, and bind them. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /** The one that was chosen, with its parameters. */
+  const Formulation &formulation() const;
+
+  /** What all formulations are told. */
+  const SolverControls &controls() const;
+
+private:
+  std::vector<std::unique_ptr<Formulation>> formulations;
+  unsigned int chosen = 0;
+  SolverControls common;
+};
+} // namespace Voussoir
+
+#endif

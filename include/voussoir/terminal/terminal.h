@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_terminal_terminal_h
+#define voussoir_terminal_terminal_h
+
+#include <voussoir/terminal/progress_line.h>
+#include <voussoir/terminal/screen.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace Voussoir
+{
+/**
+ * What the user sees while a scene runs.
+ *
+ * Verbosity 0 shows the closing summary alone, 1 adds a line per stage and, on
+ * a screen, how far a stage of more than two seconds has come, 2 adds the
+ * iterations of the solvers. Warnings are always shown.
+ */
+class Terminal
+{
+public:
+  /** @param screen behind @p out. */
+  explicit Terminal(std::ostream &out,
+                    unsigned int verbosity = 1,
+                    const Screen &screen = {});
+
+  /** One that shows nothing, not even warnings. */
+  static Terminal &silent();
+
+  /** Show warnings alone from now on, whatever the verbosity. */
+  void be_quiet();
+  /** Show what belongs to this verbosity, 0 to 2. */
+  void set_verbosity(unsigned int verbosity);
+  /** How much is shown; 0 also of a quiet one. */
+  unsigned int verbosity() const;
+
+  /** The stage @p name begins; it is in progress until stage() ends it. */
+  void begin(const std::string &name);
+
+  /** Say what a stage found, once it has ended. Shown from verbosity 1. */
+  void stage(const std::string &name, const std::string &found);
+
+  /** Say how far the stage has come, on a screen. */
+  void progress(const std::string &state);
+  /** The same, where @p total things are counted, such as "cells". */
+  void progress(std::size_t done, std::size_t total, const std::string &things);
+
+  /** An iteration of a solver: a line of its own at verbosity 2. */
+  void iteration(const std::string &solver, const std::string &state);
+
+  /** Something unexpected that did not stop the run. Always shown. */
+  void warning(const std::string &message);
+
+  /** A line of the closing summary. Shown unless quiet. */
+  void summary(const std::string &name, const std::string &value);
+  /** The first of them, in the colour of what is good or bad. */
+  void status(const std::string &value, bool is_good);
+
+private:
+  void line(const std::string &name, const std::string &text);
+
+  std::ostream &out;
+  const Screen screen;
+  unsigned int level;
+  bool quiet = false;
+  /** Where a line can be written over, and only once a stage begins. */
+  std::unique_ptr<ProgressLine> in_progress;
+};
+} // namespace Voussoir
+
+#endif

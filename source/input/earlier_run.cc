@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/input/earlier_run.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <utility>
+
+namespace Voussoir
+{
+namespace fs = std::filesystem;
+using dealii::Point;
+
+namespace
+{
+/**
+ * How far two coordinates may differ by rounding, over the largest one. The
+ * files have all digits; but another compiler may make others of the packing.
+ */
+constexpr double rounding_of_coordinates = 1e-10;
+/** The same of a strength, over itself. */
+constexpr double rounding_of_strengths = 1e-10;
+
+constexpr const char *same_scene =
+    ". The packing, supports and strengths must be those of the run that the "
+    "forces are from; leave 'Forces from' empty to solve.";
+
+/** Enough digits to see the difference. */
+std::string all_of(const double x)
+{
+  std::ostringstream out;
+  out.precision(12);
+  out << x;
+  return out.str();
+}
+
+std::string all_of(const Point<2> &p)
+{
+  return "(" + all_of(p[0]) + ", " + all_of(p[1]) + ")";
+}
+
+double largest_coordinate(const Packing &packing)
+{
+  double largest = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      largest = std::max({largest, std::abs(packing.vertex(c, i)[0]),
+                          std::abs(packing.vertex(c, i)[1])});
+  return largest;
+}
+
+/** Tells whether points are the same but for rounding. */
+struct Comparison
+{
+  explicit Comparison(const Packing &packing)
+      : tolerance(rounding_of_coordinates * largest_coordinate(packing))
+  {
+  }
+
+  bool same(const Point<2> &a, const Point<2> &b) const
+  {
+    return std::abs(a[0] - b[0]) <= tolerance &&
+           std::abs(a[1] - b[1]) <= tolerance;
+  }
+
+  const double tolerance;
+};
+
+[[noreturn]] void
+differ(const CsvReader &line, const std::string &there, const std::string &here)
+{
+  line.refuse("has " + there + "; in this run it is " + here + same_scene);
+}
+
+std::string between(const double cell_minus, const double cell_plus)
+{
+  return text("between cell ", cell_minus, " and ",
+              cell_plus < 0. ? "the ground" : text("cell ", cell_plus));
+}
+
+std::string from_to(const Point<2> &start, const Point<2> &end)
+{
+  return "from " + all_of(start) + " to " + all_of(end);
+}
+} // namespace
+
+EarlierRun::EarlierRun(fs::path directory_in)
+    : directory(std::move(directory_in)), origin(read_summary()),
+      interfaces(open("interfaces.csv")), cells(open("cells.csv")),
+      marked(interfaces.has_column("never_pressed"))
+{
+  interfaces.choose({"cell_minus", "cell_plus", "x0", "y0", "x1", "y1",
+                     "normal_force", "tangential_force", "strength"});
+  if (marked)
+    interfaces.choose({"never_pressed", "always_sliding"});
+  cells.choose({"id", "x", "y", "ux", "uy"});
+}
+
+void EarlierRun::refuse(const std::string &fault) const
+{
+  throw InputError(
+      "'Forces from' = '" + directory.string() + "': " + fault +
+      " Name the directory of results with forces, where a relative path "
+      "starts at the directory that the program is run in, or leave it empty "
+      "to solve.");
+}
+
+EarlierRun::Origin EarlierRun::read_summary() const
+{
+  if (!fs::is_directory(directory))
+    refuse("there is no such directory.");
+  const fs::path file = directory / "summary.json";
+  std::ifstream in(file);
+  if (!in || fs::is_directory(file))
+    refuse("there is no summary.json.");
+  Origin found;
+  try
+  {
+    const nlohmann::json summary = nlohmann::json::parse(in);
+    if (summary.at("status") == "collapse")
+      refuse("that run found that the load is not carried, so that there are "
+             "no forces.");
+    summary.at("packing").at("cells").get_to(found.n_cells);
+    summary.at("packing").at("interfaces").get_to(found.n_interfaces);
+    summary.at("formulation").get_to(found.formulation);
+    summary.at("selection").get_to(found.selection);
+    const nlohmann::json &solver = summary.at("solver");
+    // If that run has read its forces, too, what counts is who found them.
+    const bool read = solver.contains("earlier_outcome");
+    solver.at(read ? "earlier_outcome" : "outcome").get_to(found.outcome);
+    solver.at("iterations").get_to(found.n_iterations);
+    solver.at("evaluations").get_to(found.n_evaluations);
+    if (solver.contains("correction"))
+      found.correction = solver.at("correction").get<double>();
+  }
+  catch (const nlohmann::json::exception &error)
+  {
+    refuse(std::string("its summary.json is not the summary of a run (") +
+           error.what() + ").");
+  }
+  return found;
+}
+
+CsvReader EarlierRun::open(const std::string &name) const
+{
+  if (!fs::exists(directory / name))
+    refuse("there is no " + name +
+           ", which a run writes with 'Output/Files' = all or csv.");
+  return CsvReader(directory / name);
+}
+
+void EarlierRun::check_size(const Packing &packing) const
+{
+  const auto check = [&](const std::string &things, const std::size_t there,
+                         const std::size_t here) {
+    if (there != here)
+      throw InputError(text("The run in '", directory.string(), "' had ",
+                            counted(there, things), ", this one has ", here,
+                            same_scene));
+  };
+  check("cell", origin.n_cells, packing.n_cells());
+  check("interface", origin.n_interfaces, packing.interfaces().size());
+}
+
+Results EarlierRun::results(const Scene &scene)
+{
+  check_size(scene.packing);
+  RunRecord record(scene);
+  record.formulation = origin.formulation;
+  record.selection = origin.selection;
+  record.outcome = "read from '" + directory.string() + "'";
+  record.earlier_outcome = origin.outcome;
+  record.n_iterations = origin.n_iterations;
+  record.n_evaluations = origin.n_evaluations;
+  Results results(record);
+  results.correction = origin.correction;
+  read_interfaces(results);
+  read_cells(results);
+  return results;
+}
+
+void EarlierRun::read_interfaces(Results &results)
+{
+  const Scene &scene = results.scene;
+  const Comparison comparison(scene.packing);
+  const CsvReader &line = interfaces;
+  for (unsigned int e = 0; e < origin.n_interfaces; ++e)
+  {
+    if (!interfaces.next())
+      refuse(text("its interfaces.csv ends after ", counted(e, "interface"),
+                  " of ", origin.n_interfaces, "."));
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const double plus =
+        i.cell_plus == scene.packing.ground() ? -1. : i.cell_plus;
+    if (line[0] != i.cell_minus || line[1] != plus)
+      differ(line, text("interface ", e, " ", between(line[0], line[1])),
+             between(i.cell_minus, plus));
+    const Point<2> start(line[2], line[3]), end(line[4], line[5]);
+    if (!comparison.same(start, i.start) || !comparison.same(end, i.end))
+      differ(line, text("interface ", e, " ", from_to(start, end)),
+             from_to(i.start, i.end));
+    const double strength = scene.strength[e];
+    if (std::abs(line[8] - strength) > rounding_of_strengths * strength)
+      differ(line, text("the strength ", all_of(line[8]), " of interface ", e),
+             all_of(strength));
+    results.forces.normal.push_back(line[6]);
+    results.forces.tangential.push_back(line[7]);
+    if (marked)
+    {
+      results.never_pressed.push_back(line[9] != 0.);
+      results.always_sliding.push_back(line[10] != 0.);
+    }
+  }
+  if (interfaces.next())
+    line.refuse(text("is more than the ", origin.n_interfaces,
+                     " interfaces of that run."));
+}
+
+void EarlierRun::read_cells(Results &results)
+{
+  const Packing &packing = results.scene.packing;
+  const Comparison comparison(packing);
+  for (unsigned int c = 0; c < origin.n_cells; ++c)
+  {
+    if (!cells.next())
+      refuse(text("its cells.csv ends after ", counted(c, "cell"), " of ",
+                  origin.n_cells, "."));
+    const Point<2> centre(cells[1], cells[2]);
+    if (cells[0] != c || !comparison.same(centre, packing.centre(c)))
+      differ(cells,
+             text("cell ", cells[0], " with the centre ", all_of(centre)),
+             text("cell ", c, " with ", all_of(packing.centre(c))));
+    dealii::Tensor<1, 2> u;
+    u[0] = cells[3];
+    u[1] = cells[4];
+    results.displacement.push_back(u);
+  }
+  if (cells.next())
+    cells.refuse(
+        text("is more than the ", origin.n_cells, " cells of that run."));
+}
+} // namespace Voussoir

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/generators/arch.h>
+#include <voussoir/packing/generators/arch_joints.h>
+
+#include <cmath>
+
+namespace Voussoir
+{
+using dealii::Point;
+
+namespace
+{
+/**
+ * The narrowest ledge of a skewback, over the thickness of the arch: a shorter
+ * side carries nothing, and slender triangles spoil the stress in the block.
+ */
+constexpr double narrowest_ledge = 0.01;
+
+enum Group : unsigned int
+{
+  voussoir,
+  keystone,
+  abutment
+};
+
+struct Cell
+{
+  std::vector<unsigned int> loop;
+  Group group;
+};
+
+/** The cells left of the crown, from the ground up, and the keystone. */
+class LeftHalf
+{
+public:
+  /** Begin with a pier of @p n_courses, of none with the springing alone. */
+  LeftHalf(const ArchJoint &springing,
+           double thickness,
+           unsigned int n_courses,
+           double height);
+
+  void add_voussoir(const ArchJoint &next);
+
+  /** The arch of the half, the keystone if there is one, and the image. */
+  CellLoops mirrored(bool has_keystone,
+                     const std::optional<Point<2>> &apex) const;
+
+private:
+  /** A joint by the numbers of its vertices. */
+  struct Edge
+  {
+    unsigned int inner, outer;
+  };
+
+  unsigned int add_vertex(const Point<2> &p);
+
+  std::vector<Point<2>> vertices;
+  std::vector<Cell> cells;
+  Edge last;
+};
+
+unsigned int LeftHalf::add_vertex(const Point<2> &p)
+{
+  vertices.push_back(p);
+  return vertices.size() - 1;
+}
+
+LeftHalf::LeftHalf(const ArchJoint &springing,
+                   const double thickness,
+                   const unsigned int n_courses,
+                   const double height)
+{
+  const Point<2> &inner = springing.intrados, &outer = springing.extrados;
+  const double ledge = outer[0] - (inner[0] - thickness);
+  const bool has_ledge = ledge > narrowest_ledge * thickness;
+  const double back = has_ledge ? inner[0] - thickness : outer[0];
+  const auto add_joint = [this](const Point<2> &inner, const Point<2> &outer) {
+    const unsigned int i = add_vertex(inner);
+    return Edge{i, add_vertex(outer)};
+  };
+
+  if (n_courses > 0)
+    last = add_joint({inner[0], inner[1] - height}, {back, inner[1] - height});
+  for (unsigned int k = 1; k < n_courses; ++k)
+  {
+    const double y = inner[1] - height * (n_courses - k) / n_courses;
+    const Edge next = add_joint({inner[0], y}, {back, y});
+    cells.push_back(
+        {{last.outer, last.inner, next.inner, next.outer}, abutment});
+    last = next;
+  }
+  const Edge top = add_joint(inner, outer);
+  if (n_courses > 0)
+  {
+    cells.push_back({{last.outer, last.inner, top.inner, top.outer}, abutment});
+    if (has_ledge)
+      cells.back().loop.push_back(add_vertex({back, outer[1]}));
+  }
+  last = top;
+}
+
+void LeftHalf::add_voussoir(const ArchJoint &next)
+{
+  const unsigned int inner = add_vertex(next.intrados);
+  const unsigned int outer = add_vertex(next.extrados);
+  cells.push_back({{last.outer, last.inner, inner, outer}, voussoir});
+  last = {inner, outer};
+}
+
+CellLoops LeftHalf::mirrored(const bool has_keystone,
+                             const std::optional<Point<2>> &apex) const
+{
+  CellLoops arch;
+  arch.group_names = {"voussoir", "keystone", "abutment"};
+  arch.vertices = vertices;
+  std::vector<unsigned int> image;
+  for (unsigned int v = 0; v < vertices.size(); ++v)
+    if (vertices[v][0] == 0.)
+      image.push_back(v);
+    else
+    {
+      image.push_back(arch.vertices.size());
+      arch.vertices.emplace_back(-vertices[v][0], vertices[v][1]);
+    }
+
+  const auto add_cell = [&arch](const std::vector<unsigned int> &loop,
+                                const Group group) {
+    arch.loops.insert(arch.loops.end(), loop.begin(), loop.end());
+    arch.first.push_back(arch.loops.size());
+    arch.group.push_back(group);
+  };
+  for (const Cell &cell : cells)
+    add_cell(cell.loop, cell.group);
+  if (has_keystone)
+  {
+    std::vector<unsigned int> loop = {last.inner, image[last.inner],
+                                      image[last.outer]};
+    if (apex)
+    {
+      loop.push_back(arch.vertices.size());
+      arch.vertices.push_back(*apex);
+    }
+    loop.push_back(last.outer);
+    add_cell(loop, keystone);
+  }
+  for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell)
+  {
+    std::vector<unsigned int> loop;
+    for (auto v = cell->loop.rbegin(); v != cell->loop.rend(); ++v)
+      loop.push_back(image[*v]);
+    add_cell(loop, cell->group);
+  }
+  return arch;
+}
+} // namespace
+
+std::string ArchGenerator::name() const
+{
+  return "arch";
+}
+
+std::string ArchGenerator::meaning() const
+{
+  return "a circular or a pointed arch, with or without piers.";
+}
+
+void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  add_choice<Shape>(
+      prm, "Shape", shape,
+      {{Shape::circular, "circular",
+        "one arc around the origin, of 'Mean radius' and 'Embrace'."},
+       {Shape::pointed, "pointed",
+        "two arcs from springings on y = 0, of 'Span' and 'Radius over "
+        "span'."}},
+      "The middle line of the arch, which is symmetric to x = 0.");
+  prm.add_parameter("Mean radius", mean_radius,
+                    "Radius of the middle line of a circular arch; a length, "
+                    "positive.",
+                    Double(0.));
+  prm.add_parameter("Embrace", embrace,
+                    "Angle from springing to springing of a circular arch; "
+                    "degrees, positive. 180 is a semicircle, less a segmental "
+                    "arch.",
+                    Double(0., 180.));
+  prm.add_parameter("Span", span,
+                    "Distance of the springings of a pointed arch, of its "
+                    "middle line; a length, positive.",
+                    Double(0.));
+  prm.add_parameter("Radius over span", radius_over_span,
+                    "Radius of the arcs of a pointed arch, of the middle line, "
+                    "over 'Span'; 0.5 is a semicircle, 1 an equilateral arch.",
+                    Double(0.5));
+  prm.add_parameter("Thickness", thickness,
+                    "Distance from the intrados to the extrados; a length, "
+                    "positive.",
+                    Double(0.));
+  prm.add_parameter("Voussoirs", n_voussoirs,
+                    "Number of voussoirs along the whole arch; if it is odd, "
+                    "there is a keystone at the crown.",
+                    Integer(2, 1000000));
+  prm.add_parameter("Abutments", n_abutment_courses,
+                    "Number of courses of the pier under each springing; 0 for "
+                    "no piers. Under an inclined springing the top course is a "
+                    "skewback.",
+                    Integer(0, 1000000));
+  prm.add_parameter("Abutment height", abutment_height,
+                    "Height of the piers up to the intrados at the springing; "
+                    "a length, positive.",
+                    Double(0.));
+}
+
+CellLoops ArchGenerator::generate(const std::filesystem::path &,
+                                  Terminal &) const
+{
+  check_measures();
+  const HalfArch half =
+      shape == Shape::circular
+          ? circular_arch(mean_radius, thickness, n_voussoirs, embrace)
+          : pointed_arch(span, radius_over_span, thickness, n_voussoirs);
+
+  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
+                abutment_height);
+  for (unsigned int k = 1; k < half.joints.size(); ++k)
+    left.add_voussoir(half.joints[k]);
+  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
+}
+
+void ArchGenerator::check_measures() const
+{
+  std::vector<std::pair<std::string, double>> measures = {
+      {"Thickness", thickness}};
+  if (shape == Shape::circular)
+    measures.insert(measures.end(),
+                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
+  else
+    measures.insert(measures.end(),
+                    {{"Span", span}, {"Radius over span", radius_over_span}});
+  if (n_abutment_courses > 0)
+    measures.emplace_back("Abutment height", abutment_height);
+  for (const auto &[entry, value] : measures)
+    if (!std::isfinite(value) || value <= 0.)
+      throw InputError(text("'Packing/arch/", entry, "' is ", value,
+                            "; it must be positive and finite."));
+}
+} // namespace Voussoir

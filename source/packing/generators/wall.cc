@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/generators/wall.h>
+#include <voussoir/packing/generators/wall_courses.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace Voussoir
+{
+namespace
+{
+/** The vertices on one bed joint: where stones end below or above it. */
+class BedJoint
+{
+public:
+  /** Add the vertices, at the height @p y. */
+  BedJoint(CellLoops &cells,
+           const double y,
+           const Course &below,
+           const Course &above)
+      : first_vertex(cells.vertices.size())
+  {
+    for (const Course *course : {&below, &above})
+      for (const Stone &stone : *course)
+        positions.insert(positions.end(), {stone.left, stone.right});
+    std::sort(positions.begin(), positions.end());
+    positions.erase(std::unique(positions.begin(), positions.end()),
+                    positions.end());
+    for (const double x : positions)
+      cells.vertices.emplace_back(x, y);
+  }
+
+  /** The vertices along a stone, from left to right. */
+  std::vector<unsigned int> along(const Stone &stone) const
+  {
+    const auto left =
+        std::lower_bound(positions.begin(), positions.end(), stone.left);
+    const auto end = std::upper_bound(left, positions.end(), stone.right);
+    std::vector<unsigned int> vertices(end - left);
+    std::iota(vertices.begin(), vertices.end(),
+              first_vertex + (left - positions.begin()));
+    return vertices;
+  }
+
+private:
+  unsigned int first_vertex;
+  std::vector<double> positions;
+};
+
+void add_cells(CellLoops &cells,
+               const Course &course,
+               const BedJoint &below,
+               const BedJoint &above)
+{
+  for (const Stone &stone : course)
+  {
+    const std::vector<unsigned int> lower = below.along(stone);
+    const std::vector<unsigned int> upper = above.along(stone);
+    cells.loops.insert(cells.loops.end(), lower.begin(), lower.end());
+    cells.loops.insert(cells.loops.end(), upper.rbegin(), upper.rend());
+    cells.first.push_back(cells.loops.size());
+    cells.group.push_back(stone.is_lintel ? 1 : 0);
+  }
+}
+} // namespace
+
+std::string WallGenerator::name() const
+{
+  return "wall";
+}
+
+std::string WallGenerator::meaning() const
+{
+  return "a rectangular wall of bricks, with openings.";
+}
+
+void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  add_choice<Bond>(
+      prm, "Bond", bond,
+      {{Bond::running, "running",
+        "every second course is shifted by half a brick and has a half brick "
+        "at either end."},
+       {Bond::stack, "stack", "all head joints are above each other."},
+       {Bond::English, "English",
+        "courses of stretchers, which show their length, and of headers, which "
+        "show half of it, in turn."},
+       {Bond::Flemish, "Flemish",
+        "stretcher and header in turn in every course; symmetric if 'Bricks "
+        "per course' is 1, 4, 7, ..."}},
+      "How the bricks overlap.");
+  prm.add_parameter("Courses", n_courses, "Number of courses, bottom to top.",
+                    Integer(1, 1000000));
+  prm.add_parameter("Bricks per course", n_bricks,
+                    "The width of the wall in stretchers, which is the number "
+                    "of bricks in the bottom course unless the bond is "
+                    "Flemish.",
+                    Integer(1, 1000000));
+  prm.add_parameter("Width", width, "Width of the wall; a length, positive.",
+                    Double(0.));
+  prm.add_parameter("Height", height, "Height of the wall; a length, positive.",
+                    Double(0.));
+  prm.add_parameter(
+      "Openings", openings,
+      "Openings \"x0, y0, x1, y1; x0, y0, x1, y1; ...\", each from its lower "
+      "left corner x0, y0 to the upper right one x1, y1; lengths from the "
+      "lower left corner of the wall. They begin and end on bed joints; a door "
+      "has y0 = 0. A brick cut to less than a quarter of a header is joined to "
+      "its neighbour in the course.",
+      List(List(Double(), 4, 4, ","), 0, std::numeric_limits<int>::max(), ";"));
+  prm.add_parameter("Lintels", has_lintels,
+                    "Whether a lintel, one course high, spans each opening "
+                    "that ends below the top of the wall.");
+  prm.add_parameter("Lintel bearing", lintel_bearing,
+                    "How far a lintel rests on the wall on either side of the "
+                    "opening; a length. It ends at the end of the wall; "
+                    "lintels that would overlap are one.",
+                    Double(0.));
+}
+
+CellLoops WallGenerator::generate(const std::filesystem::path &,
+                                  Terminal &) const
+{
+  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
+      height <= 0.)
+    throw InputError(text("The wall 'Packing/wall' has the width ", width,
+                          " and the height ", height,
+                          "; both must be positive and finite."));
+
+  check_number_of_cells(double(n_courses) * n_bricks,
+                        "'Packing/wall/Courses' and 'Bricks per course'");
+
+  WallGrid grid(width, height, n_courses, n_bricks);
+  const std::vector<WallPart> gaps = place_openings(grid, openings);
+  std::vector<WallPart> lintels;
+  if (has_lintels)
+    lintels = place_lintels(grid, gaps, lintel_bearing);
+
+  CellLoops cells;
+  cells.group_names = {"brick", "lintel"};
+  Course course = lay_course(grid, bond, 0, gaps, lintels);
+  BedJoint below(cells, grid.bed_joint(0), {}, course);
+  for (unsigned int k = 0; k < n_courses; ++k)
+  {
+    Course next;
+    if (k + 1 < n_courses)
+      next = lay_course(grid, bond, k + 1, gaps, lintels);
+    BedJoint above(cells, grid.bed_joint(k + 1), course, next);
+    add_cells(cells, course, below, above);
+    course = std::move(next);
+    below = std::move(above);
+  }
+  if (cells.group.empty())
+    throw InputError("'Packing/wall/Openings' leave nothing of the wall; make "
+                     "them smaller.");
+  return cells;
+}
+} // namespace Voussoir

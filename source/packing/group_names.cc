@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/packing/group_names.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/regex/pending/unicode_iterator.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <regex>
+#include <stdexcept>
+
+namespace Voussoir
+{
+const std::string ground_name = "ground";
+
+namespace
+{
+bool is_utf8(const std::string &name)
+{
+  using Iterator = boost::u8_to_u32_iterator<std::string::const_iterator>;
+  try
+  {
+    Iterator letter(name.begin(), name.begin(), name.end());
+    const Iterator end(name.end(), name.begin(), name.end());
+    while (letter != end)
+      ++letter;
+  }
+  catch (const std::out_of_range &)
+  {
+    return false;
+  }
+  return true;
+}
+bool is_control(const unsigned char letter)
+{
+  return letter < ' ' || letter == 0x7f;
+}
+} // namespace
+
+std::string quoted_group_name(const std::string &name)
+{
+  std::string shown = name;
+  const bool readable = is_utf8(name);
+  for (char &letter : shown)
+    if (is_control(letter) || (!readable && (letter & 0x80) != 0))
+      letter = '?';
+  return "'" + shown + "'";
+}
+
+std::string fault_of_group_name(const std::string &name)
+{
+  const auto separates = [](const char letter) {
+    return is_control(letter) || std::strchr(",;:\"", letter) != nullptr;
+  };
+  if (name.empty())
+    return "is empty";
+  if (name == ground_name)
+    return "is the name of what supports the packing";
+  if (std::regex_match(name, std::regex("cell *[0-9]+")))
+    return "stands for a cell by its number";
+  if (std::any_of(name.begin(), name.end(), separates))
+    return "has a comma, semicolon, colon, quote or control character";
+  if (!is_utf8(name))
+    return "is not UTF-8 text";
+  return "";
+}
+
+void check_group_name(const std::string &name)
+{
+  const std::string fault = fault_of_group_name(name);
+  if (!fault.empty())
+    throw InputError("The name " + quoted_group_name(name) +
+                     " of a group of cells " + fault + "; choose another.");
+}
+
+std::vector<std::pair<std::string, std::string>>
+split_named_list(const std::string &list, const std::string &parameter)
+{
+  using dealii::Utilities::trim;
+  std::vector<std::pair<std::string, std::string>> elements;
+  for (const std::string &element :
+       dealii::Utilities::split_string_list(list, ';'))
+  {
+    const std::size_t colon = element.find(':');
+    const std::string name = trim(element.substr(0, colon));
+    const std::string value =
+        colon == std::string::npos ? "" : trim(element.substr(colon + 1));
+    if (name.empty() || value.empty())
+      throw InputError("The parameter '" + parameter + "' has the element '" +
+                       element +
+                       "', which is not of the form \"name: value\".");
+    elements.emplace_back(name, value);
+  }
+  return elements;
+}
+} // namespace Voussoir

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/packing/group_names.h>
+#include <voussoir/packing/polygons/matching.h>
+#include <voussoir/packing/polygons/narrow_gaps.h>
+#include <voussoir/packing/polygons/overlap.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/function_output_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Point;
+using Box = dealii::BoundingBox<2>;
+
+constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+/**
+ * How many tolerances a vertex may be moved: one, and one more where a vertex
+ * between two others joins them. Beyond, short sides run together in a chain.
+ */
+constexpr double longest_move = 2.;
+
+/**
+ * By how many tolerances a vertex may then lie inside the chord of its
+ * neighbours in a convex cell: an inserted vertex is that far from the side,
+ * and one more, and so may be its neighbours on the other side of it.
+ */
+constexpr double deepest_dent = 2. * (longest_move + 1.);
+
+/** A point near a side, at @p position along it, from 0 to 1. */
+struct Contact
+{
+  unsigned int vertex;
+  double distance;
+  unsigned int side;
+  double position;
+};
+
+/** The box around two points, wider by @p margin on all sides. */
+Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
+{
+  Point<2> low, high;
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    low[i] = std::min(a[i], b[i]) - margin;
+    high[i] = std::max(a[i], b[i]) + margin;
+  }
+  return Box({low, high});
+}
+
+/** The rings of all cells by the numbers of their points. */
+struct Corners
+{
+  explicit Corners(const PolygonList &polygons);
+
+  unsigned int n(unsigned int cell) const;
+  /** Corner @p i of a cell, counted modulo their number, as a point. */
+  unsigned int point(unsigned int cell, unsigned int i) const;
+
+  /** The different points of all rings, in the order of the file. */
+  std::vector<Point<2>> points;
+  std::vector<unsigned int> rings;
+  std::vector<unsigned int> first = {0};
+};
+
+Corners::Corners(const PolygonList &polygons)
+{
+  std::vector<Point<2>> all;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+  {
+    all.insert(all.end(), polygon.ring.begin(), polygon.ring.end());
+    first.push_back(all.size());
+  }
+  std::vector<unsigned int> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](unsigned int i, unsigned int j) {
+    return std::tie(all[i][0], all[i][1], i) <
+           std::tie(all[j][0], all[j][1], j);
+  });
+  std::vector<unsigned int> leader(all.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    leader[order[k]] = (k > 0 && all[order[k]] == all[order[k - 1]])
+                           ? leader[order[k - 1]]
+                           : order[k];
+
+  rings.resize(all.size());
+  for (unsigned int i = 0; i < all.size(); ++i)
+    if (leader[i] == i)
+    {
+      rings[i] = points.size();
+      points.push_back(all[i]);
+    }
+    else
+      rings[i] = rings[leader[i]];
+}
+
+unsigned int Corners::n(const unsigned int cell) const
+{
+  return first[cell + 1] - first[cell];
+}
+
+unsigned int Corners::point(const unsigned int cell, const unsigned int i) const
+{
+  return rings[first[cell] + i % n(cell)];
+}
+
+/** Matches one list; one object, used once. */
+class PolygonMatcher
+{
+public:
+  PolygonMatcher(const PolygonList &polygons, double tolerance);
+  CellLoops match();
+
+private:
+  using Tree = decltype(dealii::pack_rtree_of_indices(
+      std::declval<std::vector<Point<2>>>()));
+
+  void find_vertices();
+  std::vector<Contact> contacts(unsigned int cell) const;
+  void find_contacts_of_side(unsigned int cell,
+                             unsigned int side,
+                             std::vector<Contact> &found) const;
+  std::vector<unsigned int> loop(unsigned int cell) const;
+  void check_loop(unsigned int cell, std::vector<unsigned int> loop) const;
+
+  const PolygonList &polygons;
+  const double tolerance;
+
+  const Corners corners;
+  const std::vector<Point<2>> &points;
+  const Tree tree;
+  /** For each point the first one that is the same vertex. */
+  std::vector<unsigned int> vertex;
+};
+
+PolygonMatcher::PolygonMatcher(const PolygonList &polygons,
+                               const double tolerance)
+    : polygons(polygons), tolerance(tolerance), corners(polygons),
+      points(corners.points), tree(dealii::pack_rtree_of_indices(points))
+{
+}
+
+void PolygonMatcher::find_vertices()
+{
+  const unsigned int n = points.size();
+  std::vector<unsigned int> rank(n, 0), parent(n);
+  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
+                                                            parent.data());
+  for (unsigned int p = 0; p < n; ++p)
+    sets.make_set(p);
+  std::vector<std::size_t> near;
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    near.clear();
+    tree.query(boost::geometry::index::intersects(
+                   box_around(points[p], points[p], tolerance)),
+               std::back_inserter(near));
+    for (const std::size_t q : near)
+      if (q < p && points[p].distance(points[q]) <= tolerance)
+        sets.union_set(p, static_cast<unsigned int>(q));
+  }
+
+  std::vector<unsigned int> lowest(n, none);
+  vertex.resize(n);
+  for (unsigned int p = 0; p < n; ++p)
+  {
+    unsigned int &first = lowest[sets.find_set(p)];
+    first = std::min(first, p);
+    vertex[p] = first;
+  }
+}
+
+void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
+                                           const unsigned int side,
+                                           std::vector<Contact> &found) const
+{
+  const unsigned int a = corners.point(cell, side),
+                     b = corners.point(cell, side + 1);
+  const dealii::Tensor<1, 2> along = points[b] - points[a];
+  const double length = along.norm();
+  const auto visit = [&](const std::size_t p) {
+    if (vertex[p] == vertex[a] || vertex[p] == vertex[b])
+      return;
+    const dealii::Tensor<1, 2> to_p = points[p] - points[a];
+    const double position = (along * to_p) / (length * length);
+    const double distance =
+        std::abs(along[0] * to_p[1] - along[1] * to_p[0]) / length;
+    if (position > 0. && position < 1. && distance <= tolerance)
+      found.push_back({vertex[p], distance, side, position});
+  };
+  tree.query(boost::geometry::index::intersects(
+                 box_around(points[a], points[b], tolerance)),
+             boost::make_function_output_iterator(visit));
+}
+
+/** The vertices to insert into a cell, each once, in order along its loop. */
+std::vector<Contact> PolygonMatcher::contacts(const unsigned int cell) const
+{
+  std::vector<Contact> found;
+  for (unsigned int side = 0; side < corners.n(cell); ++side)
+    find_contacts_of_side(cell, side, found);
+
+  // A vertex near a sharp corner is near two sides; it belongs to the nearer.
+  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.vertex, a.distance, a.side, a.position) <
+           std::tie(b.vertex, b.distance, b.side, b.position);
+  });
+  found.erase(std::unique(found.begin(), found.end(),
+                          [](const auto &a, const auto &b) {
+                            return a.vertex == b.vertex;
+                          }),
+              found.end());
+  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.side, a.position, a.vertex) <
+           std::tie(b.side, b.position, b.vertex);
+  });
+  return found;
+}
+
+std::vector<unsigned int> PolygonMatcher::loop(const unsigned int cell) const
+{
+  std::vector<unsigned int> result;
+  const std::vector<Contact> inserted = contacts(cell);
+  auto next = inserted.begin();
+  for (unsigned int i = 0; i < corners.n(cell); ++i)
+  {
+    const unsigned int v = vertex[corners.point(cell, i)];
+    if (result.empty() || v != result.back())
+      result.push_back(v);
+    for (; next != inserted.end() && next->side == i; ++next)
+      result.push_back(next->vertex);
+  }
+  while (result.size() > 1 && result.back() == result.front())
+    result.pop_back();
+  check_loop(cell, result);
+  return result;
+}
+
+void PolygonMatcher::check_loop(const unsigned int cell,
+                                std::vector<unsigned int> loop) const
+{
+  const std::string advice = text("within the matching tolerance ", tolerance,
+                                  "; lower the tolerance or redraw the cell.");
+  for (unsigned int i = 0; i < corners.n(cell); ++i)
+  {
+    const unsigned int p = corners.point(cell, i);
+    if (points[p].distance(points[vertex[p]]) > longest_move * tolerance)
+      polygons.refuse(cell, "has a chain of short sides at " +
+                                text_of_point(points[p]) + ", each " + advice);
+  }
+  if (loop.size() < 3)
+    polygons.refuse(cell, "at " +
+                              text_of_point(points[corners.point(cell, 0)]) +
+                              " has fewer than three vertices left of which "
+                              "no two are " +
+                              advice);
+  std::sort(loop.begin(), loop.end());
+  const auto twice = std::adjacent_find(loop.begin(), loop.end());
+  if (twice != loop.end())
+    polygons.refuse(cell, "touches itself at " + text_of_point(points[*twice]) +
+                              " " + advice);
+}
+
+CellLoops PolygonMatcher::match()
+{
+  find_vertices();
+  CellLoops cells;
+  std::vector<unsigned int> number(points.size(), none);
+  for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
+  {
+    for (const unsigned int v : loop(c))
+    {
+      if (number[v] == none)
+      {
+        number[v] = cells.vertices.size();
+        cells.vertices.push_back(points[v]);
+      }
+      cells.loops.push_back(number[v]);
+    }
+    cells.first.push_back(cells.loops.size());
+  }
+  cells.tolerance = deepest_dent * tolerance;
+  return cells;
+}
+
+/** Number the names of the groups in the order in which they appear. */
+void name_groups(const PolygonList &polygons, CellLoops &cells)
+{
+  const auto unnamed = [](const PolygonList::Polygon &polygon) {
+    return polygon.group.empty();
+  };
+  if (std::all_of(polygons.polygons.begin(), polygons.polygons.end(), unnamed))
+    return;
+  std::map<std::string, unsigned int> numbers;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+  {
+    const std::string &name = unnamed(polygon) ? "block" : polygon.group;
+    const auto entry = numbers.emplace(name, cells.group_names.size());
+    if (entry.second)
+    {
+      const std::string fault = fault_of_group_name(name);
+      if (!fault.empty())
+        polygons.refuse(cells.group.size(),
+                        "belongs to the group " + quoted_group_name(name) +
+                            ", whose name " + fault + "; rename it.");
+      cells.group_names.push_back(name);
+    }
+    cells.group.push_back(entry.first->second);
+  }
+}
+} // namespace
+
+CellLoops match_polygons(const PolygonList &polygons, const double tolerance)
+{
+  refuse_overlaps(polygons, tolerance);
+  CellLoops cells = PolygonMatcher(polygons, tolerance).match();
+  name_groups(polygons, cells);
+  cells.file = polygons.file.string();
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+    cells.records.push_back(polygon.record);
+  cells.record_name = polygons.record_name;
+  cells.notices = polygons.notices;
+  const std::string gaps = describe_narrow_gaps(cells, tolerance);
+  if (!gaps.empty())
+    cells.notices.push_back(gaps);
+  return cells;
+}
+} // namespace Voussoir

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/intersections.h>
+#include <boost/variant/get.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Point;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Ring = std::vector<Point<2>>;
+
+/** The automatic matching tolerance relative to the mean size of a cell. */
+constexpr double relative_tolerance = 1e-10;
+
+/** How many units of rounding coordinates from another program may be off. */
+constexpr double n_units_of_rounding =
+    16. * std::numeric_limits<double>::epsilon();
+
+/**
+ * The mean thickness of a cell over its length below which it is a sliver: the
+ * remains of a cut that failed, not a block. A mortar joint of a millimetre
+ * along ten metres has 1e-4.
+ */
+constexpr double sliver_ratio = 1e-6;
+
+/**
+ * The mean thickness of a cell over the tolerance below which matching may take
+ * its opposite sides for one another: each may move by the tolerance.
+ */
+constexpr double least_thickness = 4.;
+
+/** The diagonal of the box around a ring. */
+double length_of(const Ring &ring)
+{
+  Point<2> low = ring[0], high = ring[0];
+  for (const Point<2> &p : ring)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  return low.distance(high);
+}
+
+/** The largest coordinate of all, without sign. */
+double largest_coordinate(const PolygonList &polygons)
+{
+  double largest = 0.;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+    for (const Point<2> &p : polygon.ring)
+      largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+  return largest;
+}
+
+std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
+{
+  std::vector<Kernel::Point_2> points;
+  points.reserve(ring.size());
+  for (const Point<2> &p : ring)
+    points.emplace_back(p[0], p[1]);
+  return points;
+}
+
+/** Where two sides meet that should not, if they do. */
+bool find_contact(const std::vector<Kernel::Point_2> &p,
+                  const std::size_t i,
+                  const std::size_t j,
+                  Point<2> &place)
+{
+  const std::size_t n = p.size();
+  const Kernel::Segment_2 a(p[i], p[(i + 1) % n]), b(p[j], p[(j + 1) % n]);
+  const auto contact = CGAL::intersection(a, b);
+  if (!contact)
+    return false;
+  // Sides that follow each other meet in a point; a segment is a spike.
+  const Kernel::Point_2 *point = boost::get<Kernel::Point_2>(&*contact);
+  if (point != nullptr && ((i + 1) % n == j || (j + 1) % n == i))
+    return false;
+  const Kernel::Point_2 q =
+      point != nullptr ? *point
+                       : boost::get<Kernel::Segment_2>(&*contact)->source();
+  place = {q.x(), q.y()};
+  return true;
+}
+
+/** Where a ring that is not simple crosses or touches itself. */
+Point<2> place_of_crossing(const std::vector<Kernel::Point_2> &p)
+{
+  const std::size_t n = p.size();
+  const auto left = [&](const std::size_t i) {
+    return std::min(p[i].x(), p[(i + 1) % n].x());
+  };
+  const auto right = [&](const std::size_t i) {
+    return std::max(p[i].x(), p[(i + 1) % n].x());
+  };
+  std::vector<std::size_t> sides(n);
+  for (std::size_t i = 0; i < n; ++i)
+    sides[i] = i;
+  std::sort(sides.begin(), sides.end(), [&](std::size_t i, std::size_t j) {
+    return std::make_pair(left(i), i) < std::make_pair(left(j), j);
+  });
+  Point<2> place(p[0].x(), p[0].y());
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t l = k + 1; l < n && left(sides[l]) <= right(sides[k]); ++l)
+      if (find_contact(p, sides[k], sides[l], place))
+        return place;
+  return place;
+}
+
+void check_vertices(const PolygonList &polygons, const unsigned int cell)
+{
+  const Ring &ring = polygons.polygons[cell].ring;
+  for (const Point<2> &p : ring)
+    for (unsigned int i = 0; i < 2; ++i)
+      if (!std::isfinite(p[i]))
+        polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
+                                  text_of_number(p[1]) +
+                                  "); coordinates must be finite.");
+  if (ring.size() < 3)
+    polygons.refuse(cell, text("has ", ring.size(),
+                               " different vertices; a polygon has at least "
+                               "three."));
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (ring[i] == ring[(i + 1) % ring.size()])
+      polygons.refuse(cell, "repeats the vertex " + text_of_point(ring[i]) +
+                                "; give each vertex once.");
+  if (!std::isfinite(length_of(ring) * length_of(ring)))
+    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
+                              " is too large for its area to be a number; "
+                              "choose another unit of length.");
+}
+
+/** Whether all vertices lie on one line, to rounding. */
+bool is_flat(const Ring &ring)
+{
+  const auto farthest = std::max_element(
+      ring.begin(), ring.end(), [&](const Point<2> &a, const Point<2> &b) {
+        return a.distance_square(ring[0]) < b.distance_square(ring[0]);
+      });
+  const dealii::Tensor<1, 2> line = *farthest - ring[0];
+  return std::all_of(ring.begin(), ring.end(), [&](const Point<2> &p) {
+    return std::abs(cross(line, p - ring[0])) <=
+           n_units_of_rounding * line.norm_square();
+  });
+}
+
+void check_shape(const PolygonList &polygons, const unsigned int cell)
+{
+  const Ring &ring = polygons.polygons[cell].ring;
+  if (is_flat(ring))
+    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
+                              " has no area: all its vertices lie on one line; "
+                              "delete or redraw it.");
+  const std::vector<Kernel::Point_2> points = to_cgal(ring);
+  if (!CGAL::is_simple_2(points.begin(), points.end(), Kernel()))
+    polygons.refuse(cell, "crosses or touches itself at " +
+                              text_of_point(place_of_crossing(points)) +
+                              "; a cell is one loop that does neither.");
+  const double length = length_of(ring);
+  const double area = std::abs(signed_area(ring));
+  if (area < sliver_ratio * length * length)
+    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
+                              text(" is a sliver of length ", length,
+                                   " and mean thickness ", area / length,
+                                   "; delete it, or merge it with a "
+                                   "neighbour."));
+}
+} // namespace
+
+void check_and_orient(PolygonList &polygons)
+{
+  for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
+  {
+    check_vertices(polygons, c);
+    check_shape(polygons, c);
+    Ring &ring = polygons.polygons[c].ring;
+    if (signed_area(ring) < 0.)
+      std::reverse(ring.begin() + 1, ring.end()); // the same first vertex
+  }
+}
+
+double automatic_tolerance(const PolygonList &polygons)
+{
+  double area = 0.;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+    area += std::abs(signed_area(polygon.ring));
+  return std::max(relative_tolerance *
+                      std::sqrt(area / polygons.polygons.size()),
+                  n_units_of_rounding * largest_coordinate(polygons));
+}
+
+void check_tolerance(const PolygonList &polygons, const double tolerance)
+{
+  const double rounding = n_units_of_rounding * largest_coordinate(polygons);
+  if (!std::isfinite(tolerance) || tolerance < rounding)
+    throw InputError(text("The matching tolerance ", tolerance,
+                          " is below the rounding ", rounding,
+                          " of the coordinates of '", polygons.file.string(),
+                          "'; give more, or 0 for an automatic value."));
+  for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
+  {
+    const Ring &ring = polygons.polygons[c].ring;
+    const double thickness = std::abs(signed_area(ring)) / length_of(ring);
+    if (thickness < least_thickness * tolerance)
+      polygons.refuse(c, "at " + text_of_point(ring[0]) +
+                             text(" has the mean thickness ", thickness,
+                                  ", which is less than ", least_thickness,
+                                  " times the matching tolerance ", tolerance,
+                                  tolerance > rounding
+                                      ? "; lower the tolerance or delete the "
+                                        "cell."
+                                      : ", which is the rounding of the "
+                                        "coordinates; choose an origin closer "
+                                        "to the cells."));
+  }
+}
+} // namespace Voussoir

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/polygons/matching.h>
+#include <voussoir/packing/polygons/off_file.h>
+#include <voussoir/packing/polygons/ogr_file.h>
+#include <voussoir/packing/polygons/points_file.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
+#include <voussoir/packing/polygons/polygons.h>
+#include <voussoir/packing/polygons/wkt_file.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+
+namespace Voussoir
+{
+std::string PolygonGenerator::name() const
+{
+  return "polygons";
+}
+
+std::string PolygonGenerator::meaning() const
+{
+  return "the polygons of a file.";
+}
+
+void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter(
+      "File", file,
+      "The file of the polygons, each a cell: WKT if its name ends in .wkt or "
+      ".txt, OFF if in .off, otherwise any format that GDAL reads, such as "
+      "DXF, GeoJSON, GeoPackage and Shapefile. A relative path starts at the "
+      "directory of the .prm file.",
+      Anything());
+  prm.add_parameter(
+      "Matching tolerance", tolerance,
+      "Vertices and sides no further apart than this length touch; wider gaps "
+      "stay open and carry nothing, and deeper overlaps are errors. 0: 1e-10 "
+      "of the mean size of a cell, or 16 units of rounding of the largest "
+      "coordinate if that is more.",
+      Double(0.));
+  prm.add_parameter(
+      "Centres file", centres_file,
+      "A file with the centre \"x y\" of one cell a line, in the order of the "
+      "cells, on which the least energy formulation depends; empty: the "
+      "centroids. A relative path starts at the directory of the .prm file.",
+      Anything());
+}
+
+CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
+                                     Terminal &) const
+{
+  if (file.empty())
+    throw InputError("'Packing/Generator' is 'polygons', but 'Packing/polygons/"
+                     "File' names no file.");
+  PolygonList polygons = read_polygons((directory / file).lexically_normal());
+  check_and_orient(polygons);
+  const double used_tolerance =
+      tolerance > 0. ? tolerance : automatic_tolerance(polygons);
+  check_tolerance(polygons, used_tolerance);
+  CellLoops cells = match_polygons(polygons, used_tolerance);
+  if (!centres_file.empty())
+    cells.centres = read_centres(directory, polygons);
+  return cells;
+}
+
+std::vector<std::filesystem::path>
+PolygonGenerator::input_files(const std::filesystem::path &directory) const
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::string &name : {file, centres_file})
+    if (!name.empty())
+      files.push_back(directory / name);
+  return files;
+}
+
+std::vector<dealii::Point<2>>
+PolygonGenerator::read_centres(const std::filesystem::path &directory,
+                               const PolygonList &polygons) const
+{
+  const PointList centres =
+      read_points_file((directory / centres_file).lexically_normal());
+  if (centres.points.size() != polygons.polygons.size())
+    throw InputError(text("The centres file '", centres.file.string(), "' has ",
+                          centres.points.size(), " points, but '",
+                          polygons.file.string(), "' has ",
+                          polygons.polygons.size(),
+                          " cells; each cell needs one centre, in the same "
+                          "order."));
+  return centres.points;
+}
+
+PolygonList read_polygons(const std::filesystem::path &file)
+{
+  const std::string extension = boost::to_lower_copy(file.extension().string());
+  if (extension == ".wkt" || extension == ".txt")
+    return read_wkt_file(file);
+  if (extension == ".off")
+    return read_off_file(file);
+  return read_ogr_file(file);
+}
+} // namespace Voussoir

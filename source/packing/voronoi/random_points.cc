@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/random.h>
+#include <voussoir/packing/voronoi/random_points.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Point;
+
+namespace
+{
+/** Into how many triangles, at least, the polygon is cut. */
+constexpr unsigned int least_triangles = 4096;
+
+/**
+ * How often the bound in some triangle may be raised. Once or twice is usual
+ * for a formula with a peak between the corners; a size that vanishes would
+ * raise bounds for ever.
+ */
+constexpr unsigned int most_raised_bounds = 200;
+
+/**
+ * How many points are tried for each that is kept, on average, before the size
+ * is taken to vanish somewhere: far more than bounds that fit ever cost.
+ */
+constexpr double most_tries = 100.;
+
+/** A triangle with an upper bound of the density in it. */
+struct Triangle
+{
+  std::array<Point<2>, 3> corners;
+  double area;
+  double bound;
+
+  Point<2> at(const double a, const double b) const
+  {
+    return (1. - a - b) * corners[0] + a * corners[1] + b * corners[2];
+  }
+};
+
+/** Draws points with the density (reference / h)^2. */
+class PointSource
+{
+public:
+  PointSource(const ConvexPolygon &polygon, const CellSize &size);
+  std::vector<Point<2>> draw(unsigned int n, unsigned int seed);
+
+private:
+  double density(const Point<2> &p) const;
+  void add_triangles(const Triangle &whole, unsigned int n_cuts);
+  void add_triangle(const std::array<Point<2>, 3> &corners, double area);
+  void raise_bound(Triangle &triangle, double bound) const;
+  std::optional<Point<2>> try_to_draw(std::vector<Point<2>> &points,
+                                      unsigned int seed);
+
+  const CellSize &size;
+  double reference_size;
+  std::vector<Triangle> triangles;
+};
+
+PointSource::PointSource(const ConvexPolygon &polygon, const CellSize &size)
+    : size(size)
+{
+  const unsigned int n = polygon.n_sides();
+  Point<2> middle;
+  for (unsigned int i = 0; i < n; ++i)
+    middle += polygon.vertex(i) / n;
+  reference_size = size(middle);
+
+  const unsigned int n_cuts = std::ceil(std::sqrt(1. * least_triangles / n));
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const double area = -0.5 * polygon.beyond(middle, i) *
+                        polygon.vertex(i).distance(polygon.vertex(i + 1));
+    add_triangles(
+        {{{middle, polygon.vertex(i), polygon.vertex(i + 1)}}, area, 0.},
+        n_cuts);
+  }
+}
+
+double PointSource::density(const Point<2> &p) const
+{
+  const double ratio = reference_size / size(p);
+  return ratio * ratio;
+}
+
+/** Cut a triangle into n_cuts^2 equal ones that are similar to it. */
+void PointSource::add_triangles(const Triangle &whole,
+                                const unsigned int n_cuts)
+{
+  const double area = whole.area / (n_cuts * n_cuts);
+  const auto node = [&](const unsigned int i, const unsigned int j) {
+    return whole.at(1. * i / n_cuts, 1. * j / n_cuts);
+  };
+  for (unsigned int i = 0; i < n_cuts; ++i)
+    for (unsigned int j = 0; i + j < n_cuts; ++j)
+    {
+      add_triangle({{node(i, j), node(i + 1, j), node(i, j + 1)}}, area);
+      if (i + j + 1 < n_cuts)
+        add_triangle({{node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}},
+                     area);
+    }
+}
+
+void PointSource::add_triangle(const std::array<Point<2>, 3> &corners,
+                               const double area)
+{
+  Triangle triangle = {corners, area, 0.};
+  const double in_middle = density(triangle.at(1. / 3., 1. / 3.));
+  double least = in_middle, largest = in_middle;
+  for (const Point<2> &corner : corners)
+  {
+    const double value = density(corner);
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+  // Between the four points the density may rise as much again.
+  raise_bound(triangle, largest + (largest - least));
+  triangles.push_back(triangle);
+}
+
+void PointSource::raise_bound(Triangle &triangle, const double bound) const
+{
+  triangle.bound = bound;
+  if (!std::isfinite(bound))
+    size.refuse_as_too_small(triangle.at(1. / 3., 1. / 3.));
+}
+
+std::vector<Point<2>> PointSource::draw(const unsigned int n,
+                                        const unsigned int seed)
+{
+  std::vector<Point<2>> points(n);
+  std::optional<Point<2>> excess;
+  for (unsigned int raised = 0; raised <= most_raised_bounds; ++raised)
+  {
+    excess = try_to_draw(points, seed);
+    if (!excess)
+      return points;
+  }
+  size.refuse_as_too_small(*excess);
+}
+
+/** Where a bound was exceeded and is now raised; nothing if all went well. */
+std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
+                                                 const unsigned int seed)
+{
+  std::vector<double> mass_up_to;
+  double mass = 0.;
+  for (const Triangle &triangle : triangles)
+  {
+    mass += triangle.area * triangle.bound;
+    mass_up_to.push_back(mass);
+  }
+  Random random(seed);
+  double tries_left = most_tries * (points.size() + most_tries);
+  for (Point<2> &p : points)
+    for (bool kept = false; !kept;)
+    {
+      const auto found = std::upper_bound(
+          mass_up_to.begin(), mass_up_to.end() - 1, random() * mass);
+      Triangle &triangle = triangles[found - mass_up_to.begin()];
+      double a = random(), b = random();
+      if (a + b > 1.) // in the other half of the parallelogram
+      {
+        a = 1. - a;
+        b = 1. - b;
+      }
+      p = triangle.at(a, b);
+      const double value = density(p);
+      if (--tries_left < 0.)
+        size.refuse_as_too_small(p);
+      if (value > triangle.bound)
+      {
+        raise_bound(triangle, 2. * value);
+        return p;
+      }
+      kept = random() * triangle.bound < value;
+    }
+  return {};
+}
+
+/** Cells along a side of the grid in which order_along_curve() finds points. */
+constexpr std::uint32_t curve_grid = 1 << 16;
+
+/** Where the Hilbert curve through the grid meets its cell (x, y). */
+std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
+{
+  std::uint32_t place = 0;
+  for (std::uint32_t half = curve_grid / 2; half > 0; half /= 2)
+  {
+    const bool right = (x & half) != 0, upper = (y & half) != 0;
+    place += half * half * (right ? (upper ? 2 : 3) : (upper ? 1 : 0));
+    if (!upper) // the lower quarters are turned
+    {
+      if (right)
+      {
+        x = curve_grid - 1 - x;
+        y = curve_grid - 1 - y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return place;
+}
+
+/**
+ * Put the points in the order in which a Hilbert curve through the rectangle
+ * around them meets them. Cells that touch then mostly have numbers close to
+ * each other, and their data lies close in memory; in the order of drawing, a
+ * million cells take twice as long in all that looks at neighbours.
+ */
+void order_along_curve(std::vector<Point<2>> &points)
+{
+  Point<2> low = points.front(), high = low;
+  for (const Point<2> &p : points)
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      low[d] = std::min(low[d], p[d]);
+      high[d] = std::max(high[d], p[d]);
+    }
+  const double size = std::max(
+      {high[0] - low[0], high[1] - low[1], std::numeric_limits<double>::min()});
+  std::vector<std::pair<std::uint32_t, Point<2>>> placed;
+  placed.reserve(points.size());
+  for (const Point<2> &p : points)
+    placed.emplace_back(
+        place_on_curve((p[0] - low[0]) / size * (curve_grid - 1),
+                       (p[1] - low[1]) / size * (curve_grid - 1)),
+        p);
+  std::stable_sort(
+      placed.begin(), placed.end(),
+      [](const auto &a, const auto &b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = placed[i].second;
+}
+} // namespace
+
+PointList random_points(const unsigned int n,
+                        const unsigned int seed,
+                        const Rectangle &rectangle)
+{
+  Random random(seed);
+  PointList list;
+  list.points.resize(n);
+  for (Point<2> &p : list.points)
+    for (unsigned int i = 0; i < 2; ++i)
+      p[i] = rectangle.lower_left[i] +
+             random() * (rectangle.upper_right[i] - rectangle.lower_left[i]);
+  order_along_curve(list.points);
+  return list;
+}
+
+PointList random_points(const unsigned int n,
+                        const unsigned int seed,
+                        const ConvexPolygon &polygon,
+                        const CellSize &size)
+{
+  PointList list;
+  list.points = PointSource(polygon, size).draw(n, seed);
+  order_along_curve(list.points);
+  return list;
+}
+} // namespace Voussoir

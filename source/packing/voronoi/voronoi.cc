@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/voronoi/voronoi.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/**
+ * The centroids of the cells for a density of h^-4, where h is the @p size: by
+ * the triangles between the centre and the sides, with the three midpoints of
+ * the sides of a triangle, which is exact for polynomials of degree two.
+ */
+std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
+                                         const CellSize &size)
+{
+  std::vector<Point<2>> centroids;
+  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  {
+    const Point<2> &centre = cells.centres[c];
+    const double reference = size(centre);
+    double mass = 0.;
+    Tensor<1, 2> moment;
+    Tensor<1, 2> a =
+        cells.vertices[cells.loops[cells.first[c + 1] - 1]] - centre;
+    for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
+    {
+      const Tensor<1, 2> b = cells.vertices[cells.loops[i]] - centre;
+      const double area = 0.5 * cross(a, b);
+      for (const Tensor<1, 2> &x : {0.5 * a, 0.5 * (a + b), 0.5 * b})
+      {
+        const double weight = std::pow(reference / size(centre + x), 4);
+        mass += weight * area / 3.;
+        moment += weight * area / 3. * x;
+      }
+      a = b;
+    }
+    centroids.push_back(centre + moment / mass);
+  }
+  return centroids;
+}
+} // namespace
+
+std::string VoronoiGenerator::name() const
+{
+  return "Voronoi";
+}
+
+std::string VoronoiGenerator::meaning() const
+{
+  return "the Voronoi cells of points in a rectangle or a convex polygon, of "
+         "equal or of graded size.";
+}
+
+void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  add_choice<Domain>(
+      prm, "Domain", domain,
+      {{Domain::rectangle, "rectangle", "from 'Lower left' to 'Upper right'."},
+       {Domain::polygon, "polygon", "the convex polygon of 'Polygon'."}},
+      "What the cells fill.");
+  prm.add_parameter(
+      "Lower left", rectangle.lower_left,
+      "The lower left corner \"x, y\" of the rectangle; lengths.");
+  prm.add_parameter("Upper right", rectangle.upper_right,
+                    "The upper right corner \"x, y\" of the rectangle; "
+                    "lengths.");
+  prm.add_parameter(
+      "Polygon", polygon_vertices,
+      "The vertices \"x, y; x, y; ...\" of the convex polygon, in "
+      "order around it; lengths.");
+  add_choice<Source>(prm, "Points", source,
+                     {{Source::file, "file", "as given in 'Points file'."},
+                      {Source::random, "random",
+                       "drawn at random, as densely as 'Cell size' asks."}},
+                     "Where the points come from.");
+  prm.add_parameter("Points file", points_file,
+                    "A file with one point \"x y\" a line; # begins a comment. "
+                    "A relative path starts at the directory of the .prm file.",
+                    Anything());
+  prm.add_parameter("Number of points", n_points,
+                    "Number of random points, which is that of the cells.",
+                    Integer(1, 100000000));
+  prm.add_parameter("Seed", seed,
+                    "Seed of the random points; the same seed gives the same "
+                    "points on every machine.",
+                    Integer(0));
+  prm.add_parameter("Cell size", cell_size,
+                    "The size that cells are wanted to have, relative to each "
+                    "other: a positive expression in x and y, of which only "
+                    "ratios matter. It decides how densely random points lie, "
+                    "and what Lloyd steps tend to.",
+                    Anything());
+  prm.add_parameter("Lloyd steps", n_lloyd_steps,
+                    "How many times each point is moved to the centroid of its "
+                    "cell, weighted by 'Cell size' to the power -4.",
+                    Integer(0, 10000));
+}
+
+CellLoops VoronoiGenerator::generate(const std::filesystem::path &directory,
+                                     Terminal &terminal) const
+{
+  const ConvexPolygon polygon = make_domain();
+  const CellSize size(cell_size, "Packing/Voronoi/Cell size");
+  size(polygon.vertex(0)); // a constant is not evaluated elsewhere
+  PointList generators = make_points(polygon, size, directory);
+  CellLoops cells = voronoi_cells(generators, polygon);
+  for (unsigned int step = 0; step < n_lloyd_steps; ++step)
+  {
+    terminal.progress(step, n_lloyd_steps, "Lloyd steps");
+    generators.points = weighted_centroids(cells, size);
+    cells = voronoi_cells(generators, polygon);
+  }
+  return cells;
+}
+
+std::vector<std::filesystem::path>
+VoronoiGenerator::input_files(const std::filesystem::path &directory) const
+{
+  if (source == Source::random || points_file.empty())
+    return {};
+  return {directory / points_file};
+}
+
+ConvexPolygon VoronoiGenerator::make_domain() const
+{
+  if (domain == Domain::rectangle)
+  {
+    check_rectangle();
+    return ConvexPolygon(rectangle);
+  }
+  if (polygon_vertices.empty())
+    throw InputError("'Packing/Voronoi/Domain' is 'polygon', but 'Packing/"
+                     "Voronoi/Polygon' has no vertices.");
+  return ConvexPolygon(polygon_vertices);
+}
+
+PointList
+VoronoiGenerator::make_points(const ConvexPolygon &polygon,
+                              const CellSize &size,
+                              const std::filesystem::path &directory) const
+{
+  if (source == Source::file && points_file.empty())
+    throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
+                     "Points file' names none.");
+  if (source == Source::file)
+    return read_points_file((directory / points_file).lexically_normal());
+  if (domain == Domain::rectangle && size.is_constant())
+    return random_points(n_points, seed, rectangle);
+  return random_points(n_points, seed, polygon, size);
+}
+
+void VoronoiGenerator::check_rectangle() const
+{
+  bool valid = std::isfinite(rectangle.area());
+  for (unsigned int i = 0; i < 2; ++i)
+    valid &= rectangle.upper_right[i] > rectangle.lower_left[i];
+  if (!valid)
+    throw InputError("The rectangle of 'Packing/Voronoi' from " +
+                     text_of_point(rectangle.lower_left) + " to " +
+                     text_of_point(rectangle.upper_right) +
+                     " has no area; 'Upper right' must be above and to the "
+                     "right of 'Lower left'.");
+}
+} // namespace Voussoir

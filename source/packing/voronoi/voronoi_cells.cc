@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/packing/voronoi/cell_cutter.h>
+#include <voussoir/packing/voronoi/voronoi_cells.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Point;
+
+constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+/**
+ * Vertices and generators nearer to each other than this, relative to the mean
+ * size of a cell, are taken for the same point.
+ */
+constexpr double relative_resolution = 1e-12;
+
+/**
+ * How far away the guards stand, relative to the size of the polygon: farther
+ * than any point of it is from a generator, by more than that distance again.
+ */
+constexpr double guard_distance = 4.;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_2<unsigned int, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<unsigned int, Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_2<
+    Kernel,
+    CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+/**
+ * The height of a triangle over its longest side below which its circumcentre
+ * is computed with rational numbers: the error of the plain formula grows with
+ * the inverse of that ratio.
+ */
+constexpr double slender_triangle = 0.05;
+
+/** The circumcentre of a finite face, right to rounding whatever its shape. */
+Point<2> circumcentre(const Delaunay::Face_handle &face)
+{
+  const Kernel::Point_2 &a = face->vertex(0)->point();
+  const Kernel::Point_2 &b = face->vertex(1)->point();
+  const Kernel::Point_2 &c = face->vertex(2)->point();
+  const double longest =
+      std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c),
+                CGAL::squared_distance(c, a)});
+  if (2. * CGAL::area(a, b, c) > slender_triangle * longest)
+  {
+    const Kernel::Point_2 q = CGAL::circumcenter(a, b, c);
+    return {q.x(), q.y()};
+  }
+  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  const CGAL::Cartesian_converter<Kernel, Exact> exact;
+  const Exact::Point_2 q = CGAL::circumcenter(exact(a), exact(b), exact(c));
+  return {CGAL::to_double(q.x()), CGAL::to_double(q.y())};
+}
+
+/** Builds the cells; one object, used once. */
+class VoronoiBuilder
+{
+public:
+  VoronoiBuilder(const PointList &generators, const ConvexPolygon &polygon);
+  CellLoops build();
+
+private:
+  void check_generators() const;
+  void insert_generators();
+  void insert_guards();
+  void make_vertices();
+  void make_loops();
+  bool reaches_outside(Delaunay::Vertex_handle site) const;
+  std::vector<CellCutter::Corner>
+  corners_of(Delaunay::Vertex_handle site) const;
+  std::vector<unsigned int> merge_close_vertices() const;
+  CellLoops number_vertices() const;
+
+  const PointList &generators;
+  const ConvexPolygon &polygon;
+  /** Points nearer to each other than this are one; a length. */
+  double resolution = 0.;
+  /** A number larger than the size of the polygon; a length. */
+  double extent = 0.;
+
+  Delaunay triangulation;
+  std::vector<Delaunay::Vertex_handle> site_of_cell;
+  std::vector<Point<2>> vertices;
+  /** Of the vertices of the triangulation's faces, those not inside. */
+  std::vector<bool> outside;
+  /** On how many sides of the polygon each vertex lies. */
+  std::vector<unsigned char> n_sides_at;
+  /** The vertices of one cell after the other, and where each begins. */
+  std::vector<unsigned int> loops, first = {0};
+};
+
+VoronoiBuilder::VoronoiBuilder(const PointList &generators,
+                               const ConvexPolygon &polygon)
+    : generators(generators), polygon(polygon)
+{
+  const double cell_size = std::sqrt(polygon.area() / generators.points.size());
+  double largest_coordinate = 0.;
+  for (unsigned int i = 0; i < polygon.n_sides(); ++i)
+  {
+    extent =
+        std::max(extent, 2. * polygon.vertex(i).distance(polygon.vertex(0)));
+    for (unsigned int d = 0; d < 2; ++d)
+      largest_coordinate =
+          std::max(largest_coordinate, std::abs(polygon.vertex(i)[d]));
+  }
+  resolution = std::max(relative_resolution * cell_size,
+                        16 * std::numeric_limits<double>::epsilon() *
+                            largest_coordinate);
+}
+
+CellLoops VoronoiBuilder::build()
+{
+  check_generators();
+  insert_generators();
+  insert_guards();
+  make_vertices();
+  make_loops();
+  triangulation.clear(); // the larger part of the memory
+  return number_vertices();
+}
+
+void VoronoiBuilder::check_generators() const
+{
+  for (unsigned int c = 0; c < generators.points.size(); ++c)
+    if (!polygon.contains(generators.points[c], resolution))
+      throw InputError("The " + generators.describe(c) + " is not inside the " +
+                       polygon.description() + "; remove it or enlarge the " +
+                       polygon.shape() + ".");
+}
+
+void VoronoiBuilder::insert_generators()
+{
+  const unsigned int n = generators.points.size();
+  std::vector<std::pair<Kernel::Point_2, unsigned int>> sites(n);
+  for (unsigned int c = 0; c < n; ++c)
+    sites[c] = {
+        Kernel::Point_2(generators.points[c][0], generators.points[c][1]), c};
+  triangulation.insert(sites.begin(), sites.end());
+
+  const auto refuse = [this](const unsigned int a, const unsigned int b) {
+    throw InputError("The " + generators.describe(std::max(a, b)) +
+                     " coincides with " + generators.describe(std::min(a, b)) +
+                     "; each cell needs a point of its own.");
+  };
+  site_of_cell.assign(n, nullptr);
+  for (const auto vertex : triangulation.finite_vertex_handles())
+    site_of_cell[vertex->info()] = vertex;
+  for (unsigned int c = 0; c < n; ++c)
+    if (site_of_cell[c] == nullptr) // it fell onto an earlier point
+      refuse(c, triangulation.nearest_vertex(sites[c].first)->info());
+  // The nearest neighbour of a point is one of its Delaunay neighbours.
+  for (const auto &edge : triangulation.finite_edges())
+  {
+    const auto a = edge.first->vertex(Delaunay::cw(edge.second));
+    const auto b = edge.first->vertex(Delaunay::ccw(edge.second));
+    if (CGAL::squared_distance(a->point(), b->point()) <
+        resolution * resolution)
+      refuse(a->info(), b->info());
+  }
+}
+
+/** Make all cells finite, and change none inside the polygon. */
+void VoronoiBuilder::insert_guards()
+{
+  const unsigned int n_guards = 3;
+  for (unsigned int g = 0; g < n_guards; ++g)
+  {
+    const double angle = 2. * dealii::numbers::PI * g / n_guards;
+    const Point<2> &origin = polygon.vertex(0);
+    triangulation
+        .insert(Kernel::Point_2(
+            origin[0] + guard_distance * extent * std::cos(angle),
+            origin[1] + guard_distance * extent * std::sin(angle)))
+        ->info() = none;
+  }
+}
+
+void VoronoiBuilder::make_vertices()
+{
+  vertices.reserve(triangulation.number_of_faces());
+  outside.reserve(triangulation.number_of_faces());
+  for (const auto face : triangulation.finite_face_handles())
+  {
+    face->info() = vertices.size();
+    vertices.push_back(circumcentre(face));
+    outside.push_back(!polygon.contains(vertices.back(), 0.));
+  }
+  n_sides_at.assign(vertices.size(), 0);
+}
+
+/** Visit the faces around a site, counterclockwise. */
+template <typename Visitor>
+void for_faces_around(const Delaunay &triangulation,
+                      const Delaunay::Vertex_handle site,
+                      const Visitor &visit)
+{
+  Delaunay::Face_circulator face = triangulation.incident_faces(site);
+  const Delaunay::Face_circulator begin = face;
+  do
+    visit(face);
+  while (++face != begin);
+}
+
+bool VoronoiBuilder::reaches_outside(const Delaunay::Vertex_handle site) const
+{
+  bool reaches = false;
+  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
+    reaches |= outside[face->info()];
+  });
+  return reaches;
+}
+
+std::vector<CellCutter::Corner>
+VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
+{
+  std::vector<CellCutter::Corner> corners;
+  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
+    CellCutter::Corner corner;
+    corner.vertex = face->info();
+    corner.position = vertices[corner.vertex];
+    corner.neighbour =
+        face->vertex(Delaunay::cw(face->index(site)))->info(); // none: a guard
+    corners.push_back(corner);
+  });
+  return corners;
+}
+
+void VoronoiBuilder::make_loops()
+{
+  CellCutter cutter(polygon, generators.points, vertices.size());
+  loops.reserve(3 * vertices.size()); // each in three cells, but at the sides
+  first.reserve(site_of_cell.size() + 1);
+  for (unsigned int c = 0; c < site_of_cell.size(); ++c)
+  {
+    if (reaches_outside(site_of_cell[c]))
+    {
+      std::vector<CellCutter::Corner> corners = corners_of(site_of_cell[c]);
+      cutter.cut(c, corners);
+      for (const CellCutter::Corner &corner : corners)
+        loops.push_back(corner.vertex);
+    }
+    else
+      for_faces_around(
+          triangulation, site_of_cell[c],
+          [&](const Delaunay::Face_handle f) { loops.push_back(f->info()); });
+    first.push_back(loops.size());
+  }
+  for (const CellCutter::Vertex &vertex : cutter.made_vertices())
+  {
+    vertices.push_back(vertex.position);
+    n_sides_at.push_back(vertex.n_sides);
+  }
+}
+
+/** For each vertex the one that stands for all that are the same point. */
+std::vector<unsigned int> VoronoiBuilder::merge_close_vertices() const
+{
+  const unsigned int n = vertices.size();
+  std::vector<unsigned int> rank(n, 0), parent(n);
+  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
+                                                            parent.data());
+  for (unsigned int v = 0; v < n; ++v)
+    sets.make_set(v);
+  for (unsigned int c = 0; c + 1 < first.size(); ++c)
+  {
+    unsigned int previous = loops[first[c + 1] - 1];
+    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
+    {
+      if (vertices[previous].distance(vertices[loops[i]]) <= resolution)
+        sets.union_set(previous, loops[i]);
+      previous = loops[i];
+    }
+  }
+
+  // Of the vertices in a set, keep the one that lies on most sides.
+  std::vector<unsigned int> kept(n, none), merged_into(n);
+  for (unsigned int v = 0; v < n; ++v)
+  {
+    unsigned int &k = kept[sets.find_set(v)];
+    if (k == none || n_sides_at[v] > n_sides_at[k])
+      k = v;
+  }
+  for (unsigned int v = 0; v < n; ++v)
+    merged_into[v] = kept[sets.find_set(v)];
+  return merged_into;
+}
+
+CellLoops VoronoiBuilder::number_vertices() const
+{
+  const std::vector<unsigned int> merged_into = merge_close_vertices();
+  CellLoops cells;
+  cells.centres = generators.points;
+  cells.vertices.reserve(vertices.size());
+  cells.loops.reserve(loops.size());
+  cells.first.reserve(first.size());
+  std::vector<unsigned int> number(vertices.size(), none);
+  for (unsigned int c = 0; c + 1 < first.size(); ++c)
+  {
+    unsigned int previous = merged_into[loops[first[c + 1] - 1]];
+    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
+    {
+      const unsigned int v = merged_into[loops[i]];
+      if (v == previous)
+        continue;
+      previous = v;
+      if (number[v] == none)
+      {
+        number[v] = cells.vertices.size();
+        cells.vertices.push_back(vertices[v]);
+      }
+      cells.loops.push_back(number[v]);
+    }
+    cells.first.push_back(cells.loops.size());
+  }
+  return cells;
+}
+} // namespace
+
+CellLoops voronoi_cells(const PointList &generators,
+                        const ConvexPolygon &polygon)
+{
+  return VoronoiBuilder(generators, polygon).build();
+}
+
+CellLoops voronoi_cells(const PointList &generators, const Rectangle &rectangle)
+{
+  return voronoi_cells(generators, ConvexPolygon(rectangle));
+}
+} // namespace Voussoir

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
+#include <voussoir/base/text.h>
+#include <voussoir/formula/triangle_integral.h>
+#include <voussoir/scene/body_force.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+Patch box_of(const Packing &packing, const unsigned int c)
+{
+  std::vector<Point<2>> vertices;
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    vertices.push_back(packing.vertex(c, i));
+  return box_around(vertices);
+}
+
+/** Whether a jump may cross the box around a cell. */
+bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
+{
+  return !jumps.empty() &&
+         !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
+}
+
+/** Put into @p parts those over the triangles of the centre and each side of
+ * a cell. */
+void integrate(const Packing &packing,
+               const unsigned int c,
+               const std::function<Tensor<1, 2>(const Point<2> &)> &b,
+               const Jumps &jumps,
+               const bool closely,
+               std::vector<TriangleIntegral> &parts)
+{
+  static const Jumps none;
+  parts.clear();
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    parts.push_back(triangle_integral(
+        {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
+        packing.centre(c), b, closely ? jumps : none));
+}
+
+/** Whether bounds allow in a cell what was not seen in its triangles. */
+bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
+                     const Jumps &jumps,
+                     const Packing &packing,
+                     const unsigned int c)
+{
+  if (!jumps.has_formulas())
+    return false;
+  std::array<Samples, 2> samples;
+  for (const TriangleIntegral &part : parts)
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      samples[i].add(part.samples[i].least);
+      samples[i].add(part.samples[i].most);
+    }
+  return !cover(samples, jumps.bounds_in(box_of(packing, c), jumps.no_limits()),
+                0.);
+}
+
+/** A sub-cell: the triangle of the centre and side i of a cell. */
+struct Triangle
+{
+  Triangle(const Packing &packing, const unsigned int c, const unsigned int i)
+      : a(packing.vertex(c, i) - packing.centre(c)),
+        b(packing.vertex(c, i + 1) - packing.centre(c)), area(0.5 * cross(a, b))
+  {
+  }
+
+  /** The corners, from the centre. */
+  Tensor<1, 2> a, b;
+  double area;
+};
+} // namespace
+
+BodyForce::BodyForce(
+    const Packing &packing,
+    const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
+    const Jumps &jumps,
+    Inaccuracies *const inaccuracies)
+{
+  allocate(packing);
+  std::vector<TriangleIntegral> parts;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
+        [&](const Point<2> &x) {
+          return b(x, c);
+        };
+    // A look at the whole cell is cheaper than one at each triangle.
+    const bool closely = is_near(jumps, packing, c);
+    integrate(packing, c, b_c, jumps, closely, parts);
+    if (!closely && may_hide_a_peak(parts, jumps, packing, c))
+      integrate(packing, c, b_c, jumps, true, parts);
+    double error = 0., size = 0., uncertain = 0.;
+    for (unsigned int i = 0; i < parts.size(); ++i)
+    {
+      on_sub_cell[packing.first_side(c) + i] = parts[i].value;
+      moment_of_cell[c] += parts[i].moment;
+      error += parts[i].error;
+      size += parts[i].size;
+      uncertain = std::max(uncertain, parts[i].uncertain);
+    }
+    if (inaccuracies != nullptr)
+      inaccuracies->look_at(error, size, uncertain, [&] {
+        return text("in ", packing.describe(c), " at ",
+                    text_of_point(packing.centre(c)));
+      });
+  }
+}
+
+void BodyForce::add(const Packing &packing,
+                    const unsigned int cell,
+                    const Tensor<1, 2> &f)
+{
+  if (empty())
+    allocate(packing);
+  for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
+  {
+    const Triangle triangle(packing, cell, i);
+    const Tensor<1, 2> share = triangle.area / packing.area(cell) * f;
+    on_sub_cell[packing.first_side(cell) + i] += share;
+    moment_of_cell[cell] +=
+        outer_product(share, (triangle.a + triangle.b) / 3.);
+  }
+}
+
+void BodyForce::allocate(const Packing &packing)
+{
+  on_sub_cell.resize(packing.first_side(packing.n_cells()));
+  moment_of_cell.resize(packing.n_cells());
+}
+
+bool BodyForce::empty() const
+{
+  return on_sub_cell.empty();
+}
+
+Tensor<1, 2> BodyForce::force(const Packing &packing,
+                              const unsigned int cell) const
+{
+  Tensor<1, 2> sum;
+  for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
+    sum += force(packing, cell, i);
+  return sum;
+}
+
+Tensor<1, 2> BodyForce::force(const Packing &packing,
+                              const unsigned int cell,
+                              const unsigned int i) const
+{
+  return empty() ? Tensor<1, 2>() : on_sub_cell[packing.first_side(cell) + i];
+}
+
+Tensor<2, 2> BodyForce::moment(const unsigned int cell) const
+{
+  return empty() ? Tensor<2, 2>() : moment_of_cell[cell];
+}
+} // namespace Voussoir

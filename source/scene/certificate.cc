@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
+#include <voussoir/scene/certificate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/** A load, relative to the largest of the scene, that is rounding. */
+constexpr double rounding_of_loads = 1e-12;
+
+/**
+ * An imbalance of a cell, over the reference force, that is rounding; and what
+ * solvers leave of cells without load, which feel others only. A load is light
+ * if it is that far below the reference force.
+ */
+constexpr double rounding_of_imbalance = 1e-14, noise_of_imbalance = 1e-12,
+                 light_load = 1e-6;
+
+/** The largest relative closing of a joint in a mechanism, for rounding. */
+constexpr double largest_closing = 1e-12;
+/** The largest MechanismCertificate::share_of_closing: normal forces may be
+ * some times the largest load. */
+constexpr double largest_share = 0.1;
+
+/**
+ * The reference force of each connected group, by its lowest member: the
+ * largest load on one of its cells, since groups do not feel each other, nor
+ * through the ground, and none may hide behind another. A group without load is
+ * judged by the largest of the scene, and a scene without load by the largest
+ * force.
+ */
+std::vector<double> reference_forces(const Scene &scene,
+                                     const InterfaceForces &forces,
+                                     const std::vector<unsigned int> &group)
+{
+  std::vector<double> reference(group.size(), 0.);
+  double largest_load = 0., largest_force = 0.;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+  {
+    double &largest = reference[group[c]];
+    largest = std::max(largest, scene.load[c].norm());
+    largest_load = std::max(largest_load, largest);
+  }
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+    largest_force = std::max({largest_force, std::abs(forces.normal[e]),
+                              std::abs(forces.tangential[e])});
+  for (double &largest : reference)
+    if (!(largest > rounding_of_loads * largest_load))
+      largest = largest_load > 0. ? largest_load : largest_force;
+  return reference;
+}
+
+/** By how much the forces of an interface are beyond their limits. */
+double violation(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const unsigned int e)
+{
+  const double length = scene.packing.interfaces()[e].length;
+  return std::max(
+      {0., forces.normal[e],
+       std::abs(forces.tangential[e]) - scene.strength[e] * length});
+}
+
+/**
+ * UnbalancedCell::own_force of each cell, and whether there is a light load on
+ * it or beside it.
+ */
+struct OwnForces
+{
+  OwnForces(const Scene &scene,
+            const InterfaceForces &forces,
+            const std::vector<double> &reference)
+      : size(scene.load_size), near_light(size.size(), false)
+  {
+    const Packing &packing = scene.packing;
+    std::vector<double> beside(size.size() + 1, 0.), pressed(beside);
+    const auto light = [&](const unsigned int c) {
+      return c != packing.ground() &&
+                     scene.load_size[c] <= light_load * reference[c]
+                 ? scene.load_size[c]
+                 : 0.;
+    };
+    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    {
+      const Packing::Interface &i = packing.interfaces()[e];
+      const double force = std::hypot(forces.normal[e], forces.tangential[e]);
+      for (const auto &[c, other] : {std::pair(i.cell_minus, i.cell_plus),
+                                     std::pair(i.cell_plus, i.cell_minus)})
+      {
+        pressed[c] = std::max(pressed[c], force);
+        beside[c] = std::max(beside[c], light(other));
+      }
+    }
+    for (unsigned int c = 0; c < size.size(); ++c)
+    {
+      near_light[c] = light(c) > 0. || beside[c] > 0.;
+      if (!(size[c] > 0.))
+        size[c] = beside[c] > 0. ? beside[c] : pressed[c];
+    }
+  }
+
+  std::vector<double> size;
+  std::vector<bool> near_light;
+};
+
+/**
+ * The cells that are out of balance by their own measure.
+ *
+ * @param sum of all forces on each cell.
+ * @param reference force of each cell.
+ */
+std::vector<UnbalancedCell>
+unbalanced_cells(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const std::vector<Tensor<1, 2>> &sum,
+                 const std::vector<double> &reference)
+{
+  const OwnForces own(scene, forces, reference);
+  std::vector<double> defect;
+  for (const Tensor<1, 2> &left : sum)
+    defect.push_back(left.norm());
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      defect[c] = std::max(defect[c], violation(scene, forces, e));
+  }
+  std::vector<UnbalancedCell> unbalanced;
+  for (unsigned int c = 0; c < own.size.size(); ++c)
+  {
+    const double rounding =
+        own.near_light[c] ? rounding_of_imbalance : noise_of_imbalance;
+    if (defect[c] > largest_accepted_error * own.size[c] &&
+        defect[c] > rounding * reference[c])
+      unbalanced.push_back({c, defect[c], own.size[c]});
+  }
+  return unbalanced;
+}
+} // namespace
+
+Certificate certify(const Scene &scene, const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  Certificate certificate;
+
+  // A NaN would slip through every comparison below.
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    if (!std::isfinite(forces.normal[e]) ||
+        !std::isfinite(forces.tangential[e]))
+    {
+      const double infinity = std::numeric_limits<double>::infinity();
+      return {infinity, infinity, infinity, infinity, {}};
+    }
+
+  const std::vector<unsigned int> group =
+      connected_groups(packing, Ground::separates);
+  const std::vector<double> reference = reference_forces(scene, forces, group);
+  // Without a reference force there is nothing to be compared.
+  const auto add = [&](double &largest, const double error,
+                       const unsigned int cell) {
+    if (reference[group[cell]] > 0.)
+      largest = std::max(largest, error / reference[group[cell]]);
+  };
+
+  std::vector<Tensor<1, 2>> sum = scene.load;
+  sum.emplace_back(); // of the ground, which takes any force
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
+    sum[i.cell_minus] += f;
+    sum[i.cell_plus] -= f;
+    add(certificate.admissibility_violation, violation(scene, forces, e),
+        i.cell_minus);
+    certificate.max_utilisation =
+        std::max(certificate.max_utilisation, utilisation(scene, forces, e));
+  }
+
+  const std::vector<double> torques = residual_torques(scene, forces);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    add(certificate.equilibrium_residual, sum[c].norm(), c);
+    add(certificate.max_torque,
+        std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
+  }
+  std::vector<double> of_cell(packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    of_cell[c] = reference[group[c]];
+  certificate.unbalanced = unbalanced_cells(scene, forces, sum, of_cell);
+  return certificate;
+}
+
+bool proves_collapse(const MechanismCertificate &certificate)
+{
+  return certificate.closing_violation <= largest_closing &&
+         certificate.work_over_dissipation > 1. &&
+         certificate.share_of_closing < largest_share;
+}
+
+MechanismCertificate certify_mechanism(const Scene &scene,
+                                       std::vector<Tensor<1, 2>> displacement)
+{
+  double largest = 0., closing = 0., work = 0., dissipation = 0.;
+  double largest_load = 0., all_closings = 0.;
+  for (unsigned int c = 0; c < displacement.size(); ++c)
+  {
+    largest = std::max(largest, displacement[c].norm());
+    work += scene.load[c] * displacement[c];
+    largest_load = std::max(largest_load, scene.load[c].norm());
+  }
+  displacement.emplace_back(); // the ground does not move
+  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const Tensor<1, 2> jump =
+        displacement[i.cell_plus] - displacement[i.cell_minus];
+    closing = std::max(closing, -(jump * i.normal));
+    all_closings += std::max(0., -(jump * i.normal));
+    dissipation += scene.strength[e] * i.length * std::abs(jump * i.tangent());
+  }
+
+  MechanismCertificate certificate;
+  if (largest > 0.)
+    certificate.closing_violation = closing / largest;
+  if (work > 0.)
+    certificate.work_over_dissipation =
+        dissipation > 0. ? work / dissipation
+                         : std::numeric_limits<double>::infinity();
+  if (all_closings > 0.)
+    certificate.share_of_closing =
+        work > dissipation ? all_closings * largest_load / (work - dissipation)
+                           : std::numeric_limits<double>::infinity();
+  return certificate;
+}
+} // namespace Voussoir

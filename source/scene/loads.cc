@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/formula/edge_integral.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/formula/inaccuracies.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
+#include <voussoir/scene/loads.h>
+#include <voussoir/scene/supports.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <boost/lexical_cast.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/** Two expressions "f_x; f_y" in x, y, ... */
+class VectorExpression
+{
+public:
+  VectorExpression(const std::string &formulas,
+                   const std::vector<std::string> &variables,
+                   const std::string &parameter)
+      : components(dealii::Utilities::split_string_list(formulas, ';')),
+        parameter(parameter), n_variables(variables.size())
+  {
+    for (const std::string &component : components)
+      f.emplace_back(component, variables, parameter);
+  }
+
+  /** Whether both are zero everywhere by their form. */
+  bool is_zero() const
+  {
+    return std::all_of(f.begin(), f.end(), [&](const Expression &component) {
+      return component.is_constant() &&
+             component(std::vector<double>(n_variables, 0.)) == 0.;
+    });
+  }
+
+  /** Whether both are the same everywhere by their form. */
+  bool is_constant() const
+  {
+    return std::all_of(f.begin(), f.end(), [](const Expression &component) {
+      return component.is_constant();
+    });
+  }
+
+  /** The operations of a component, to know where it jumps. */
+  const Formula &formula(const unsigned int i) const
+  {
+    return f[i].formula();
+  }
+
+  /** @throws InputError that ends with @p where if the value is not finite. */
+  template <typename Where>
+  double component(const unsigned int i,
+                   const std::initializer_list<double> values,
+                   const Where &where) const
+  {
+    const double value = f[i](values);
+    if (!std::isfinite(value))
+      throw InputError(
+          text("'", parameter, "' has the component '", components[i],
+               "', which is ", text_of_number(value), " at ",
+               text_of_point({values.begin()[0], values.begin()[1]}), where()));
+    return value;
+  }
+
+private:
+  std::vector<std::string> components;
+  std::string parameter;
+  std::size_t n_variables;
+  std::vector<Expression> f;
+};
+
+/** The cells that a user calls @p name: a group, or "cell" and a number. */
+std::vector<unsigned int> cells_of_name(const Packing &packing,
+                                        const std::string &name,
+                                        const std::string &parameter)
+{
+  std::smatch match;
+  unsigned int number = 0;
+  if (std::regex_match(name, match, std::regex("cell +([0-9]+)")))
+  {
+    if (!boost::conversion::try_lexical_convert(match[1].str(), number) ||
+        number >= packing.n_cells())
+      throw InputError(text("The parameter '", parameter, "' names '", name,
+                            "', but the cells have the numbers from 0 to ",
+                            packing.n_cells() - 1, "."));
+    return {number};
+  }
+  const unsigned int group = group_of_name(packing, name, parameter);
+  std::vector<unsigned int> cells;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (packing.group(c) == group)
+      cells.push_back(c);
+  return cells;
+}
+} // namespace
+
+void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Loads");
+  add_choice<Kind>(
+      prm, "Boundary load", kind,
+      {{Kind::traction, "traction", "the expressions in 'Traction'."},
+       {Kind::uniform_stress, "uniform stress",
+        "g = S n with the tensor S in 'Stress'."}},
+      "What acts on the boundary.");
+  prm.add_parameter("Traction", traction,
+                    "The components \"g_x; g_y\" of the traction on the "
+                    "boundary; stresses, tension positive. Expressions in x, "
+                    "y and the outward unit normal nx, ny.",
+                    List(Anything(), 2, 2, ";"));
+  prm.add_parameter("Stress", stress,
+                    "The symmetric tensor \"S_xx, S_xy; S_yx, S_yy\" of the "
+                    "uniform stress; stresses, tension positive.",
+                    List(List(Double(), 2, 2, ","), 2, 2, ";"));
+  prm.add_parameter("Where", loaded_where,
+                    "The boundary edges that the load acts on: those at whose "
+                    "midpoint x, y, with the outward unit normal nx, ny, this "
+                    "expression is not zero. 1: all that are not supported.",
+                    Anything());
+  prm.add_parameter(
+      "Segment tractions", on_segments,
+      "Further tractions on straight lines along the boundary, from point to "
+      "point: \"x, y to x, y: g_x, g_y; ...\", as in 0.27, 1 to 0.43, 1: 0, "
+      "-10 for a strip load; or \"x, y to x, y: g_x, g_y to g_x, g_y\" for "
+      "one that varies linearly, as a pressure of water does. Stresses; lines "
+      "may begin and end anywhere on edges that are not supported.",
+      Anything());
+  prm.add_parameter("Body force", body,
+                    "The components \"b_x; b_y\" of a force per unit area and "
+                    "thickness, such as weight: 0; -20 in kN/m^3. Expressions "
+                    "in x and y.",
+                    List(Anything(), 2, 2, ";"));
+  prm.add_parameter("Cell forces", cell_forces,
+                    "Point loads: the resultants of forces on cells by name, "
+                    "\"name: F_x, F_y; name: F_x, "
+                    "F_y\": on each cell of the group of that name, or on the "
+                    "cell with a number, as in cell 12: 0, -5. Per unit "
+                    "thickness; spread evenly over the cell.",
+                    Anything());
+  prm.leave_subsection();
+}
+
+Loads LoadParameters::loads(const Packing &packing) const
+{
+  Loads loads;
+  EdgeTractions on_edges = tractions(packing, loads.warnings);
+  loads.traction = std::move(on_edges.mean);
+  loads.traction_moment = std::move(on_edges.first_moment);
+  loads.body = body_force(packing, loads.warnings);
+  loads.on_cells = forces_on_cells(packing);
+  return loads;
+}
+
+EdgeTractions
+LoadParameters::tractions(const Packing &packing,
+                          std::vector<std::string> &warnings) const
+{
+  const unsigned int n_edges = packing.boundary_edges().size();
+  const std::vector<bool> chosen =
+      loaded_where == "1"
+          ? std::vector<bool>(n_edges, true)
+          : boundary_edges_where(packing, loaded_where, "Loads/Where");
+  EdgeTractions tractions(n_edges);
+  if (kind == Kind::traction)
+    add_traction_of_expression(packing, chosen, tractions, warnings);
+  else
+    add_uniform_stress(packing, chosen, tractions);
+  const std::string parameter = "Loads/Segment tractions";
+  for (const SegmentTraction &segment :
+       segment_tractions_of_text(on_segments, parameter))
+    add_segment_traction(packing, segment, parameter, tractions);
+  return tractions;
+}
+
+void LoadParameters::add_traction_of_expression(
+    const Packing &packing,
+    const std::vector<bool> &chosen,
+    EdgeTractions &tractions,
+    std::vector<std::string> &warnings) const
+{
+  const std::string parameter = "Loads/Traction";
+  const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
+  Jumps jumps[2] = {{{g.formula(0)}, {0., 0.}}, {{g.formula(1)}, {0., 0.}}};
+  Inaccuracies inaccuracies(parameter);
+  for (unsigned int b = 0; b < chosen.size(); ++b)
+  {
+    if (!chosen[b])
+      continue;
+    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    const auto where = [&] {
+      return text(", on the boundary of cell ", edge.cell,
+                  "; a traction must be finite.");
+    };
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      jumps[i].set_constants({edge.normal[0], edge.normal[1]});
+      const EdgeIntegral integral = edge_integral(
+          edge.start, edge.end,
+          [&](const Point<2> &p) {
+            return g.component(i, {p[0], p[1], edge.normal[0], edge.normal[1]},
+                               where);
+          },
+          jumps[i]);
+      tractions.mean[b][i] = integral.mean;
+      tractions.first_moment[b][i] =
+          edge.length * edge.length * integral.moment;
+      inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
+                           [&] { return along_edge(edge.start, edge.end); });
+    }
+  }
+  for (std::string &warning : inaccuracies.warnings())
+    warnings.push_back(std::move(warning));
+}
+
+void LoadParameters::add_uniform_stress(const Packing &packing,
+                                        const std::vector<bool> &chosen,
+                                        EdgeTractions &tractions) const
+{
+  Tensor<2, 2> S;
+  dealii::Patterns::Tools::to_value(stress, S);
+  if (S[0][1] != S[1][0] || !std::isfinite(S.norm()))
+    throw InputError("'Loads/Stress' = '" + stress +
+                     "' must be finite and symmetric: S_xy = S_yx.");
+  for (unsigned int b = 0; b < chosen.size(); ++b)
+    if (chosen[b])
+      tractions.mean[b] += S * packing.boundary_edges()[b].normal;
+}
+
+BodyForce LoadParameters::body_force(const Packing &packing,
+                                     std::vector<std::string> &warnings) const
+{
+  const std::string parameter = "Loads/Body force";
+  const VectorExpression b(body, {"x", "y"}, parameter);
+  if (b.is_zero())
+    return {};
+  const auto value = [&](const Point<2> &p, const unsigned int cell) {
+    const auto where = [&] {
+      return text(", in cell ", cell, "; a force must be finite.");
+    };
+    return Tensor<1, 2>({b.component(0, {p[0], p[1]}, where),
+                         b.component(1, {p[0], p[1]}, where)});
+  };
+  if (b.is_constant())
+  {
+    BodyForce uniform;
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      uniform.add(packing, c, packing.area(c) * value(packing.centre(c), c));
+    return uniform;
+  }
+  Inaccuracies inaccuracies(parameter);
+  BodyForce force(packing, value, Jumps({b.formula(0), b.formula(1)}, {}),
+                  &inaccuracies);
+  for (std::string &warning : inaccuracies.warnings())
+    warnings.push_back(std::move(warning));
+  return force;
+}
+
+std::vector<CellForce>
+LoadParameters::forces_on_cells(const Packing &packing) const
+{
+  const std::string parameter = "Loads/Cell forces";
+  std::vector<CellForce> forces;
+  for (const auto &[name, value] : split_named_list(cell_forces, parameter))
+  {
+    const auto components = dealii::Utilities::split_string_list(value, ',');
+    CellForce f = {name, cells_of_name(packing, name, parameter), {}};
+    bool valid = components.size() == 2;
+    for (unsigned int i = 0; valid && i < 2; ++i)
+      valid =
+          boost::conversion::try_lexical_convert(components[i], f.force[i]) &&
+          std::isfinite(f.force[i]);
+    if (!valid)
+      throw InputError("The parameter '" + parameter + "' gives '" + name +
+                       "' the force '" + value +
+                       "'; two finite numbers \"F_x, F_y\" are expected, "
+                       "with a comma between.");
+    if (f.cells.empty())
+      throw InputError("The parameter '" + parameter + "' gives a force to '" +
+                       name +
+                       "', which has no cells to take it; name another group, "
+                       "or a cell by its number.");
+    forces.push_back(std::move(f));
+  }
+  return forces;
+}
+} // namespace Voussoir

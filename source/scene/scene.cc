@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/connected_groups.h>
+#include <voussoir/scene/scene.h>
+
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/**
+ * The largest total force, relative to the sum of the sizes of all forces on a
+ * group of cells, that counts as rounding.
+ */
+constexpr double balance_tolerance = 1e-10;
+
+/** The same for what is left of the forces on one cell where they cancel. */
+constexpr double cancellation_tolerance = 1e-14;
+
+/** How many groups that are not balanced a message names. */
+constexpr unsigned int n_named_groups = 5;
+
+/** Refuse a force whose square cannot be computed. */
+template <typename What>
+void check_size(const Tensor<1, 2> &force, const What &what)
+{
+  const bool none = force[0] == 0. && force[1] == 0.;
+  if (!std::isfinite(force.norm()) || (!none && !(force.norm() > 0.)))
+    throw InputError(
+        text(what(), " is (", force[0], ", ", force[1],
+             "), a force whose square is beyond the computer's numbers. Choose "
+             "units in which it is between 1e-150 and 1e150."));
+}
+
+/** Torque (x - centre) x f about the centre, positive counterclockwise. */
+double torque(const dealii::Point<2> &x,
+              const dealii::Point<2> &centre,
+              const Tensor<1, 2> &f)
+{
+  const Tensor<1, 2> arm = x - centre;
+  return arm[0] * f[1] - arm[1] * f[0];
+}
+} // namespace
+
+Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
+    : packing(std::move(packing_in)), strength(std::move(strength_in)),
+      traction(std::move(loads.traction)),
+      traction_moment(std::move(loads.traction_moment)),
+      on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
+      has_body_force(!body.empty()), load(packing.n_cells()),
+      load_size(packing.n_cells(), 0.), group(connected_groups(packing))
+{
+  traction_moment.resize(packing.boundary_edges().size());
+  for (const CellForce &f : on_cells)
+    for (const unsigned int c : f.cells)
+      body.add(packing, c, f.force);
+  add_up_loads();
+  check_balance();
+  clear_single_cells();
+}
+
+void Scene::add_up_loads()
+{
+  const auto add = [&](const unsigned int c, const Tensor<1, 2> &force,
+                       const auto &what) {
+    check_size(force, what);
+    load[c] += force;
+    load_size[c] += force.norm();
+  };
+  const auto &boundary = packing.boundary_edges();
+  for (unsigned int b = 0; b < boundary.size(); ++b)
+    add(boundary[b].cell, boundary[b].length * traction[b], [&] {
+      return text("The traction on the boundary edge at ",
+                  text_of_point(boundary[b].midpoint()), " of cell ",
+                  boundary[b].cell);
+    });
+  if (!body.empty())
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      add(c, body.force(packing, c), [&] {
+        return text("The force inside ", packing.describe(c), " at ",
+                    text_of_point(packing.centre(c)));
+      });
+
+  // Rounding must not pass for a load where all forces on a cell cancel.
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (load[c].norm() <= cancellation_tolerance * load_size[c])
+      load[c] = 0.;
+}
+
+void Scene::check_balance() const
+{
+  std::vector<Tensor<1, 2>> total(group.size());
+  std::vector<double> sizes(group.size(), 0.);
+  std::vector<unsigned int> n_members(group.size(), 0);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    total[group[c]] += load[c];
+    sizes[group[c]] += load_size[c];
+    ++n_members[group[c]];
+  }
+
+  std::vector<unsigned int> floating;
+  for (unsigned int g = 0; g < packing.n_cells(); ++g)
+    if (g != group[packing.ground()] &&
+        total[g].norm() > balance_tolerance * sizes[g])
+      floating.push_back(g);
+  if (floating.empty())
+    return;
+
+  const unsigned int g = floating.front();
+  const auto name = [&](const unsigned int first) {
+    return text(
+        n_members[first] > 1 ? "the connected group of cells around " : "",
+        packing.describe(first), " at ", text_of_point(packing.centre(first)));
+  };
+  std::string message = text(
+      "The loads are not balanced: on ",
+      n_members[g] == packing.n_cells() ? "the packing" : name(g),
+      n_members[g] == 1 && packing.n_cells() > 1 ? ", which touches no other,"
+                                                 : "",
+      " their sum is (", total[g][0], ", ", total[g][1], "), ",
+      total[g].norm() / sizes[g], " of the sum of their sizes.");
+  if (floating.size() > 1)
+    message += text(" So it is on ", floating.size() - 1, " more:");
+  for (unsigned int k = 1; k < floating.size() && k < n_named_groups; ++k)
+    message += text(k > 1 ? "; " : " ", name(floating[k]));
+  if (floating.size() > n_named_groups)
+    message += "; ...";
+  if (floating.size() > 1)
+    message += ".";
+  throw InputError(
+      message +
+      (packing.n_supports() == 0
+           ? " Nothing supports the packing, so the total force must be zero; "
+             "change the loads, or choose 'Supports/Where'."
+           : " What floats touches neither the ground nor what rests on it: "
+             "support it by 'Supports/Where', balance its loads, or, if it was "
+             "read from a file with gaps, close them or enlarge 'Packing/"
+             "polygons/Matching tolerance'."));
+}
+
+/** A cell by itself carries nothing: what is left of its load is rounding. */
+void Scene::clear_single_cells()
+{
+  std::vector<unsigned int> n_members(group.size(), 0);
+  for (const unsigned int g : group)
+    ++n_members[g];
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (n_members[group[c]] == 1)
+      load[c] = 0.;
+}
+
+Tensor<1, 2> InterfaceForces::on_cell_minus(const Packing::Interface &interface,
+                                            const unsigned int e) const
+{
+  return normal[e] * interface.normal + tangential[e] * interface.tangent();
+}
+
+double utilisation(const Scene &scene,
+                   const InterfaceForces &forces,
+                   const unsigned int e)
+{
+  const double q = std::abs(forces.tangential[e]);
+  return q > 0. ? q / (scene.strength[e] * scene.packing.interfaces()[e].length)
+                : 0.;
+}
+
+std::vector<double> residual_torques(const Scene &scene,
+                                     const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  std::vector<double> torques(packing.n_cells(), 0.);
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
+    torques[i.cell_minus] +=
+        torque(i.midpoint(), packing.centre(i.cell_minus), f);
+    if (i.cell_plus != packing.ground())
+      torques[i.cell_plus] -=
+          torque(i.midpoint(), packing.centre(i.cell_plus), f);
+  }
+  for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
+  {
+    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    torques[edge.cell] +=
+        torque(edge.midpoint(), packing.centre(edge.cell),
+               edge.length * scene.traction[b]) +
+        cross((edge.end - edge.start) / edge.length, scene.traction_moment[b]);
+  }
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const Tensor<2, 2> moment = scene.body.moment(c); // b (x) (x - x_c)
+    torques[c] += moment[1][0] - moment[0][1];
+  }
+  return torques;
+}
+} // namespace Voussoir

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/displacement_program.h>
+#include <voussoir/statics/find_collapse.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The strength s_e, nondimensional, that hardly holds a body. */
+constexpr double hardly_any_strength = 1e-4;
+
+/** After how many iterations the load may be one that is not carried. */
+constexpr unsigned int n_before_doubt = 25;
+
+/** The unknowns of the bodies that are held, one in each connected group. */
+std::vector<unsigned int> held_unknowns(const DiscreteProblem &problem)
+{
+  std::vector<unsigned int> held;
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    if (problem.is_held(b))
+      for (unsigned int i = 0; i < 2; ++i)
+        held.push_back(problem.dof(b, i));
+  return held;
+}
+
+/** Those of bodies that hardly any friction holds. */
+std::vector<unsigned int> loose_unknowns(const DiscreteProblem &problem)
+{
+  std::vector<bool> is_loose(problem.n_bodies(), true);
+  for (const DiscreteProblem::Joint &joint : problem.joints())
+    if (joint.strength > hardly_any_strength * joint.length)
+      is_loose[joint.cell_minus] = is_loose[joint.cell_plus] = false;
+  std::vector<unsigned int> loose;
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    if (is_loose[b])
+      for (unsigned int i = 0; i < 2; ++i)
+        loose.push_back(problem.dof(b, i));
+  return loose;
+}
+
+/**
+ * Move each connected group so that the body that is held starts at zero: close
+ * to the end displacements may be many orders smaller than those of the start,
+ * and their differences would lose digits to a common translation.
+ */
+void hold_bodies(const DiscreteProblem &problem, std::vector<double> &start)
+{
+  std::vector<double> u(start.begin(), start.begin() + problem.n_dofs());
+  problem.hold_bodies(u);
+  std::copy(u.begin(), u.end(), start.begin());
+}
+
+std::string words_for(const IpoptResult &result)
+{
+  switch (result.outcome)
+  {
+  case IpoptOutcome::converged:
+    return "converged";
+  case IpoptOutcome::looser_tolerance:
+    return "stopped at a looser tolerance";
+  case IpoptOutcome::rounding:
+    return "stopped at the limit of rounding";
+  case IpoptOutcome::most_iterations:
+    return "reached 'Solver/Maximum iterations'";
+  case IpoptOutcome::diverged:
+    return "diverged";
+  case IpoptOutcome::infeasible:
+    return "failed to restore feasibility";
+  case IpoptOutcome::no_step:
+    return "failed to compute a step";
+  default:
+    return text("ended with the status ", result.status);
+  }
+}
+} // namespace
+
+ProgramResult solve_program(const DiscreteProblem &problem,
+                            DisplacementProgram &program,
+                            IpoptControls controls,
+                            Terminal &terminal)
+{
+  controls.held = held_unknowns(problem);
+  controls.loose = loose_unknowns(problem);
+  std::vector<double> start = program.start();
+  hold_bodies(problem, start);
+
+  ProgramResult result;
+  bool has_doubted = false;
+  const auto look_for_collapse = [&] {
+    has_doubted = true;
+    result.mechanism = find_collapse(SharedProblem(problem), terminal);
+  };
+  const auto stops = [&](const unsigned int iteration,
+                         const std::vector<double> &x) {
+    result.mechanism = find_mechanism(
+        problem, std::vector<double>(x.begin(), x.begin() + problem.n_dofs()));
+    if (!result.mechanism && !has_doubted && iteration >= n_before_doubt)
+      look_for_collapse();
+    if (!result.mechanism)
+      result.outcome = program.verdict(iteration);
+    return result.mechanism || !result.outcome.empty();
+  };
+  IpoptResult found =
+      solve_with_ipopt(program, std::move(start), controls, stops, terminal);
+  result.x = std::move(found.x);
+  result.multipliers = std::move(found.multipliers);
+  result.n_iterations = found.n_iterations;
+  result.n_evaluations = found.n_evaluations;
+  if (found.outcome != IpoptOutcome::stopped)
+    result.outcome = words_for(found);
+
+  if (result.outcome != "converged" && !result.mechanism && !has_doubted)
+    look_for_collapse();
+  if (result.mechanism)
+    result.outcome = "stopped by a proof of collapse";
+  else if (result.x.empty())
+    throw SolverError("Ipopt " + result.outcome +
+                      " before its first iteration. Try 'Formulation = least "
+                      "energy', which does without Ipopt.");
+  return result;
+}
+
+Solution make_solution(const DiscreteProblem &problem, ProgramResult result)
+{
+  Solution solution;
+  solution.mechanism = std::move(result.mechanism);
+  solution.n_iterations = result.n_iterations;
+  solution.n_evaluations = result.n_evaluations;
+  solution.outcome = std::move(result.outcome);
+  solution.displacement.resize(problem.n_cells());
+  return solution;
+}
+} // namespace Voussoir

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
+#include <voussoir/statics/equilibrate.h>
+#include <voussoir/statics/find_opening.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Tensor;
+using Joint = DiscreteProblem::Joint;
+using Jump = DiscreteProblem::Jump;
+
+/**
+ * The cosine of the angle between a support and the way that the ground is
+ * drawn back, below which it would have to go too far.
+ */
+constexpr double least_cosine = 1e-2;
+
+/** The proximal term of the first step; joints that are open leave cells free.
+ */
+constexpr double first_shift = 1e-6;
+/** By how much it falls after a step of at least this length. */
+constexpr double shift_ratio = 0.1, good_step = 0.5;
+/** By how much of d_e a joint must open to count as open. */
+constexpr double least_opening = 0.5;
+/**
+ * The forces, relative to stiffnesses and distances of order one, that may be
+ * those of the minimum but for rounding.
+ */
+constexpr double small_imbalance = 1e-9;
+constexpr unsigned int n_max_iterations = 200;
+/** How many roundings of a coordinate there may be in a vertex. */
+constexpr double n_roundings = 32.;
+
+/** A spring that pushes until its joint has opened by d_e. */
+class PushingJoint : public JointLaw
+{
+public:
+  explicit PushingJoint(const DiscreteProblem &problem) : problem(problem)
+  {
+  }
+
+  Jump force(const unsigned int e, const Jump &jump) const override
+  {
+    const Joint &joint = problem.joints()[e];
+    return {joint.stiffness() * std::min(jump.normal - joint.distance, 0.), 0.};
+  }
+
+  Jump second_derivative(const unsigned int e, const Jump &jump) const override
+  {
+    const Joint &joint = problem.joints()[e];
+    return {jump.normal < joint.distance ? joint.stiffness() : 0., 0.};
+  }
+
+private:
+  const DiscreteProblem &problem;
+};
+
+/**
+ * Where the ground has to be for its supports to open by d_e in the dilation u
+ * = x_c: beyond the line of each of them.
+ *
+ * @return whether there is such a point.
+ */
+bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
+{
+  Tensor<1, 2> mean_normal, mean_point;
+  double length = 0.;
+  const auto for_supports = [&](const auto &visit) {
+    for (const Joint &joint : problem.joints())
+      if (joint.cell_plus == problem.n_cells())
+        visit(joint, problem.centres()[joint.cell_minus] +
+                         joint.distance * joint.normal);
+  };
+  for_supports([&](const Joint &joint, const Tensor<1, 2> &point) {
+    mean_normal += joint.length * joint.normal;
+    mean_point += joint.length * point;
+    length += joint.length;
+  });
+  ground = mean_point / length;
+  if (!(mean_normal.norm() > least_cosine * length))
+    return false;
+
+  const Tensor<1, 2> back = mean_normal / mean_normal.norm();
+  double distance = 0.;
+  bool all_face_back = true;
+  for_supports([&](const Joint &joint, const Tensor<1, 2> &point) {
+    const double cosine = joint.normal * back;
+    if (cosine > least_cosine)
+      distance = std::max(distance, (point - ground) * joint.normal / cosine);
+    else
+      all_face_back = false;
+  });
+  ground += distance * back;
+  return all_face_back;
+}
+
+/** How far n_e may be off, for the coordinates have so many digits only. */
+double error_of_normal(const DiscreteProblem &problem, const Joint &joint)
+{
+  return n_roundings * problem.rounding_of_coordinates() *
+         (1. + 1. / joint.length);
+}
+
+/** Go from @p u along @p ray, which opens all joints, until each is open. */
+std::vector<double> open_along(const DiscreteProblem &problem,
+                               const std::vector<double> &ray,
+                               std::vector<double> u)
+{
+  double length = 0.;
+  for (const Joint &joint : problem.joints())
+    length = std::max(length,
+                      (joint.distance - problem.jump(joint, u.data()).normal) /
+                          problem.jump(joint, ray.data()).normal);
+  for (unsigned int k = 0; k < u.size(); ++k)
+    u[k] += length * ray[k];
+  return u;
+}
+
+/** The forces of the springs, mended by equilibrate() if that helps. */
+std::vector<double> self_stress_near(const DiscreteProblem &smooth,
+                                     const std::vector<Jump> &forces)
+{
+  std::vector<double> p(forces.size());
+  InterfaceForces pushes;
+  pushes.tangential.resize(forces.size());
+  for (unsigned int e = 0; e < forces.size(); ++e)
+  {
+    p[e] = -forces[e].normal;
+    pushes.normal.push_back(forces[e].normal);
+  }
+  if (is_self_stress(smooth, p))
+    return p;
+  const InterfaceForces balanced = equilibrate(smooth, pushes);
+  for (unsigned int e = 0; e < forces.size(); ++e)
+    p[e] = std::max(-balanced.normal[e], 0.);
+  return is_self_stress(smooth, p) ? p : std::vector<double>();
+}
+
+/** The search by springs that push, from @p u on. */
+Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
+{
+  // Springs have no load to bear, and equilibrate() no friction to count on.
+  const DiscreteProblem smooth =
+      problem.without_loads().with_strengths_up_to(0.);
+  const PushingJoint law(smooth);
+  JointSystem system(smooth, LinearSolver::automatic);
+  Newton newton(smooth, law, system, u);
+  std::vector<double> ray;
+  double shift = first_shift;
+  while (newton.n_iterations() < n_max_iterations)
+  {
+    const std::vector<double> before = newton.u();
+    const double length = newton.step(shift, before);
+    bool all_open = true;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+      all_open &= newton.jumps()[e].normal >
+                  least_opening * problem.joints()[e].distance;
+    if (all_open && opens_all_joints(problem, newton.u()))
+      return {newton.u(), {}};
+
+    std::vector<double> step = newton.u();
+    for (unsigned int k = 0; k < step.size(); ++k)
+      step[k] -= before[k];
+    if (opens_all_joints(problem, step))
+      ray = std::move(step);
+    else if (ray.empty() && newton.imbalance() <= small_imbalance)
+    {
+      const std::vector<double> p = self_stress_near(smooth, newton.forces());
+      if (!p.empty())
+        return {{}, p};
+    }
+    if (!ray.empty() && shift == least_shift)
+      break;
+    if (length >= good_step)
+      shift = std::max(shift_ratio * shift, least_shift);
+  }
+  if (!ray.empty())
+    return {open_along(problem, ray, newton.u()), {}};
+  return {{}, self_stress_near(smooth, newton.forces())};
+}
+} // namespace
+
+bool opens_all_joints(const DiscreteProblem &problem,
+                      const std::vector<double> &u)
+{
+  for (const Joint &joint : problem.joints())
+  {
+    const Jump jump = problem.jump(joint, u.data());
+    if (!(jump.normal > error_of_normal(problem, joint) *
+                            std::hypot(jump.normal, jump.tangential)))
+      return false;
+  }
+  return true;
+}
+
+bool is_self_stress(const DiscreteProblem &problem,
+                    const std::vector<double> &p)
+{
+  std::vector<double> sum(problem.n_dofs());
+  double rounding = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const Joint &joint = problem.joints()[e];
+    if (!(p[e] >= 0.))
+      return false;
+    rounding += p[e] * error_of_normal(problem, joint);
+    problem.add_jump_gradient(joint, {p[e], 0.}, sum.data());
+  }
+  double left = 0.;
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    left += std::hypot(sum[problem.dof(b, 0)], sum[problem.dof(b, 1)]);
+  return rounding > 0. && left <= rounding;
+}
+
+namespace
+{
+Opening find_opening(const DiscreteProblem &problem)
+{
+  std::vector<double> u(problem.n_dofs());
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[problem.dof(c, i)] = problem.centres()[c][i];
+  if (problem.n_bodies() == problem.n_cells())
+    return {u, {}};
+  Tensor<1, 2> ground;
+  if (!draw_back_ground(problem, ground))
+    return push_open(problem, u);
+  for (unsigned int i = 0; i < 2; ++i)
+    u[problem.dof(problem.n_cells(), i)] = ground[i];
+  return {u, {}};
+}
+} // namespace
+
+const Opening &opening_of(const DiscreteProblem &problem)
+{
+  if (!problem.opening)
+    problem.opening = find_opening(problem);
+  return *problem.opening;
+}
+} // namespace Voussoir

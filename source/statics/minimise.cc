@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/statics/minimise.h>
+
+namespace Voussoir
+{
+namespace
+{
+/**
+ * How many steps without a better balance of forces end the search, once the
+ * balance is good enough for rounding to be the reason.
+ */
+constexpr unsigned int n_stalled_iterations = 20;
+constexpr double imbalance_near_rounding = 1e-7;
+} // namespace
+
+Solution minimise(const SharedProblem &problem,
+                  Newton &newton,
+                  const NewtonControls &controls,
+                  const std::function<std::optional<Mechanism>()> &advance,
+                  const double displacement_unit,
+                  Terminal &terminal)
+{
+  Solution solution;
+  std::vector<double> best_u;
+  std::vector<Newton::Jump> best_forces;
+  double least = std::numeric_limits<double>::infinity();
+  unsigned int best = 0;
+  bool has_best = false; // an imbalance may be no number
+
+  while (solution.outcome.empty())
+  {
+    const double imbalance = newton.imbalance();
+    const unsigned int n = newton.n_iterations();
+    const bool converged = imbalance <= controls.imbalance &&
+                           newton.decrement() <= controls.decrement &&
+                           newton.force_change() <= controls.force_change;
+    if (imbalance < least || converged || !has_best)
+    {
+      least = imbalance;
+      best = n;
+      has_best = true;
+      best_u = newton.u();
+      best_forces = newton.forces();
+    }
+
+    if (converged)
+      solution.outcome = "converged";
+    else if ((solution.mechanism = problem.find_mechanism(newton.u())))
+      solution.outcome = "stopped by a proof of collapse";
+    else if (n >= controls.n_max_iterations)
+      solution.outcome = "reached 'Solver/Maximum iterations'";
+    else if (least <= imbalance_near_rounding &&
+             n > best + n_stalled_iterations)
+      solution.outcome = "stopped at the limit of rounding";
+    else
+    {
+      terminal.iteration("Newton",
+                         text("iteration ", n, ", imbalance ", imbalance));
+      if ((solution.mechanism = advance()))
+        solution.outcome = "stopped by a proof of collapse";
+    }
+  }
+
+  solution.n_iterations = newton.n_iterations();
+  solution.n_evaluations = newton.n_evaluations();
+  solution.seconds["linear systems"] = newton.seconds_of_systems();
+  problem.collect(best_u, best_forces, displacement_unit, solution);
+  return solution;
+}
+} // namespace Voussoir

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/terminal/screen.h>
+
+#include <cstdlib>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace Voussoir
+{
+namespace
+{
+/** @p text after an escape sequence (ECMA-48, SGR) that begins a colour. */
+std::string
+in_colour(const bool colours, const char *colour, const std::string &text)
+{
+  return colours ? std::string("\033[") + colour + "m" + text + "\033[0m"
+                 : text;
+}
+
+/** What a variable of the environment says; empty if it is not there. */
+std::string environment(const char *name)
+{
+  const char *value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+} // namespace
+
+const char *const clear_line = "\r\033[K";
+
+std::string Screen::good(const std::string &text) const
+{
+  return in_colour(colours, "32", text);
+}
+
+std::string Screen::doubtful(const std::string &text) const
+{
+  return in_colour(colours, "33", text);
+}
+
+std::string Screen::bad(const std::string &text) const
+{
+  return in_colour(colours, "31", text);
+}
+
+Screen screen_behind(const int file_descriptor)
+{
+  Screen screen;
+  const std::string term = environment("TERM");
+  screen.overwrites =
+      isatty(file_descriptor) == 1 && !term.empty() && term != "dumb";
+  screen.colours = screen.overwrites && environment("NO_COLOR").empty();
+  winsize size = {};
+  if (screen.overwrites && ioctl(file_descriptor, TIOCGWINSZ, &size) == 0 &&
+      size.ws_col > 0)
+    screen.width = size.ws_col;
+  return screen;
+}
+} // namespace Voussoir
