@@ -74,8 +74,7 @@ private:
   void read_function(const mu::SToken &token);
   /** Combine the last @p n operands, from the first on. */
   void fold(Kind kind, unsigned int n);
-  void
-  push(Kind kind, unsigned int number = Formula::none, double constant = 0.);
+  void push(Kind kind, unsigned int number = none, double constant = 0.);
 
   Formula &formula;
   const std::vector<double> &variables;
@@ -127,7 +126,7 @@ void FormulaReader::read(const mu::SToken &token)
   case mu::cmENDIF:
     return push(Kind::choose);
   case mu::cmVAL:
-    return push(Kind::constant, Formula::none, token.Val.data2);
+    return push(Kind::constant, none, token.Val.data2);
   case mu::cmVAR:
   case mu::cmVARMUL:
   case mu::cmVARPOW2:
@@ -150,14 +149,14 @@ void FormulaReader::read_variable(const mu::SToken &token)
   push(Kind::variable, token.Val.ptr - variables.data());
   if (token.Cmd == mu::cmVARMUL)
   {
-    push(Kind::constant, Formula::none, token.Val.data);
+    push(Kind::constant, none, token.Val.data);
     push(Kind::multiply);
-    push(Kind::constant, Formula::none, token.Val.data2);
+    push(Kind::constant, none, token.Val.data2);
     push(Kind::add);
   }
   else if (token.Cmd != mu::cmVAR)
   {
-    push(Kind::constant, Formula::none, 2. + (token.Cmd - mu::cmVARPOW2));
+    push(Kind::constant, none, 2. + (token.Cmd - mu::cmVARPOW2));
     push(Kind::power);
   }
 }
@@ -188,7 +187,7 @@ void FormulaReader::read_function(const mu::SToken &token)
     fold(Kind::add, n_arguments);
     if (is(&average))
     {
-      push(Kind::constant, Formula::none, n_arguments);
+      push(Kind::constant, none, n_arguments);
       push(Kind::divide);
     }
     return;
@@ -216,8 +215,7 @@ void FormulaReader::push(const Kind kind,
 {
   const unsigned int n_operands = Formula::n_operands(kind);
   const unsigned int here = formula.nodes.size();
-  Formula::Node node = {kind,   {{0, 0, 0}}, constant,
-                        number, here,        Formula::none};
+  Formula::Node node = {kind, {{0, 0, 0}}, constant, number, here, none};
   for (unsigned int k = n_operands; k-- > 0;)
   {
     node.operand[k] = stack.back();

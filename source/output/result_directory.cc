@@ -47,9 +47,9 @@ ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
     refuse("'" + existing.string() + "' is not a directory");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(std::strerror(errno));
-  Uninterrupted().state("nothing was written, and '" + directory.string() +
-                        (fs::exists(directory) ? "' is as it was."
-                                               : "' was not made."));
+  Uninterrupted().state(
+      "nothing was written, and '" + directory.string() +
+      (fs::exists(directory) ? "' is as it was." : "' was not made."));
 }
 
 void ResultDirectory::try_out()

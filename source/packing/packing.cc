@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/packing.h>
@@ -41,7 +42,6 @@ struct Halfedge
   }
 };
 
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 } // namespace
 
 Tensor<1, 2> Packing::Interface::tangent() const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/none.h>
 #include <voussoir/packing/straight_runs.h>
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace
 {
 /** The largest difference of two unit normals that counts as rounding. */
 constexpr double straightness = 1e-9;
-
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
 /** For each edge the one that follows it on a straight line, or none. */
 std::vector<unsigned int>

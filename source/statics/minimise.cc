@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/statics/minimise.h>
+#include <voussoir/statics/solver_controls.h>
 
 namespace Voussoir
 {
-namespace
-{
-/**
- * How many steps without a better balance of forces end the search, once the
- * balance is good enough for rounding to be the reason.
- */
-constexpr unsigned int n_stalled_iterations = 20;
-constexpr double imbalance_near_rounding = 1e-7;
-} // namespace
-
 Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,

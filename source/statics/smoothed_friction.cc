@@ -37,14 +37,6 @@ constexpr double ipopt_over_own_tolerance = 1e-3;
 constexpr double tolerance_over_barrier = 1e-2;
 
 /**
- * How many iterations without a better balance of forces end the search, once
- * it is good enough for rounding to be the reason: at the very limit of the
- * load the displacements grow until rounding takes over.
- */
-constexpr unsigned int n_stalled_iterations = 20;
-constexpr double imbalance_near_rounding = 1e-7;
-
-/**
  * After how many iterations with compliant contact an interior point may have
  * the answer sooner: elsewhere Ipopt takes some dozens (measured), close to the
  * limit of the load some hundreds, or none are enough.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/none.h>
 #include <voussoir/stress/cell_spaces.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -20,8 +21,6 @@ using dealii::Tensor;
 
 namespace
 {
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
-
 /** The Gauss points, and last the middle, of weight zero. */
 dealii::Quadrature<2> with_middle(const dealii::Quadrature<2> &gauss)
 {

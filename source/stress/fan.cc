@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/none.h>
 #include <voussoir/stress/fan.h>
 
 #include <algorithm>
@@ -8,8 +9,6 @@ namespace Voussoir
 {
 namespace
 {
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
-
 /** Ratio of the pivots of B B^T below which a cell counts as undetermined. */
 constexpr double smallest_pivot_ratio = 1e-12;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/none.h>
 #include <voussoir/stress/least_norm.h>
 
 #include <array>
@@ -9,8 +10,6 @@ using dealii::Tensor;
 
 namespace
 {
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
-
 /** The rigid motions: two translations and a rotation about the centre. */
 constexpr unsigned int n_rigid = 3;
 

@@ -2,6 +2,7 @@
 #ifndef voussoir_formula_formula_h
 #define voussoir_formula_formula_h
 
+#include <voussoir/base/none.h>
 #include <voussoir/formula/functions.h>
 
 #include <array>
@@ -73,8 +74,6 @@ public:
 private:
   /** The empty formula is for FormulaReader alone. */
   Formula() = default;
-
-  static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
   enum class Kind
   {

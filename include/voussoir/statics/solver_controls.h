@@ -21,6 +21,16 @@ struct SolverControls
    */
   Team team = Team();
 };
+
+/** @{ */
+/**
+ * The number of iterations without a better balance of forces that end a
+ * search, once it is this good, and rounding can be the reason: at the very
+ * limit of the load the displacements grow until rounding takes over.
+ */
+inline constexpr unsigned int n_stalled_iterations = 20;
+inline constexpr double imbalance_near_rounding = 1e-7;
+/** @} */
 } // namespace Voussoir
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/none.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/honeycomb.h>
@@ -75,7 +76,6 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
 
   CellLoops cells;
   const std::size_t n_along = 2 * n_in_line + 2;
-  const unsigned int none = dealii::numbers::invalid_unsigned_int;
   std::vector<unsigned int> vertex_at(n_along * (3 * n_lines + 2), none);
   for (unsigned int line = 0; line < n_lines; ++line)
     for (unsigned int k = 0; k < n_in_line; ++k)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/matching.h>
@@ -23,8 +24,6 @@ namespace
 {
 using dealii::Point;
 using Box = dealii::BoundingBox<2>;
-
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
 /**
  * How many tolerances a vertex may be moved: one, and one more where a vertex

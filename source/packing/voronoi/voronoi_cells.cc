@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/none.h>
 #include <voussoir/packing/voronoi/cell_cutter.h>
 #include <voussoir/packing/voronoi/voronoi_cells.h>
 
@@ -21,8 +22,6 @@ namespace Voussoir
 namespace
 {
 using dealii::Point;
-
-constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 
 /**
  * Vertices and generators nearer to each other than this, relative to the mean

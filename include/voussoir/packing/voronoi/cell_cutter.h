@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_voronoi_cell_cutter_h
 #define voussoir_packing_voronoi_cell_cutter_h
 
+#include <voussoir/base/none.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
 #include <deal.II/base/types.h>
@@ -27,9 +28,6 @@ namespace Voussoir
 class CellCutter
 {
 public:
-  /** Stands for no vertex, no cell and no side. */
-  static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
-
   /** A vertex of a cell, with the edge from there to the next vertex. */
   struct Corner
   {

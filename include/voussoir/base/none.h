@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_none_h
+#define voussoir_base_none_h
+
+#include <deal.II/base/types.h>
+
+namespace Voussoir
+{
+/** In place of the number of a cell, side, unknown, ...: there is none. */
+constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+} // namespace Voussoir
+
+#endif
