@@ -12,9 +12,7 @@
 #include <voussoir/output/stress_pieces.h>
 #include <voussoir/output/stress_vtu.h>
 #include <voussoir/output/summary.h>
-#include <voussoir/scene/certificate.h>
 #include <voussoir/simulation.h>
-#include <voussoir/statics/assess.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/unused_settings.h>
 
@@ -31,16 +29,7 @@ namespace Voussoir
 {
 namespace
 {
-/**
- * How much room above 'Solver/Tolerance' the certificate gets, whose norm and
- * reference force are others than the solver's.
- */
-constexpr double tolerance_allowance = 10.;
-
-/** A ratio of work to dissipation above which the dissipation is rounding. */
-constexpr double frictionless_ratio = 1e9;
-
-/** Join @p grids for who opens one file only. */
+/** Join @p grids in a file to open in place of all of them. */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
 {
@@ -140,43 +129,19 @@ void Simulation::run(const dealii::ParameterHandler &prm,
     terminal.warning(warning);
   show_supports(terminal, scene);
   timer.leave_subsection();
-  if (earlier)
-    return finish(read_forces(*earlier, scene), prm);
-
-  timer.enter_subsection("statics");
-  terminal.begin("Statics");
-  const Formulation &formulation = solver.formulation();
-  const DiscreteProblem problem(scene);
-  const Solution solution =
-      formulation.solve(problem, solver.controls(), terminal);
-  terminal.stage("Statics",
-                 text(formulation.name(), ": ", solution.outcome, " after ",
-                      counted(solution.n_iterations, "iteration"), ", ",
-                      counted(solution.n_evaluations, "evaluation")));
-  timer.leave_subsection();
 
   RunRecord record(scene);
   record.title = title;
   record.n_processes = team.size();
-  record.formulation = formulation.name();
-  record.selection = formulation.selection();
-  record.outcome = solution.outcome;
-  record.n_iterations = solution.n_iterations;
-  record.n_evaluations = solution.n_evaluations;
-  record.solver_seconds = solution.seconds;
-  if (solution.mechanism)
-  {
-    Collapse collapse(record);
-    collapse.displacement = solution.mechanism->displacement;
-    finish(std::move(collapse), prm);
-  }
-  Results results(record);
-  results.forces = dimensional_forces(problem, solution);
-  results.correction = solution.correction;
-  results.never_pressed = solution.never_pressed;
-  results.always_sliding = solution.always_sliding;
-  results.displacement = solution.displacement;
-  finish(std::move(results), prm);
+  Answer answer =
+      earlier ? judge(scene, read_forces(*earlier, scene, record), record,
+                      solver.controls().tolerance, timer, terminal)
+              : analyse(scene, solver.formulation(), solver.controls(), record,
+                        timer, terminal);
+  if (auto *const carried = std::get_if<Carried>(&answer))
+    write(Results(record, std::move(*carried)), prm);
+  else
+    write(Collapse(record, std::get<NotCarried>(std::move(answer))), prm);
 }
 
 Scene Simulation::make_scene(const std::filesystem::path &directory) const
@@ -194,25 +159,25 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
           std::move(on_blocks)};
 }
 
-Results Simulation::read_forces(EarlierRun &earlier, const Scene &scene)
+Carried Simulation::read_forces(EarlierRun &earlier,
+                                const Scene &scene,
+                                SolverRecord &record)
 {
   timer.enter_subsection("statics");
   terminal.begin("Statics");
-  Results results = earlier.results(scene);
-  results.title = title;
-  results.n_processes = team.size();
-  if (solver.controls().equilibrate && !results.correction)
+  Carried found = earlier.forces(scene, record);
+  if (solver.controls().equilibrate && !found.correction)
   {
     const DiscreteProblem problem(scene);
     Solution solution;
-    solution.forces = nondimensional_forces(problem, results.forces);
+    solution.forces = nondimensional_forces(problem, found.forces);
     equilibrate_solution(problem, solution);
-    results.forces = dimensional_forces(problem, solution);
-    results.correction = solution.correction;
+    found.forces = dimensional_forces(problem, solution);
+    found.correction = solution.correction;
   }
-  terminal.stage("Statics", text(results.formulation, ": ", results.outcome));
+  terminal.stage("Statics", text(record.formulation, ": ", record.outcome));
   timer.leave_subsection();
-  return results;
+  return found;
 }
 
 bool Simulation::writes(const ResultFiles kind) const
@@ -227,21 +192,8 @@ bool Simulation::writes(const ResultFiles kind) const
          keeps_forces;
 }
 
-void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
+void Simulation::write(Results results, const dealii::ParameterHandler &prm)
 {
-  timer.enter_subsection("certificate");
-  results.certificate = certify(results.scene, results.forces);
-  check_certificate(results);
-  Assessment found =
-      assess(results.scene, results.forces, results.certificate, terminal);
-  timer.leave_subsection();
-  if (!found.mechanism.empty())
-  {
-    Collapse collapse(results);
-    collapse.displacement = std::move(found.mechanism);
-    finish(std::move(collapse), prm);
-  }
-  results.status = found.status;
   for (const std::string &warning : doubts_about(results))
     terminal.warning(warning);
 
@@ -321,28 +273,8 @@ Simulation::write_stress(ResultDirectory &files,
   return "stress.vtu";
 }
 
-void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
+void Simulation::write(Collapse collapse, const dealii::ParameterHandler &prm)
 {
-  collapse.proof = certify_mechanism(collapse.scene, collapse.displacement);
-  const MechanismCertificate &proof = collapse.proof;
-  if (!proves_collapse(proof))
-    throw SolverError(text("The solver proposes a collapse mechanism, but it "
-                           "closes joints by ",
-                           proof.closing_violation,
-                           " of its size, with which forces of the size of the "
-                           "load could do ",
-                           proof.share_of_closing,
-                           " of the difference between work and dissipation, "
-                           "and the ratio of these is ",
-                           proof.work_over_dissipation,
-                           ", which proves nothing. Try 'Formulation = least "
-                           "energy', or a load farther from what the packing "
-                           "can carry."));
-
-  if (proof.work_over_dissipation > frictionless_ratio)
-    collapse.proof.work_over_dissipation =
-        std::numeric_limits<double>::infinity();
-  collapse.parts = load_parts(collapse.scene, collapse.displacement);
   timer.enter_subsection("output");
   terminal.begin("Output");
   ResultDirectory files(output_directory, terminal);
@@ -366,22 +298,6 @@ void Simulation::finish(Collapse collapse, const dealii::ParameterHandler &prm)
   terminal.status(Status{Status::Kind::collapse, 0.}.word(), false);
   throw LoadNotCarried(
       message_of(collapse, boost::algorithm::join(to_look_at, " and ")));
-}
-
-void Simulation::check_certificate(const Results &results) const
-{
-  const double limit =
-      std::max(largest_accepted_error,
-               tolerance_allowance * solver.controls().tolerance);
-  const Certificate &certificate = results.certificate;
-  if (!(certificate.equilibrium_residual <= limit) ||
-      !(certificate.admissibility_violation <= limit))
-  {
-    if (!results.earlier_outcome.empty())
-      throw InputError(earlier_forces_rejected(results));
-    throw SolverError(
-        forces_rejected(results, carried_by_centre(results.scene, terminal)));
-  }
 }
 
 template <typename Found>

@@ -55,7 +55,7 @@ inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
     else
       judgement.message = "The certificate finds " +
                           std::to_string(judgement.error) + ": " +
-                          found.outcome + ".";
+                          found.stop.words() + ".";
   }
   catch (const InputError &error)
   {

@@ -65,7 +65,8 @@ private:
 
   /** The forces of an earlier run, balanced to rounding if that is asked for.
    */
-  Results read_forces(EarlierRun &earlier, const Scene &scene);
+  Carried
+  read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   Scene make_scene(const std::filesystem::path &directory) const;
   /** Whether results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
@@ -80,11 +81,11 @@ private:
   std::string write_stress(ResultDirectory &files,
                            const Results &results,
                            const std::optional<StressPart> &own_part) const;
-  /** Check, complete and write what was found. */
-  void finish(Results results, const dealii::ParameterHandler &prm);
-  [[noreturn]] void finish(Collapse collapse,
-                           const dealii::ParameterHandler &prm);
-  void check_certificate(const Results &results) const;
+  /** Complete and write what was found. */
+  void write(Results results, const dealii::ParameterHandler &prm);
+  /** @throws LoadNotCarried when it is written. */
+  [[noreturn]] void write(Collapse collapse,
+                          const dealii::ParameterHandler &prm);
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,

@@ -166,26 +166,24 @@ void EarlierRun::check_size(const Packing &packing) const
   check("interface", origin.n_interfaces, packing.interfaces().size());
 }
 
-Results EarlierRun::results(const Scene &scene)
+Carried EarlierRun::forces(const Scene &scene, SolverRecord &record)
 {
   check_size(scene.packing);
-  RunRecord record(scene);
   record.formulation = origin.formulation;
   record.selection = origin.selection;
   record.outcome = "read from '" + directory.string() + "'";
   record.earlier_outcome = origin.outcome;
   record.n_iterations = origin.n_iterations;
   record.n_evaluations = origin.n_evaluations;
-  Results results(record);
-  results.correction = origin.correction;
-  read_interfaces(results);
-  read_cells(results);
-  return results;
+  Carried found;
+  found.correction = origin.correction;
+  read_interfaces(scene, found);
+  read_cells(scene.packing, found);
+  return found;
 }
 
-void EarlierRun::read_interfaces(Results &results)
+void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
 {
-  const Scene &scene = results.scene;
   const Comparison comparison(scene.packing);
   const CsvReader &line = interfaces;
   for (unsigned int e = 0; e < origin.n_interfaces; ++e)
@@ -207,12 +205,12 @@ void EarlierRun::read_interfaces(Results &results)
     if (std::abs(line[8] - strength) > rounding_of_strengths * strength)
       differ(line, text("the strength ", all_of(line[8]), " of interface ", e),
              all_of(strength));
-    results.forces.normal.push_back(line[6]);
-    results.forces.tangential.push_back(line[7]);
+    found.forces.normal.push_back(line[6]);
+    found.forces.tangential.push_back(line[7]);
     if (marked)
     {
-      results.never_pressed.push_back(line[9] != 0.);
-      results.always_sliding.push_back(line[10] != 0.);
+      found.never_pressed.push_back(line[9] != 0.);
+      found.always_sliding.push_back(line[10] != 0.);
     }
   }
   if (interfaces.next())
@@ -220,9 +218,8 @@ void EarlierRun::read_interfaces(Results &results)
                      " interfaces of that run."));
 }
 
-void EarlierRun::read_cells(Results &results)
+void EarlierRun::read_cells(const Packing &packing, Carried &found)
 {
-  const Packing &packing = results.scene.packing;
   const Comparison comparison(packing);
   for (unsigned int c = 0; c < origin.n_cells; ++c)
   {
@@ -237,7 +234,7 @@ void EarlierRun::read_cells(Results &results)
     dealii::Tensor<1, 2> u;
     u[0] = cells[3];
     u[1] = cells[4];
-    results.displacement.push_back(u);
+    found.displacement.push_back(u);
   }
   if (cells.next())
     cells.refuse(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/messages.h>
-#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/stop.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,6 @@ namespace Voussoir
 {
 namespace
 {
-std::string faults(const Certificate &certificate)
-{
-  return text("a residual of ", certificate.equilibrium_residual,
-              " and a violation of ", certificate.admissibility_violation,
-              " of the largest load on a cell");
-}
-
 /** What it means that the load is carried to a small error only. */
 std::string inexact(const Results &results)
 {
@@ -68,37 +61,6 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
                "its neighbours is not looked at.")};
 }
 
-std::string forces_rejected(const Results &results,
-                            const std::optional<double> force_of_centre)
-{
-  const std::string advice =
-      force_of_centre
-          ? text("The load is carried all the same: the analytic centre "
-                 "balances it, with forces up to ",
-                 *force_of_centre,
-                 " times the largest load on a cell. If that is large, the "
-                 "blocks wedge, and this formulation has not the digits for "
-                 "it: set 'Formulation = analytic centre'. Otherwise take a "
-                 "larger 'Solver/Maximum iterations'.")
-          : "The load may be close to what the packing can carry, or beyond "
-            "without a proof: try 'Formulation = least energy', a larger "
-            "'Solver/Maximum iterations', or a smaller load.";
-  return text("The solver ", results.outcome, " after ",
-              counted(results.n_iterations, "iteration"),
-              ", without forces that balance the load: the certificate finds ",
-              faults(results.certificate), ". ", advice);
-}
-
-std::string earlier_forces_rejected(const Results &results)
-{
-  return text("The forces ", results.outcome,
-              " do not carry the load of this run: the certificate finds ",
-              faults(results.certificate),
-              ". The loads must be those of the run that the forces are from, "
-              "and 'Solver/Tolerance' must not be less; or leave 'Forces from' "
-              "empty to solve.");
-}
-
 std::vector<std::string> doubts_about(const Results &results)
 {
   if (!is_loaded(results.scene))
@@ -110,7 +72,7 @@ std::vector<std::string> doubts_about(const Results &results)
   const std::string &outcome = results.earlier_outcome.empty()
                                    ? results.outcome
                                    : results.earlier_outcome;
-  if (outcome != "converged" && outcome != nothing_to_balance)
+  if (!has_settled(outcome))
     doubts.push_back(
         "The solver " + outcome +
         ". The forces are balanced and admissible to what is said below, but "

@@ -175,7 +175,7 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
       solution.always_sliding.push_back(fixed.sliding != 0);
     }
   else if (!solution.mechanism && n_iterations < controls.n_max_iterations)
-    solution.outcome = "found no centre";
+    solution.stop = Stop::Reason::no_centre;
   return solution;
 }
 

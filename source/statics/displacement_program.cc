@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/text.h>
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_collapse.h>
 
@@ -55,26 +54,26 @@ void hold_bodies(const DiscreteProblem &problem, std::vector<double> &start)
   std::copy(u.begin(), u.end(), start.begin());
 }
 
-std::string words_for(const IpoptResult &result)
+Stop stop_of(const IpoptResult &result)
 {
   switch (result.outcome)
   {
   case IpoptOutcome::converged:
-    return "converged";
+    return Stop::Reason::converged;
   case IpoptOutcome::looser_tolerance:
-    return "stopped at a looser tolerance";
+    return Stop::Reason::looser_tolerance;
   case IpoptOutcome::rounding:
-    return "stopped at the limit of rounding";
+    return Stop::Reason::rounding;
   case IpoptOutcome::most_iterations:
-    return "reached 'Solver/Maximum iterations'";
+    return Stop::Reason::most_iterations;
   case IpoptOutcome::diverged:
-    return "diverged";
+    return Stop::Reason::diverged;
   case IpoptOutcome::infeasible:
-    return "failed to restore feasibility";
+    return Stop::Reason::infeasible;
   case IpoptOutcome::no_step:
-    return "failed to compute a step";
+    return Stop::Reason::no_step;
   default:
-    return text("ended with the status ", result.status);
+    return {Stop::Reason::other, result.status};
   }
 }
 } // namespace
@@ -102,8 +101,8 @@ ProgramResult solve_program(const DiscreteProblem &problem,
     if (!result.mechanism && !has_doubted && iteration >= n_before_doubt)
       look_for_collapse();
     if (!result.mechanism)
-      result.outcome = program.verdict(iteration);
-    return result.mechanism || !result.outcome.empty();
+      result.stop = program.verdict(iteration);
+    return result.mechanism || result.stop != Stop::Reason::none;
   };
   IpoptResult found =
       solve_with_ipopt(program, std::move(start), controls, stops, terminal);
@@ -112,14 +111,15 @@ ProgramResult solve_program(const DiscreteProblem &problem,
   result.n_iterations = found.n_iterations;
   result.n_evaluations = found.n_evaluations;
   if (found.outcome != IpoptOutcome::stopped)
-    result.outcome = words_for(found);
+    result.stop = stop_of(found);
 
-  if (result.outcome != "converged" && !result.mechanism && !has_doubted)
+  if (result.stop != Stop::Reason::converged && !result.mechanism &&
+      !has_doubted)
     look_for_collapse();
   if (result.mechanism)
-    result.outcome = "stopped by a proof of collapse";
+    result.stop = Stop::Reason::collapse;
   else if (result.x.empty())
-    throw SolverError("Ipopt " + result.outcome +
+    throw SolverError("Ipopt " + result.stop.words() +
                       " before its first iteration. Try 'Formulation = least "
                       "energy', which does without Ipopt.");
   return result;
@@ -131,7 +131,7 @@ Solution make_solution(const DiscreteProblem &problem, ProgramResult result)
   solution.mechanism = std::move(result.mechanism);
   solution.n_iterations = result.n_iterations;
   solution.n_evaluations = result.n_evaluations;
-  solution.outcome = std::move(result.outcome);
+  solution.stop = result.stop;
   solution.displacement.resize(problem.n_cells());
   return solution;
 }

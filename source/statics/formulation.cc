@@ -61,7 +61,7 @@ Solution Formulation::solve(const DiscreteProblem &problem,
   nothing.forces.normal.resize(problem.joints().size());
   nothing.forces.tangential.resize(problem.joints().size());
   nothing.displacement.resize(problem.n_cells());
-  nothing.outcome = nothing_to_balance;
+  nothing.stop = Stop::Reason::nothing_to_balance;
   return nothing;
 }
 

@@ -117,6 +117,6 @@ void refine_hard_contact(const DiscreteProblem &problem,
   solution.n_iterations += newton.n_iterations();
   solution.n_evaluations += newton.n_evaluations();
   u = newton.u();
-  solution.outcome = "converged";
+  solution.stop = Stop::Reason::converged;
 }
 } // namespace Voussoir

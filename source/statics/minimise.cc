@@ -19,7 +19,7 @@ Solution minimise(const SharedProblem &problem,
   unsigned int best = 0;
   bool has_best = false; // an imbalance may be no number
 
-  while (solution.outcome.empty())
+  while (solution.stop == Stop::Reason::none)
   {
     const double imbalance = newton.imbalance();
     const unsigned int n = newton.n_iterations();
@@ -36,20 +36,20 @@ Solution minimise(const SharedProblem &problem,
     }
 
     if (converged)
-      solution.outcome = "converged";
+      solution.stop = Stop::Reason::converged;
     else if ((solution.mechanism = problem.find_mechanism(newton.u())))
-      solution.outcome = "stopped by a proof of collapse";
+      solution.stop = Stop::Reason::collapse;
     else if (n >= controls.n_max_iterations)
-      solution.outcome = "reached 'Solver/Maximum iterations'";
+      solution.stop = Stop::Reason::most_iterations;
     else if (least <= imbalance_near_rounding &&
              n > best + n_stalled_iterations)
-      solution.outcome = "stopped at the limit of rounding";
+      solution.stop = Stop::Reason::rounding;
     else
     {
       terminal.iteration("Newton",
                          text("iteration ", n, ", imbalance ", imbalance));
       if ((solution.mechanism = advance()))
-        solution.outcome = "stopped by a proof of collapse";
+        solution.stop = Stop::Reason::collapse;
     }
   }
 

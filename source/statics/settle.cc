@@ -54,14 +54,13 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
                        text("iteration ", point.n_iterations(), ", imbalance ",
                             imbalance, ", product ", product));
     if ((solution.mechanism = find_mechanism(problem, point.u())))
-      solution.outcome = "stopped by a proof of collapse";
+      solution.stop = Stop::Reason::collapse;
     else if (imbalance <= controls.tolerance &&
              product <= product_near_rounding)
     {
       // What rounding may stop is balanced all the same.
-      solution.outcome = product <= largest_product
-                             ? "converged"
-                             : "stopped at the limit of rounding";
+      solution.stop = product <= largest_product ? Stop::Reason::converged
+                                                 : Stop::Reason::rounding;
       solution.forces = point.forces();
       u = point.u();
     }
@@ -112,7 +111,7 @@ Solution settle(const DiscreteProblem &problem,
     if (!opening_of(problem).displacement.empty())
       solution.mechanism = find_collapse_by_load_factor(problem, terminal);
     if (solution.mechanism)
-      solution.outcome = "stopped by a proof of collapse";
+      solution.stop = Stop::Reason::collapse;
     else if (!costs.empty())
       return minimise_by_interior_point(problem, costs, controls,
                                         displacement_unit, solution, terminal);

@@ -150,7 +150,7 @@ public:
     return entries;
   }
 
-  std::string verdict(const unsigned int iteration) override
+  Stop verdict(const unsigned int iteration) override
   {
     if (contact == Contact::hard)
       return {};
@@ -158,18 +158,18 @@ public:
       most_balanced_iteration = iteration;
     imbalance_before = least_imbalance;
     if (least_imbalance <= controls.tolerance)
-      return "converged";
+      return Stop::Reason::converged;
     if (iteration >= n_before_interior_point && !interior)
     {
       Solution before;
       before.n_iterations = iteration;
       ask_interior_point(std::move(before));
       if (has_answer())
-        return interior->outcome;
+        return interior->stop;
     }
     if (least_imbalance <= imbalance_near_rounding &&
         iteration > most_balanced_iteration + n_stalled_iterations)
-      return "stopped at the limit of rounding";
+      return Stop::Reason::rounding;
     return {};
   }
 

@@ -35,7 +35,7 @@ void compare(const std::string &name, const Scene &scene)
     const Solution found = minimise_by_interior_point(
         problem, costs_of(problem, way), {1e-12, 200}, 1., {}, solver.quiet);
     std::cout << name << ", " << way.name << std::endl;
-    check("  known: " + known.outcome, known.converged());
+    check("  known: " + known.stop.words(), known.converged());
     check("  found", found.converged());
     if (!known.converged() || !found.converged())
       continue;

@@ -3,7 +3,7 @@
 #define voussoir_input_earlier_run_h
 
 #include <voussoir/input/csv_reader.h>
-#include <voussoir/output/results.h>
+#include <voussoir/statics/analysis.h>
 
 #include <filesystem>
 #include <optional>
@@ -29,15 +29,16 @@ public:
   explicit EarlierRun(std::filesystem::path directory);
 
   /**
-   * The forces, the displacements and how they were found, in the user's units;
-   * what follows from the forces is left out.
+   * The forces and displacements, without certificate and status.
    *
+   * @param scene of this run.
+   * @param record takes how they were found.
    * @throws InputError if the interfaces of @p scene, with their strengths, and
    *   the centres of its cells are not to rounding, and in the same order,
    *   those of the run, or if a line cannot be read; the message has the file,
    *   the line and both values.
    */
-  Results results(const Scene &scene);
+  Carried forces(const Scene &scene, SolverRecord &record);
 
 private:
   /** What the summary says of how the forces were found. */
@@ -53,8 +54,8 @@ private:
   Origin read_summary() const;
   CsvReader open(const std::string &name) const;
   void check_size(const Packing &packing) const;
-  void read_interfaces(Results &results);
-  void read_cells(Results &results);
+  void read_interfaces(const Scene &scene, Carried &found);
+  void read_cells(const Packing &packing, Carried &found);
 
   const std::filesystem::path directory;
   const Origin origin;

@@ -4,7 +4,6 @@
 
 #include <voussoir/output/results.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,17 +11,6 @@ namespace Voussoir
 {
 /** A sentence for the user on the cells that are not convex, or none. */
 std::vector<std::string> cells_not_convex(const Packing &packing);
-
-/**
- * What is wrong with forces that the certificate does not accept.
- *
- * @param force_of_centre see carried_by_centre().
- */
-std::string forces_rejected(const Results &results,
-                            std::optional<double> force_of_centre);
-
-/** The same of forces that another run had found. */
-std::string earlier_forces_rejected(const Results &results);
 
 /** Warnings on forces that the certificate accepts. */
 std::vector<std::string> doubts_about(const Results &results);

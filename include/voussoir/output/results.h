@@ -2,15 +2,12 @@
 #ifndef voussoir_output_results_h
 #define voussoir_output_results_h
 
-#include <voussoir/scene/certificate.h>
-#include <voussoir/scene/load_parts.h>
 #include <voussoir/scene/reactions.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/status.h>
+#include <voussoir/statics/analysis.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +15,7 @@
 namespace Voussoir
 {
 /** What is known of every run, whatever came out of it. */
-struct RunRecord
+struct RunRecord : SolverRecord
 {
   /** @param scene must outlive this object. */
   explicit RunRecord(const Scene &scene) : scene(scene)
@@ -31,21 +28,6 @@ struct RunRecord
   std::string title;
   /** How many were started, also if the root solved alone. */
   unsigned int n_processes = 1;
-  /** Formulation::name(). */
-  std::string formulation;
-  /** Formulation::selection(). */
-  std::string selection;
-  /** Why the solver stopped. */
-  std::string outcome;
-  /** Of forces that were read, why the solver that found them stopped. */
-  std::string earlier_outcome;
-  /** Solution::n_iterations. */
-  unsigned int n_iterations = 0;
-  /** Solution::n_evaluations. */
-  unsigned int n_evaluations = 0;
-  /** Solution::seconds. */
-  std::map<std::string, double> solver_seconds;
-
   /** Wall clock time of each stage, in seconds. */
   std::map<std::string, double> timings;
 };
@@ -54,27 +36,14 @@ struct RunRecord
  * All that a run found whose load is carried, in the user's units. Vectors have
  * an element for each interface or for each cell of the scene's packing.
  */
-struct Results : RunRecord
+struct Results : RunRecord, Carried
 {
-  /** With nothing found yet. */
-  explicit Results(RunRecord run) : RunRecord(std::move(run))
+  /** What follows from the forces is not found yet. */
+  Results(RunRecord run, Carried found)
+      : RunRecord(std::move(run)), Carried(std::move(found))
   {
   }
 
-  /** f_e^n <= 0 and f_e^t of each interface; S L. */
-  InterfaceForces forces;
-  /** Solution::correction. */
-  std::optional<double> correction;
-  /** @{ */
-  /** Of each interface, or empty if the formulation does not tell. */
-  std::vector<bool> never_pressed, always_sliding;
-  /** @} */
-  /** u_c of each cell, see Solution::displacement; L. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good the forces are. */
-  Certificate certificate;
-  /** What they say of the load. */
-  Status status;
   /** Of each straight support. */
   std::vector<Reaction> reactions;
   /** residual_torques() of each cell, S L^2; empty if not asked for. */
@@ -86,19 +55,13 @@ struct Results : RunRecord
 };
 
 /** All that a run found whose load is not carried, in the user's units. */
-struct Collapse : RunRecord
+struct Collapse : RunRecord, NotCarried
 {
-  /** With nothing found yet. */
-  explicit Collapse(RunRecord run) : RunRecord(std::move(run))
+  /** All of it. */
+  Collapse(RunRecord run, NotCarried found)
+      : RunRecord(std::move(run)), NotCarried(std::move(found))
   {
   }
-
-  /** Of each cell along the mechanism; the largest component is one. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good a proof the mechanism is. */
-  MechanismCertificate proof;
-  /** What drives the mechanism, the most work first. */
-  std::vector<LoadPart> parts;
 };
 } // namespace Voussoir
 

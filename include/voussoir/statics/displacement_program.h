@@ -6,7 +6,6 @@
 #include <voussoir/statics/solution.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -21,8 +20,8 @@ public:
   /** Where to begin; as many numbers as there are unknowns. */
   virtual std::vector<double> start() const = 0;
 
-  /** Why to stop after @p iteration; empty to go on. */
-  virtual std::string verdict(unsigned int /*iteration*/)
+  /** Why to stop after @p iteration; none to go on. */
+  virtual Stop verdict(unsigned int /*iteration*/)
   {
     return {};
   }
@@ -45,8 +44,8 @@ struct ProgramResult
   unsigned int n_iterations = 0;
   /** How often value() was asked for. */
   unsigned int n_evaluations = 0;
-  /** Why it stopped, in a few words; "converged" if it did. */
-  std::string outcome;
+  /** Why it stopped. */
+  Stop stop;
 };
 
 /**

@@ -13,9 +13,6 @@
 
 namespace Voussoir
 {
-/** The outcome where there is no interface or no load. */
-inline const std::string nothing_to_balance = "nothing to balance";
-
 /**
  * A way to select one of the admissible and balanced states of the interface
  * forces, which in general are many.

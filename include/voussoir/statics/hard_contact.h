@@ -48,8 +48,8 @@ private:
  * @param law of its joints.
  * @param u Ipopt's displacement, n_dofs() numbers; replaced, as the forces are.
  * @param tolerance the largest imbalance that will do.
- * @param solution with Ipopt's forces. They are replaced, and the outcome is
- *   "converged", if the steps converge; else nothing is changed.
+ * @param solution with Ipopt's forces. They are replaced, and it counts as
+ *   converged, if the steps converge; else nothing is changed.
  */
 void refine_hard_contact(const DiscreteProblem &problem,
                          const HardJoint &law,

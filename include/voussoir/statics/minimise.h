@@ -28,8 +28,8 @@ struct NewtonControls
 /**
  * Call @p advance, which takes a step and may return a proof of collapse found
  * otherwise, until the controls are met, the displacement proves that there is
- * no minimum, or there is no progress; then say what was found. The outcome is
- * "converged" in the first case.
+ * no minimum, or there is no progress; then say what was found. It has
+ * converged in the first case.
  *
  * @param problem shares out and collects.
  * @param newton at its start.

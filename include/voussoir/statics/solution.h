@@ -3,6 +3,7 @@
 #define voussoir_statics_solution_h
 
 #include <voussoir/statics/mechanism.h>
+#include <voussoir/statics/stop.h>
 
 #include <map>
 #include <optional>
@@ -43,13 +44,13 @@ struct Solution
   unsigned int n_evaluations = 0;
   /** How long parts of the solution took, by name; wall time. */
   std::map<std::string, double> seconds;
-  /** Why the solver stopped, in a few words; "converged" if it did. */
-  std::string outcome;
+  /** Why the solver stopped. */
+  Stop stop;
 
   /** Whether the solver met its tolerance. */
   bool converged() const
   {
-    return outcome == "converged";
+    return stop == Stop::Reason::converged;
   }
 };
 } // namespace Voussoir

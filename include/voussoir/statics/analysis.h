@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_analysis_h
+#define voussoir_statics_analysis_h
+
+#include <voussoir/scene/certificate.h>
+#include <voussoir/scene/load_parts.h>
+#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/status.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <deal.II/base/timer.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Voussoir
+{
+/** How an answer was found. */
+struct SolverRecord
+{
+  /** Formulation::name(). */
+  std::string formulation;
+  /** Formulation::selection(). */
+  std::string selection;
+  /** Why the solver stopped; see Stop::words(). */
+  std::string outcome;
+  /** Of forces that were read, why the solver that found them stopped. */
+  std::string earlier_outcome;
+  /** Solution::n_iterations. */
+  unsigned int n_iterations = 0;
+  /** Solution::n_evaluations. */
+  unsigned int n_evaluations = 0;
+  /** Solution::seconds. */
+  std::map<std::string, double> solver_seconds;
+};
+
+/** Forces that carry a load, in the user's units. */
+struct Carried
+{
+  /** f_e^n <= 0 and f_e^t of each interface; S L. */
+  InterfaceForces forces;
+  /** Solution::correction. */
+  std::optional<double> correction;
+  /** @{ */
+  /** Of each interface, or empty if the formulation does not tell. */
+  std::vector<bool> never_pressed, always_sliding;
+  /** @} */
+  /** u_c of each cell, see Solution::displacement; L. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** How good the forces are. */
+  Certificate certificate;
+  /** What they say of the load. */
+  Status status;
+};
+
+/** The proof that a load is not carried, in the user's units. */
+struct NotCarried
+{
+  /** Of each cell along the mechanism; the largest component is one. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** How good a proof the mechanism is. */
+  MechanismCertificate proof;
+  /** What drives the mechanism, the most work first. */
+  std::vector<LoadPart> parts;
+};
+
+/** One of the two answers. */
+using Answer = std::variant<Carried, NotCarried>;
+
+/**
+ * Solve a scene, and judge what was found.
+ *
+ * @param scene in the user's units.
+ * @param formulation selects the forces.
+ * @param controls of the solver.
+ * @param record is filled.
+ * @param timer counts "statics" and "certificate".
+ * @param terminal sees the stages.
+ * @throws InputError as Formulation::solve() does.
+ * @throws SolverError if there is neither an answer that the certificate
+ *   accepts nor a proof.
+ */
+Answer analyse(const Scene &scene,
+               const Formulation &formulation,
+               const SolverControls &controls,
+               SolverRecord &record,
+               dealii::TimerOutput &timer,
+               Terminal &terminal);
+
+/**
+ * Judge forces, whoever found them: fill in the certificate and the status, or
+ * prove the opposite.
+ *
+ * @param found without certificate and status.
+ * @param record of how they were found.
+ * @param tolerance of the solver; the certificate allows ten times as much if
+ *   that is more than it would.
+ * @throws InputError if the certificate does not accept forces that were read.
+ * @throws SolverError if it does not accept those of a solver, or the mechanism
+ *   that takes their place.
+ */
+Answer judge(const Scene &scene,
+             Carried found,
+             const SolverRecord &record,
+             double tolerance,
+             dealii::TimerOutput &timer,
+             Terminal &terminal);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_stop_h
+#define voussoir_statics_stop_h
+
+#include <string>
+
+namespace Voussoir
+{
+/** The reason for which a solver stopped; its words are here alone. */
+struct Stop
+{
+  /** The reasons. */
+  enum class Reason
+  {
+    /** It has not. */
+    none,
+    /** The tolerance is met. */
+    converged,
+    /** There is no interface or no load. */
+    nothing_to_balance,
+    /** A mechanism proves that the load is not carried. */
+    collapse,
+    /** The user's number of iterations is reached. */
+    most_iterations,
+    /** Rounding prevents a better balance. */
+    rounding,
+    /** Of the analytic centre: none was found. */
+    no_centre,
+    /** @{ */
+    /** What Ipopt says of itself. */
+    looser_tolerance,
+    diverged,
+    infeasible,
+    no_step,
+    other
+    /** @} */
+  };
+
+  /** Which of them it is. */
+  Reason reason = Reason::none;
+  /** Ipopt's number of it, of `other` only. */
+  int status = 0;
+
+  /** Implicitly from a reason, so that it can stand for a Stop. */
+  Stop(Reason reason = Reason::none, int status = 0);
+
+  /** True for one of these reasons, whatever the status. */
+  bool operator==(Reason reason) const;
+  /** The opposite. */
+  bool operator!=(Reason reason) const;
+
+  /** In a few words, to follow "The solver". */
+  std::string words() const;
+};
+
+/** True if @p words are those of a solver that has left nothing to doubt. */
+bool has_settled(const std::string &words);
+} // namespace Voussoir
+
+#endif
