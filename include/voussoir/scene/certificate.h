@@ -27,11 +27,12 @@ struct UnbalancedCell
 };
 
 /**
- * How good a set of interface forces is, computed from the scene and the forces
- * alone, in the user's units, by code that no solver shares. Each group of
- * cells that touch each other has a reference force of its own, the largest
- * load on one of them; without it the largest of the scene counts, or else the
- * largest force. The measures are those of the worst group.
+ * How good a set of interface forces is (paper, eqs. 1, 12 and 13), computed
+ * from the scene and the forces alone, in the user's units, by code that no
+ * solver shares. Each group of cells that touch each other has a reference
+ * force of its own, the largest load on one of them; without it the largest of
+ * the scene counts, or else the largest force. The measures are those of the
+ * worst group.
  */
 struct Certificate
 {

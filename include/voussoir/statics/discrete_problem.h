@@ -19,14 +19,14 @@ namespace Voussoir
  *     minimise    sum_e s_e |e| |[u]_e . t_e|  -  sum_c F_c . u_c
  *     subject to  [u]_e . n_e >= 0 for every e
  *
- * with [u]_e = u_{c+} - u_{c-} (Marazzato and Venkataramani, the primal
- * problem; the forces that a formulation looks for are the solutions of its
- * dual problem). Lengths are divided by length_scale(), the root of the mean
- * area of a cell, stresses by stress_scale(), the sum of the sizes of all loads
- * on the cells over the root of the area of the packing, and coordinates start
- * at the centroid, so that the forces come out of order one whatever the user's
- * units. Displacements have no scale of their own, the energy being
- * homogeneous; a formulation chooses one.
+ * with [u]_e = u_{c+} - u_{c-} (paper, eq. 10; the forces that a formulation
+ * looks for are the solutions of its dual problem, eq. 13). Lengths are divided
+ * by length_scale(), the root of the mean area of a cell, stresses by
+ * stress_scale(), the sum of the sizes of all loads on the cells over the root
+ * of the area of the packing, and coordinates start at the centroid, so that
+ * the forces come out of order one whatever the user's units. Displacements
+ * have no scale of their own, the energy being homogeneous; a formulation
+ * chooses one.
  *
  * The ground, where there are supports, is one more body behind the cells. The
  * load on it is minus all others in its connected group, so that in every group

@@ -7,7 +7,7 @@
 namespace Voussoir
 {
 /**
- * The linear program of Marazzato and Venkataramani.
+ * The linear program of Marazzato and Venkataramani (paper, eq. 16).
  *
  * It is
  *

@@ -10,8 +10,8 @@
 namespace Voussoir
 {
 /**
- * The forces on some cells that are cut free of all others; S L. An element for
- * each side, cell by cell.
+ * The forces on some cells that are cut free of all others (paper, eq. 14);
+ * S L. An element for each side, cell by cell.
  */
 struct CellForces
 {

@@ -13,7 +13,7 @@ namespace Voussoir
 {
 /**
  * The paper's reconstruction, the local Raviart-Thomas problem of Marazzato and
- * Venkataramani (section 4).
+ * Venkataramani (paper, eq. 15 and Proposition 8).
  *
  * On a fan of n quadrilaterals around the cell's centre, with
  * FE_RaviartThomas(0) and FE_DGQ(0), for all tau with zero normal trace and all
