@@ -46,7 +46,7 @@ public:
            const std::filesystem::path &directory);
 
 private:
-  /** Which kinds of results are written. */
+  /** Kinds of results that are written. */
   enum class ResultFiles
   {
     all,
@@ -67,7 +67,7 @@ private:
    */
   Results read_forces(EarlierRun &earlier, const Scene &scene);
   Scene make_scene(const std::filesystem::path &directory) const;
-  /** Whether results of that kind are to be written. */
+  /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
   /**
    * Add to @p results what follows from the forces and is asked for.

@@ -58,10 +58,10 @@ public:
   /** Let the further variables have these values. */
   void set_constants(const std::vector<double> &constants);
 
-  /** Whether there is none at all. */
+  /** True if there is none at all. */
   bool empty() const;
 
-  /** Whether there are formulas, and so bounds_in(). */
+  /** True if there are formulas, and so bounds_in(). */
   bool has_formulas() const;
 
   /** Those of each formula in @p patch within @p limits; the slopes are along
@@ -83,9 +83,9 @@ public:
   double distance(const Crossing &crossing, const dealii::Point<2> &p) const;
 
   /**
-   * Whether the function has a step there, rather than a kink: whether its
-   * values on both sides of @p crossing at @p p, within @p limits, differ by
-   * more than rounding.
+   * True if the function has a step there, rather than a kink: if its values on
+   * both sides of @p crossing at @p p, within @p limits, differ by more than
+   * rounding.
    */
   bool is_step(const Crossing &crossing,
                const dealii::Point<2> &p,

@@ -29,7 +29,7 @@ struct TriangleIntegral
   double error;
   /** The integral of the size of the largest component, roughly. */
   double size;
-  /** What was seen of each component at the points of the rule. */
+  /** The values of each component at the points of the rule. */
   std::array<Samples, 2> samples;
   /** The part of the area of which the side of a jump is not known. */
   double uncertain;

@@ -40,7 +40,7 @@ public:
   Results results(const Scene &scene);
 
 private:
-  /** What the summary says of how the forces were found. */
+  /** The origin of the forces, as the summary states it. */
   struct Origin
   {
     unsigned int n_cells, n_interfaces;
@@ -59,7 +59,7 @@ private:
   const std::filesystem::path directory;
   const Origin origin;
   CsvReader interfaces, cells;
-  /** Whether it is known which interfaces are never pressed. */
+  /** True if it is known which interfaces are never pressed. */
   const bool marked;
 };
 } // namespace Voussoir

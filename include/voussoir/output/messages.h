@@ -14,7 +14,7 @@ namespace Voussoir
 std::vector<std::string> cells_not_convex(const Packing &packing);
 
 /**
- * What is wrong with forces that the certificate does not accept.
+ * The fault of forces that the certificate does not accept, for a message.
  *
  * @param force_of_centre see carried_by_centre().
  */
@@ -28,7 +28,7 @@ std::string earlier_forces_rejected(const Results &results);
 std::vector<std::string> doubts_about(const Results &results);
 
 /**
- * What a run says whose load is not carried.
+ * The message of a run whose load is not carried.
  *
  * @param files those with the mechanism, "a and b", or none.
  */

@@ -17,7 +17,7 @@
 
 namespace Voussoir
 {
-/** What is known of every run, whatever came out of it. */
+/** The record of every run, whatever came out of it. */
 struct RunRecord
 {
   /** @param scene must outlive this object. */
@@ -25,19 +25,22 @@ struct RunRecord
   {
   }
 
-  /** What was given. */
+  /** The scene that was given. */
   const Scene &scene;
   /** The entry `Title`. */
   std::string title;
-  /** How many were started, also if the root solved alone. */
+  /** The number of processes started, also if the root solved alone. */
   unsigned int n_processes = 1;
   /** Formulation::name(). */
   std::string formulation;
   /** Formulation::selection(). */
   std::string selection;
-  /** Why the solver stopped. */
+  /** The reason for which the solver stopped. */
   std::string outcome;
-  /** Of forces that were read, why the solver that found them stopped. */
+  /**
+   * Of forces that were read, the reason for which the solver that found them
+   * stopped.
+   */
   std::string earlier_outcome;
   /** Solution::n_iterations. */
   unsigned int n_iterations = 0;
@@ -71,9 +74,9 @@ struct Results : RunRecord
   /** @} */
   /** u_c of each cell, see Solution::displacement; L. */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good the forces are. */
+  /** The errors of the forces. */
   Certificate certificate;
-  /** What they say of the load. */
+  /** The status of the load that follows from them. */
   Status status;
   /** Of each straight support. */
   std::vector<Reaction> reactions;
@@ -95,9 +98,9 @@ struct Collapse : RunRecord
 
   /** Of each cell along the mechanism; the largest component is one. */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good a proof the mechanism is. */
+  /** The errors of the mechanism as a proof. */
   MechanismCertificate proof;
-  /** What drives the mechanism, the most work first. */
+  /** The loads that drive the mechanism, the most work first. */
   std::vector<LoadPart> parts;
 };
 } // namespace Voussoir

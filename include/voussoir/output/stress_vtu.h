@@ -11,7 +11,7 @@
 
 namespace Voussoir
 {
-/** What stress.vtu shows: some cells and the stress inside them. */
+/** The content of stress.vtu: some cells and the stress inside them. */
 struct StressedCells
 {
   /** The cells. */

@@ -38,8 +38,8 @@ public:
   /**
    * Find the forces, or the proof that there are none.
    *
-   * Whether the forces of a solution that has not converged() are good enough,
-   * certify() tells.
+   * The forces of a solution that has not converged() are for certify() to
+   * judge.
    *
    * @throws InputError if the formulation needs a motion that opens all
    * contacts and there is none; see require_interior().

@@ -12,7 +12,7 @@
 
 namespace Voussoir
 {
-/** When Newton's method stops; see minimise(). */
+/** The stopping criteria of Newton's method; see minimise(). */
 struct NewtonControls
 {
   /** The largest imbalance. */

@@ -15,7 +15,7 @@
 
 namespace Voussoir
 {
-/** How far something has come. */
+/** The progress of a stage. */
 struct Progress
 {
   std::size_t done = 0;    /**< of total */
@@ -46,7 +46,7 @@ public:
 
   /**
    * @param out a stream to a screen that overwrites.
-   * @param patience how long a stage must take to be shown.
+   * @param patience the time after which a stage is shown.
    * @param interval the time between two versions of the line.
    */
   ProgressLine(std::ostream &out,

@@ -13,7 +13,7 @@
 namespace Voussoir
 {
 /**
- * What the user sees while a scene runs.
+ * The output that the user sees while a scene runs.
  *
  * Verbosity 0 shows the closing summary alone, 1 adds a line per stage and, on
  * a screen, how far a stage of more than two seconds has come, 2 adds the
@@ -34,7 +34,7 @@ public:
   void be_quiet();
   /** Show what belongs to this verbosity, 0 to 2. */
   void set_verbosity(unsigned int verbosity);
-  /** How much is shown; 0 also of a quiet one. */
+  /** The verbosity; 0 also of a quiet one. */
   unsigned int verbosity() const;
 
   /** The stage @p name begins; it is in progress until stage() ends it. */
@@ -66,7 +66,10 @@ private:
   const Screen screen;
   unsigned int level;
   bool quiet = false;
-  /** Where a line can be written over, and only once a stage begins. */
+  /**
+   * The progress line; null before a stage begins, or if no line can be written
+   * over.
+   */
   std::unique_ptr<ProgressLine> in_progress;
 };
 } // namespace Voussoir
