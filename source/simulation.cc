@@ -32,7 +32,7 @@ namespace Voussoir
 namespace
 {
 /**
- * How much room above 'Solver/Tolerance' the certificate gets, whose norm and
+ * The factor on 'Solver/Tolerance' for the certificate, whose norm and
  * reference force are others than the solver's.
  */
 constexpr double tolerance_allowance = 10.;
@@ -40,7 +40,9 @@ constexpr double tolerance_allowance = 10.;
 /** A ratio of work to dissipation above which the dissipation is rounding. */
 constexpr double frictionless_ratio = 1e9;
 
-/** Join @p grids for who opens one file only. */
+/**
+ * Write results.pvd, a collection of @p grids that ParaView opens as one file.
+ */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
 {
@@ -263,7 +265,7 @@ void Simulation::finish(Results results, const dealii::ParameterHandler &prm)
   }
   if (writes(ResultFiles::vtu))
   {
-    // In the order in which one covers the other where they are shown together.
+    // In the order of display, later grids over earlier ones.
     std::vector<std::string> grids = {"blocks.vtu", "interfaces.vtu"};
     add("blocks.vtu", write_blocks_vtu);
     if (stress.reconstruct())

@@ -17,16 +17,19 @@ namespace
 {
 /** The slope at the end of a line search, relative to that at its beginning. */
 constexpr double slope_reduction = 0.1;
-/** How close to the end of the energy's domain a step may go. */
+/** The largest part of the way to the end of the energy's domain in a step. */
 constexpr double fraction_to_boundary = 0.99;
-/** How a step grows while the energy falls, and how far. */
+/**
+ * The factor by which a step grows while the energy falls, and the largest
+ * growth.
+ */
 constexpr double expansion = 8.;
 constexpr double longest_expansion = 1e8;
 constexpr unsigned int n_max_searches = 60;
 /** The width of the bracket, relative to its end, that cannot be halved. */
 constexpr double smallest_bracket = 1e-15;
 
-/** What refine() may find of a right-hand side that was not solved for. */
+/** The part of a right-hand side, not solved for, that refine() may find. */
 constexpr double little_left = 1e-3;
 
 /** The largest component of an own body, on all processes. */

@@ -14,7 +14,7 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/** What CHOLMOD returns, if it does. */
+/** Return @p result of CHOLMOD, unless it is null. */
 template <typename T>
 T *check(T *result)
 {

@@ -142,7 +142,7 @@ private:
     add(part, value, part.limits);
   }
 
-  /** Whether crossings are of the same curve, named more than once. */
+  /** True if crossings are of the same curve, named more than once. */
   bool are_one_curve(const std::vector<Crossing> &crossings,
                      const Corners &corners) const
   {

@@ -17,7 +17,7 @@ namespace
 {
 using Function = std::function<double(const Point<2> &)>;
 
-/** What integrate() is to reach, relative to the mean size of the function. */
+/** The tolerance of integrate(), relative to the mean size of the function. */
 constexpr double tolerance = 1e-13;
 
 /** In each part. */
@@ -117,7 +117,7 @@ private:
     return found.error <= roughness * found.size && !may_hide_a_peak(piece);
   }
 
-  /** Whether the quick rule is good. */
+  /** True if the quick rule is good. */
   bool look_quickly(const EdgePiece &piece, Integral<Sums> &found)
   {
     static const QuickRule rule;

@@ -82,7 +82,7 @@ private:
     }
   }
 
-  /** Where a jump runs along @p part. */
+  /** Take the side of a jump that runs along @p part. */
   void choose_side(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> middle = at(0.5 * (part.begin + part.end));
@@ -93,7 +93,9 @@ private:
          Jumps::on_side(crossing, is_below, part.limits)});
   }
 
-  /** Where the argument of a jump increases, or decreases, along @p part. */
+  /**
+   * Cut @p part, along which the argument of a jump is monotonic, at its root.
+   */
   void cut_at_root(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> begin = at(part.begin), end = at(part.end);

@@ -13,7 +13,7 @@ namespace
 /** Beyond it doubles are integers. */
 constexpr double largest_step = 1e15;
 
-/** Which side of its level an argument is on, if that is known. */
+/** The side of its level that an argument is on, if that is known. */
 enum class Side
 {
   below,
@@ -101,7 +101,7 @@ bool has_no_limits(const Interval &a)
   return std::isinf(a.lower()) && std::isinf(a.upper());
 }
 
-/** Whether a value is not zero, but for a set of measure zero. */
+/** The truth of a value: not zero, but for a set of measure zero. */
 enum class Truth
 {
   no,
@@ -287,7 +287,7 @@ void Formula::evaluate_branch(const unsigned int i,
         (node.kind == Kind::minimum) == (where == Side::above) ? b : a;
 }
 
-/** Which nodes the value depends on in the last box. */
+/** Mark the nodes on which the value depends in the last box. */
 void Formula::mark_needed() const
 {
   std::fill(needed.begin(), needed.end(), false);

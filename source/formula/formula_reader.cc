@@ -14,7 +14,9 @@ namespace Voussoir
 namespace
 {
 /** @{ */
-/** What muParser calls; recognised in the byte code by its address. */
+/**
+ * The minus that muParser calls; recognised in the byte code by its address.
+ */
 double negative(double a)
 {
   return -a;

@@ -18,8 +18,9 @@ using dealii::Point;
 namespace
 {
 /**
- * How far two coordinates may differ by rounding, over the largest one. The
- * files have all digits; but another compiler may make others of the packing.
+ * The difference of two coordinates that may be rounding, over the largest one.
+ * The files have all digits; but another compiler may make others of the
+ * packing.
  */
 constexpr double rounding_of_coordinates = 1e-10;
 /** The same of a strength, over itself. */

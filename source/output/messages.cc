@@ -18,7 +18,9 @@ std::string faults(const Certificate &certificate)
               " of the largest load on a cell");
 }
 
-/** What it means that the load is carried to a small error only. */
+/**
+ * The meaning of a load that is carried to a small error only, for a message.
+ */
 std::string inexact(const Results &results)
 {
   const Scene &scene = results.scene;

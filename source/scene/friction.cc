@@ -67,12 +67,12 @@ private:
   Inaccuracies inaccuracies;
 };
 
-/** What a user says of a pair of groups. */
+/** The strength that a user prescribes for a pair of groups. */
 struct PairStrength
 {
   std::string names;
   StrengthFormula formula;
-  /** Whether there is an interface between the two. */
+  /** True if there is an interface between the two. */
   bool is_met;
 };
 

@@ -167,7 +167,7 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
 
   solution.n_iterations = n_iterations;
   solution.n_evaluations = n_evaluations;
-  // What the joints have in common is known only if the rest has a centre.
+  // The fixed forces of the joints are known only if the rest has a centre.
   if (solution.converged())
     for (const BarrierJoint::Fixed &fixed : law.fixed)
     {

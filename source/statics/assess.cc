@@ -21,8 +21,8 @@ namespace
 constexpr double rounding_of_balance = 1e-11;
 
 /**
- * How much more load than forces act on its worst cell another cell may have
- * and still belong to a part that slides; what is heavier is held.
+ * The largest load on a cell of a part that slides, over the forces on its
+ * worst cell; heavier cells are held.
  */
 constexpr double heavier = 1e3;
 /** For so many parts a proof of collapse is looked for. */
@@ -35,7 +35,9 @@ constexpr unsigned int n_max_parts = 8;
  */
 constexpr double sufficient_strength = 1e3;
 
-/** How long the analytic centre may take, and what may follow it. */
+/**
+ * The largest number of iterations of the analytic centre, and of what follows.
+ */
 constexpr unsigned int n_centre_iterations = 100;
 
 double error_of(const Certificate &certificate)
@@ -60,8 +62,8 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 }
 
 /**
- * The cells that hang together with @p first and have no more than @p load on
- * them.
+ * The cells connected to @p first by cells with no more than @p load on them,
+ * and itself.
  */
 std::vector<bool>
 part_around(const Scene &scene, const unsigned int first, const double load)

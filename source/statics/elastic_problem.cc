@@ -26,7 +26,9 @@ constexpr double shortest_good_step = 0.01;
 constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
 constexpr double first_shift = 1e-3;
-/** How near to the proximal minimum is near enough to move its centre. */
+/**
+ * The reduction of the imbalance that is enough to move the proximal centre.
+ */
 constexpr double inner_reduction = 0.1;
 /** By how much the imbalance must fall for a smaller shift. */
 constexpr double outer_reduction = 0.7;

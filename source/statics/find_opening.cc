@@ -33,7 +33,7 @@ constexpr double least_opening = 0.5;
  */
 constexpr double small_imbalance = 1e-9;
 constexpr unsigned int n_max_iterations = 200;
-/** How many roundings of a coordinate there may be in a vertex. */
+/** The error of a vertex, in roundings of a coordinate. */
 constexpr double n_roundings = 32.;
 
 /** A spring that pushes until its joint has opened by d_e. */
@@ -61,10 +61,10 @@ private:
 };
 
 /**
- * Where the ground has to be for its supports to open by d_e in the dilation u
- * = x_c: beyond the line of each of them.
+ * Find the displacement @p ground with which its supports open by d_e in the
+ * dilation u = x_c: beyond the line of each of them.
  *
- * @return whether there is such a point.
+ * @return true if there is such a point.
  */
 bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
 {
@@ -99,7 +99,7 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   return all_face_back;
 }
 
-/** How far n_e may be off, for the coordinates have so many digits only. */
+/** The error of n_e, for the coordinates have so many digits only. */
 double error_of_normal(const DiscreteProblem &problem, const Joint &joint)
 {
   return n_roundings * problem.rounding_of_coordinates() *

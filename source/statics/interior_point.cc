@@ -13,7 +13,9 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/** How close to the end of its domain a step may go. */
+/**
+ * The largest part of the way to the end of its domain that a step may take.
+ */
 constexpr double fraction_to_boundary = 0.99;
 /** By how much a step may aim to reduce the products at most. */
 constexpr double least_centring = 1e-6;
@@ -25,7 +27,7 @@ constexpr double least_centring = 1e-6;
  */
 constexpr double compliance_of_rigid_joints = 1e-6;
 
-/** When the conjugate gradients of a linear system stop; see solve(). */
+/** The stopping criteria of the conjugate gradients; see solve(). */
 constexpr double reduction_of_residual = 1e-13;
 constexpr unsigned int n_gradients = 10;
 /** The largest shift that these make up for. */
@@ -76,8 +78,8 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
 
 bool InteriorPoint::step()
 {
-  // Where rounding leaves no step, what comes out is not a number; it is looked
-  // at before it is used.
+  // If rounding leaves no step, the result is not a number; it is checked
+  // before it is used.
   const InvalidOperationsAllowed allowed;
   ++iterations;
   const double mean = product();
@@ -262,7 +264,7 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
   return step;
 }
 
-/** How much of a step may be taken, no more than one. */
+/** The part of a step that may be taken, at most one. */
 InteriorPoint::Parts InteriorPoint::longest(const Step &step,
                                             const double fraction) const
 {

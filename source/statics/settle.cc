@@ -58,7 +58,8 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
     else if (imbalance <= controls.tolerance &&
              product <= product_near_rounding)
     {
-      // What rounding may stop is balanced all the same.
+      // Forces are balanced also if rounding stops the method before it
+      // converges.
       solution.outcome = product <= largest_product
                              ? "converged"
                              : "stopped at the limit of rounding";

@@ -200,7 +200,7 @@ private:
                       std::move(before), terminal);
   }
 
-  /** Whether the interior point has an answer. */
+  /** True if the interior-point method has an answer. */
   bool has_answer() const
   {
     return interior && (interior->converged() || interior->mechanism);
@@ -250,7 +250,7 @@ private:
   const SolverControls &controls;
   const double barrier_parameter;
   Terminal &terminal;
-  /** What an interior point has found, if it was asked. */
+  /** The result of the interior-point method, if it was run. */
   std::optional<Solution> interior;
   /** Of the points of compliant contact, the one with the best balance. */
   std::vector<double> most_balanced;

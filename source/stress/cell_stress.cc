@@ -203,7 +203,7 @@ bool CellStress::mean_is_right() const
 }
 
 /**
- * Whether the stress that was found comes back in the cell turned, with the
+ * True if the stress that was found comes back in the cell turned, with the
  * forces on it. A check of all that rounding does, in the equations as in their
  * solution, and of each sub-cell.
  */

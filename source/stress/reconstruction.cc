@@ -19,7 +19,10 @@ using dealii::Tensor;
 
 namespace
 {
-/** What one thread keeps from cell to cell: one object a number of sides. */
+/**
+ * The data that a thread keeps from cell to cell: one object for each number of
+ * sides.
+ */
 struct Scratch
 {
   explicit Scratch(const Reconstruction &how)

@@ -49,7 +49,7 @@ public:
   /** Of displacements or forces; see Structure::Jump. */
   using Jump = Structure::Jump;
 
-  /** The unknown that is looked for. */
+  /** The optimum that is looked for. */
   enum class Aim
   {
     /** The forces that cost the least. */

@@ -78,10 +78,7 @@ public:
    */
   void on_interruption(std::function<void()> undo);
 
-  /**
-   * Set the end of the message of an interruption, after "Interrupted by ...;
-   * ".
-   */
+  /** Set the sentence that follows "Interrupted by ...; " in the message. */
   void state(const std::string &sentence);
 
 private:

@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** What is not for bricks: lintels and openings, from left to right. */
+/** A part without bricks, of a lintel or an opening. */
 struct Reserved
 {
   double left, right;

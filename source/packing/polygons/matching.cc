@@ -26,8 +26,9 @@ using dealii::Point;
 using Box = dealii::BoundingBox<2>;
 
 /**
- * How many tolerances a vertex may be moved: one, and one more where a vertex
- * between two others joins them. Beyond, short sides run together in a chain.
+ * The number of tolerances by which a vertex may be moved: one, and one more
+ * where a vertex between two others joins them. Beyond, short sides have merged
+ * in a chain.
  */
 constexpr double longest_move = 2.;
 

@@ -20,14 +20,14 @@ namespace
 constexpr unsigned int least_triangles = 4096;
 
 /**
- * How often the bound in some triangle may be raised. Once or twice is usual
- * for a formula with a peak between the corners; a size that vanishes would
- * raise bounds for ever.
+ * The number of times that the bound in some triangle may be raised. Once or
+ * twice is usual for a formula with a peak between the corners; a size that
+ * vanishes would raise bounds for ever.
  */
 constexpr unsigned int most_raised_bounds = 200;
 
 /**
- * How many points are tried for each that is kept, on average, before the size
+ * The number of points tried for each that is kept, on average, before the size
  * is taken to vanish somewhere: far more than bounds that fit ever cost.
  */
 constexpr double most_tries = 100.;
@@ -147,7 +147,9 @@ std::vector<Point<2>> PointSource::draw(const unsigned int n,
   size.refuse_as_too_small(*excess);
 }
 
-/** Where a bound was exceeded and is now raised; nothing if all went well. */
+/**
+ * Draw @p points; where a bound is exceeded, raise it and return that point.
+ */
 std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
                                                  const unsigned int seed)
 {
@@ -189,7 +191,9 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
 /** Cells along a side of the grid in which order_along_curve() finds points. */
 constexpr std::uint32_t curve_grid = 1 << 16;
 
-/** Where the Hilbert curve through the grid meets its cell (x, y). */
+/**
+ * The place of the grid's cell (x, y) along the Hilbert curve through the grid.
+ */
 std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
 {
   std::uint32_t place = 0;

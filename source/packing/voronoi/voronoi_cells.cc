@@ -30,8 +30,8 @@ using dealii::Point;
 constexpr double relative_resolution = 1e-12;
 
 /**
- * How far away the guards stand, relative to the size of the polygon: farther
- * than any point of it is from a generator, by more than that distance again.
+ * The distance of the guards, relative to the size of the polygon: farther than
+ * any point of it is from a generator, by more than that distance again.
  */
 constexpr double guard_distance = 4.;
 
