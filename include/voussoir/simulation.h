@@ -55,7 +55,7 @@ private:
     none
   };
 
-  /** In which form the packing is written, too. */
+  /** The form in which the packing is written, too. */
   enum class PackingFile
   {
     none,

@@ -25,9 +25,9 @@ bool take(std::string &text, const std::string &start)
 }
 
 /**
- * The part of @p text between @p begin, with which it starts, and the last @p
- * end, shortened; nothing if it is of another form. (Not by std::regex, which
- * takes a stack as deep as the text is long.)
+ * The part of @p text between @p begin, with which @p text starts, and the last
+ * @p end, shortened; nothing if it is of another form. (Not by std::regex,
+ * which takes a stack as deep as the text is long.)
  */
 std::optional<std::string> between(const std::string &text,
                                    const std::string &begin,

@@ -93,9 +93,7 @@ private:
          Jumps::on_side(crossing, is_below, part.limits)});
   }
 
-  /**
-   * Cut @p part, along which the argument of a jump is monotonic, at its root.
-   */
+  /** Cut @p part at the root of a jump's argument, monotonic along it. */
   void cut_at_root(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> begin = at(part.begin), end = at(part.end);

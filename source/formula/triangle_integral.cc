@@ -51,7 +51,7 @@ constexpr double smallest_change = 1e-12;
  * size of the function. */
 constexpr double smallest_doubt = 1e-14;
 
-/** The number of times that a triangle is cut in four before integrate(). */
+/** The cuts in four of a triangle before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
 
 /** The same change with which not even the estimates of integrate() can be
@@ -340,7 +340,7 @@ private:
   }
 
   /**
-   * The coordinates of corners, and where the curve leaves the piece;
+   * The coordinates at which corners are, or the curve leaves the piece;
    * ascending.
    */
   std::vector<double> strips(const AreaPiece &piece) const

@@ -18,9 +18,7 @@ std::string faults(const Certificate &certificate)
               " of the largest load on a cell");
 }
 
-/**
- * The meaning of a load that is carried to a small error only, for a message.
- */
+/** The message on a load that is carried to a small error only. */
 std::string inexact(const Results &results)
 {
   const Scene &scene = results.scene;

@@ -23,7 +23,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** The number of supports that are named on the terminal. */
+/** The largest number of supports that are named on the terminal. */
 constexpr unsigned int n_shown_supports = 4;
 
 /** The beginning of every summary. */

@@ -45,9 +45,7 @@ void integrate(const Packing &packing,
         packing.centre(c), b, closely ? jumps : none));
 }
 
-/**
- * True if bounds allow in a cell values that were not found in its triangles.
- */
+/** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Jumps &jumps,
                      const Packing &packing,

@@ -28,7 +28,7 @@ namespace
  * written with few digits.
  */
 constexpr double largest_distance = 1e-6;
-/** The part of the line that its pieces may leave out, or cover twice. */
+/** The share of the line that its parts may leave out, or cover twice. */
 constexpr double largest_gap = 1e-6;
 
 /** Two finite numbers "a, b", or nothing. */

@@ -25,7 +25,7 @@ constexpr double rounding_of_balance = 1e-11;
  * worst cell; heavier cells are held.
  */
 constexpr double heavier = 1e3;
-/** For so many parts a proof of collapse is looked for. */
+/** The largest number of parts for which a proof of collapse is sought. */
 constexpr unsigned int n_max_parts = 8;
 
 /**
@@ -35,9 +35,7 @@ constexpr unsigned int n_max_parts = 8;
  */
 constexpr double sufficient_strength = 1e3;
 
-/**
- * The largest number of iterations of the analytic centre, and of what follows.
- */
+/** The most iterations of the analytic centre, and of what follows it. */
 constexpr unsigned int n_centre_iterations = 100;
 
 double error_of(const Certificate &certificate)
@@ -62,8 +60,8 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 }
 
 /**
- * The cells connected to @p first by cells with no more than @p load on them,
- * and itself.
+ * Cell @p first and those connected to it by cells with no more than @p load on
+ * them.
  */
 std::vector<bool>
 part_around(const Scene &scene, const unsigned int first, const double load)

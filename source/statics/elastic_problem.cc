@@ -27,10 +27,11 @@ constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
 constexpr double first_shift = 1e-3;
 /**
- * The reduction of the imbalance that is enough to move the proximal centre.
+ * The imbalance with the proximal term, over that without, below which the
+ * centre of that term moves.
  */
 constexpr double inner_reduction = 0.1;
-/** By how much the imbalance must fall for a smaller shift. */
+/** The factor by which the imbalance must fall for a smaller shift. */
 constexpr double outer_reduction = 0.7;
 /**
  * Steps to a proximal minimum that make it an easy and a hard one, and minima

@@ -16,13 +16,10 @@ namespace
 {
 /** An error, nondimensional, that is rounding. */
 constexpr double rounding = 1e-15;
-/** The largest ratio of the errors of two rounds with which another follows. */
+/** The ratio of the errors of two rounds below which another follows. */
 constexpr double worthwhile = 0.5;
 constexpr unsigned int n_max_rounds = 30;
-/**
- * The number of refinements of a correction, for the shift and the rounding in
- * it.
- */
+/** The refinements of a correction, for the shift and the rounding in it. */
 constexpr unsigned int n_refinements = 2;
 
 /** The distance from its limit, as a stress, at which a force moves freely. */

@@ -17,9 +17,7 @@ namespace
 constexpr double largest_force_change = 1e-8;
 /** An imbalance, nondimensional, that is rounding. */
 constexpr double rounding = 1e-15;
-/**
- * The largest ratio of the imbalances of two steps with which another follows.
- */
+/** The ratio of the imbalances of two steps below which another follows. */
 constexpr double worthwhile = 0.5;
 /** From Ipopt's point a handful of steps suffices. */
 constexpr unsigned int n_max_steps = 20;

@@ -13,11 +13,9 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/**
- * The largest part of the way to the end of its domain that a step may take.
- */
+/** The part of the way to the end of its domain that a step may take. */
 constexpr double fraction_to_boundary = 0.99;
-/** By how much a step may aim to reduce the products at most. */
+/** The least factor by which a step aims to multiply the products. */
 constexpr double least_centring = 1e-6;
 
 /**

@@ -12,8 +12,8 @@ namespace Voussoir
 namespace
 {
 /**
- * By how much, relative to the size of its terms, the work must exceed the
- * dissipation for the difference not to be rounding.
+ * The margin, relative to the size of its terms, by which the work must exceed
+ * the dissipation for the difference not to be rounding.
  */
 constexpr double rounding_margin = 1e-12;
 
@@ -25,10 +25,7 @@ constexpr double rounding_of_closing = 1e-13;
 
 /** The same that is worth correcting where the supports clamp the packing. */
 constexpr double closing_to_correct = 0.1;
-/**
- * The shift that holds the cells in that correction, relative to stiffnesses of
- * one.
- */
+/** The shift that holds the cells in it, relative to stiffnesses of one. */
 constexpr double holding_shift = 1e-8;
 constexpr unsigned int n_rounds = 10;
 
@@ -40,10 +37,7 @@ double largest_component(const std::vector<double> &v)
   return largest;
 }
 
-/**
- * @return false if @p divisor is not positive and finite, or the result not
- *   finite.
- */
+/** @return false if @p divisor is not positive and finite. */
 bool divide(std::vector<double> &v, const double divisor)
 {
   if (!std::isfinite(divisor) || divisor <= 0.)

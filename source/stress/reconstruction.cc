@@ -19,10 +19,7 @@ using dealii::Tensor;
 
 namespace
 {
-/**
- * The data that a thread keeps from cell to cell: one object for each number of
- * sides.
- */
+/** The objects that a thread keeps from cell to cell, by number of sides. */
 struct Scratch
 {
   explicit Scratch(const Reconstruction &how)

@@ -82,7 +82,7 @@ extern "C" void wake_on_signal(const int signal)
   errno = error;
 }
 
-/** Not by a stream, nor without asking: who reads it may have stopped. */
+/** Write without a stream, and after poll(): the reader may have stopped. */
 void write_to(const int file_descriptor, const std::string &text)
 {
   pollfd reader = {file_descriptor, POLLOUT, 0};
@@ -101,13 +101,13 @@ void say(const int number)
       name = signal.name;
   const std::string message = std::string("voussoir: Interrupted by ") + name +
                               "; " + shared().state + "\n";
-  // Overwrite the line of progress, and the terminal's echo of Ctrl-C.
+  // Clear the line of progress, and the terminal's echo of Ctrl-C.
   if (shared().screen)
     write_to(STDOUT_FILENO, clear_line);
   write_to(STDERR_FILENO, message);
 }
 
-/** End the program as @p signal asks, when nothing stands in the way. */
+/** End the program as @p signal asks, once no Uninterrupted lives. */
 [[noreturn]] void end(const int signal)
 {
   // Not unlocked: nobody is to write anything any more.

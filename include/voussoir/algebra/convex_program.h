@@ -60,10 +60,7 @@ struct IpoptControls
   std::vector<unsigned int> loose = {};
 };
 
-/**
- * The test that stops Ipopt after so many iterations, at these unknowns: true
- * to stop.
- */
+/** True to stop Ipopt after so many iterations, at these unknowns. */
 using IpoptStop =
     std::function<bool(unsigned int iteration, const std::vector<double> &x)>;
 

@@ -10,7 +10,7 @@ namespace Voussoir
 {
 /**
  * A closed interval, without directed rounding: bounds are true to rounding
- * errors, which whoever uses them must allow for.
+ * errors, for which the caller must allow.
  */
 using Interval = boost::numeric::interval<
     double,

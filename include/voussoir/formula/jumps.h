@@ -78,8 +78,10 @@ public:
   std::vector<Crossing> crossings(const Patch &patch,
                                   const Limits &limits) const;
 
-  /** The argument less the level of a crossing, at a point; zero if it is not
-   * real there, and the value is for whoever asks for it to refuse. */
+  /**
+   * The argument less the level of a crossing, at a point; zero if it is not
+   * real there, and the value is for the caller to refuse.
+   */
   double distance(const Crossing &crossing, const dealii::Point<2> &p) const;
 
   /**

@@ -37,10 +37,7 @@ struct RunRecord
   std::string selection;
   /** The reason for which the solver stopped. */
   std::string outcome;
-  /**
-   * Of forces that were read, the reason for which the solver that found them
-   * stopped.
-   */
+  /** The same of the solver that found the forces, if they were read. */
   std::string earlier_outcome;
   /** Solution::n_iterations. */
   unsigned int n_iterations = 0;

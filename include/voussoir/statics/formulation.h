@@ -29,7 +29,9 @@ public:
   virtual std::string name() const = 0;
   /** One line on it, for the documentation of the parameters. */
   virtual std::string meaning() const = 0;
-  /** By which principle the state was selected, with the present parameters. */
+  /**
+   * The principle by which the state was selected, with the present parameters.
+   */
   virtual std::string selection() const = 0;
 
   /** Declare the parameters in the current subsection and bind them. */

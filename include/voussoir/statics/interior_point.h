@@ -102,7 +102,7 @@ private:
     double p, z;
     FrictionCone friction;
     /** @{ */
-    /** By how much z and the sliding are short of what they should be. */
+    /** The shortfall of z and of the sliding. */
     double short_z = 0., short_v = 0.;
     /** @} */
   };

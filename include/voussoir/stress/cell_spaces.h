@@ -150,7 +150,7 @@ private:
   dealii::Table<2, double> multipliers;
   /** phi_k on the reference square, at all points. */
   dealii::Table<2, dealii::Tensor<1, 2>> reference_values;
-  /** By which phi_k of a sub-cell is multiplied, 1 or -1. */
+  /** The sign by which phi_k of a sub-cell is multiplied, 1 or -1. */
   std::vector<double> orientations;
   unsigned int unknown_fluxes = 0;
   std::vector<Integrals> all_integrals;

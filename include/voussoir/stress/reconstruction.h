@@ -56,8 +56,8 @@ struct StressField
   std::vector<unsigned int> undetermined;
 
   /**
-   * The place in sub_cells of the first one of the triangle of side @p i of @p
-   * cell; for side 0 of cell n_cells() their number.
+   * The index in sub_cells of the first one of the triangle of side @p i of
+   * @p cell; for side 0 of cell n_cells() their number.
    */
   std::size_t first(const Packing &packing,
                     const unsigned int cell,

@@ -20,8 +20,8 @@ struct Progress
 {
   std::size_t done = 0;    /**< of total */
   std::size_t total = 0;   /**< 0: not known */
-  std::string things;      /**< what is counted, in the plural */
-  std::string state;       /**< what there is to say, if nothing is counted */
+  std::string things;      /**< those counted, in the plural */
+  std::string state;       /**< a text, if nothing is counted */
   double seconds = 0.;     /**< since the stage began */
   double counted_for = 0.; /**< seconds in which done was reached */
   double since = 0.;       /**< seconds since then */

@@ -40,10 +40,10 @@ public:
   /** The stage @p name begins; it is in progress until stage() ends it. */
   void begin(const std::string &name);
 
-  /** Say what a stage found, once it has ended. Shown from verbosity 1. */
+  /** Report the result of a stage that has ended. Shown from verbosity 1. */
   void stage(const std::string &name, const std::string &found);
 
-  /** Say how far the stage has come, on a screen. */
+  /** Report the progress of the stage, on a screen. */
   void progress(const std::string &state);
   /** The same, where @p total things are counted, such as "cells". */
   void progress(std::size_t done, std::size_t total, const std::string &things);
@@ -66,10 +66,7 @@ private:
   const Screen screen;
   unsigned int level;
   bool quiet = false;
-  /**
-   * The progress line; null before a stage begins, or if no line can be written
-   * over.
-   */
+  /** The line of progress; null before a stage and where none is shown. */
   std::unique_ptr<ProgressLine> in_progress;
 };
 } // namespace Voussoir

@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** A part without bricks, of a lintel or an opening. */
+/** A part of a course that is not for bricks: a lintel or an opening. */
 struct Reserved
 {
   double left, right;

@@ -148,7 +148,10 @@ std::vector<Point<2>> PointSource::draw(const unsigned int n,
 }
 
 /**
- * Draw @p points; where a bound is exceeded, raise it and return that point.
+ * Draw @p points.
+ *
+ * @return a point at which the bound was exceeded and is now raised; nothing if
+ *   all points were drawn.
  */
 std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
                                                  const unsigned int seed)
@@ -191,9 +194,7 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
 /** Cells along a side of the grid in which order_along_curve() finds points. */
 constexpr std::uint32_t curve_grid = 1 << 16;
 
-/**
- * The place of the grid's cell (x, y) along the Hilbert curve through the grid.
- */
+/** The place of cell (x, y) of the grid along the Hilbert curve. */
 std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
 {
   std::uint32_t place = 0;

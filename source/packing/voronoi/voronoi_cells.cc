@@ -102,7 +102,7 @@ private:
   std::vector<Point<2>> vertices;
   /** Of the vertices of the triangulation's faces, those not inside. */
   std::vector<bool> outside;
-  /** On how many sides of the polygon each vertex lies. */
+  /** The number of sides of the polygon on which each vertex lies. */
   std::vector<unsigned char> n_sides_at;
   /** The vertices of one cell after the other, and where each begins. */
   std::vector<unsigned int> loops, first = {0};

@@ -46,16 +46,12 @@ public:
   {
     /** Its coordinates; lengths. */
     dealii::Point<2> position;
-    /**
-     * The number of sides of the polygon on which it lies: one, or two in a
-     * corner.
-     */
+    /** Sides of the polygon on which it lies: one, or two in a corner. */
     unsigned int n_sides;
   };
 
   /**
-   * @param polygon to which the cells are cut down; it must outlive this
-   *   object.
+   * @param polygon that cuts the cells; it must outlive this object.
    * @param generators of the cells, in the order of these; they must outlive
    *   this object.
    * @param first_vertex the number of the first vertex that is made here.
