@@ -125,7 +125,7 @@ struct Streams
   const Screens &screens;
 };
 
-/** Print, and see to it that all of it arrives. */
+/** Print @p text; throws an InputError unless all of it is written. */
 void print(std::ostream &out, const std::string &text)
 {
   if (!(out << text << std::flush))

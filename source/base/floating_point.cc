@@ -22,7 +22,7 @@ bool trap(const bool trapped)
 bool trap_invalid_operations()
 {
   trap(true);
-  // Some processors cannot.
+  // Some processors have no such trap.
   return (fegetexcept() & FE_INVALID) != 0;
 }
 

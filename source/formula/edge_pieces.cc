@@ -21,7 +21,7 @@ constexpr double shortest_piece = 1e-14;
  * difference of, that may be rounding. */
 constexpr double rounding = 1e-13;
 
-/** More pieces are not made: what is left then is not smooth. */
+/** The largest number of pieces; the rest counts as not smooth. */
 constexpr unsigned int n_max_pieces = 10000;
 
 /** The jump to cut at: one whose argument has one root at most, if any. */

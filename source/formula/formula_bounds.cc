@@ -10,7 +10,7 @@ namespace Voussoir
 {
 namespace
 {
-/** Beyond it doubles are integers. */
+/** The size beyond which doubles are integers. */
 constexpr double largest_step = 1e15;
 
 /** The side of its level that an argument is on, if that is known. */
@@ -191,7 +191,7 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
       {}};
 }
 
-/** Of what has no jump. */
+/** The bounds of an operation that has no jump. */
 Bounds Formula::bounds_of(const Node &node) const
 {
   const Bounds &a = node_bounds[node.operand[0]];

@@ -29,7 +29,7 @@ constexpr double inner_tolerance = 1e-13;
 constexpr double outer_tolerance = 1e-12;
 /** @} */
 
-/** In each part along a coordinate. */
+/** The points of the rule in each part along a coordinate. */
 constexpr unsigned int n_points = 21;
 
 /** The width of a strip, over that of its piece, that is rounding. */
@@ -61,11 +61,13 @@ constexpr double roughness = 1e-2;
 /** The part of the area in which nothing is looked for any more. */
 constexpr double smallest_part = 1e-14;
 
-/** More triangles are not cut in four. */
+/** The largest number of triangles that are cut in four. */
 constexpr unsigned int n_max_cut = 1000;
 
-/** The function is not evaluated more often than that to be exact: then what is
- * left takes each of its rules once. */
+/**
+ * The evaluations of the function after which what is left takes each of its
+ * rules once.
+ */
 constexpr unsigned int n_max_evaluations = 2000000;
 
 double area_of(const Triangle &triangle)

@@ -35,7 +35,7 @@ struct SubCellPoints
   };
 
   std::vector<SubTriangulation::Vertex> own;
-  /** Around each sub-cell of a triangle. */
+  /** The corners of each sub-cell of a triangle, around it. */
   std::vector<std::array<Corner, 4>> corners;
 };
 

@@ -54,7 +54,7 @@ public:
     return integral.mean;
   }
 
-  /** On the means so far. */
+  /** Warnings on the means computed so far. */
   std::vector<std::string> warnings() const
   {
     return inaccuracies.warnings();

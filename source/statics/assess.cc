@@ -184,7 +184,7 @@ Assessment assess(const Scene &scene,
   }
   catch (const std::bad_alloc &)
   {
-    // Nor can it be, with this memory.
+    // No proof can be found with this memory.
   }
   return {{Status::Kind::carried_within, error}, {}};
 }

@@ -16,7 +16,7 @@ namespace
 using Joint = Structure::Joint;
 
 /**
- * After how many iterations the load may be one that is not carried; then the
+ * The iterations after which the load may be one that is not carried; then the
  * barrier problem, whose iterates close no joint, finds the mechanism sooner.
  */
 constexpr unsigned int n_before_doubt = 20;

@@ -19,7 +19,7 @@ constexpr double largest_force_change = 1e-8;
 constexpr double rounding = 1e-15;
 /** The ratio of the imbalances of two steps below which another follows. */
 constexpr double worthwhile = 0.5;
-/** From Ipopt's point a handful of steps suffices. */
+/** The largest number of steps; from Ipopt's point a handful suffices. */
 constexpr unsigned int n_max_steps = 20;
 
 /** True if @p newton converges to the minimum. */

@@ -31,7 +31,7 @@ constexpr unsigned int n_gradients = 10;
 /** The largest shift that these make up for. */
 constexpr double largest_shift = 1e-6;
 
-/** A step as short as this one shows that rounding has the upper hand. */
+/** The part of a step below which rounding dominates. */
 constexpr double shortest_step = 1e-6;
 
 double largest_component(const std::vector<double> &v)

@@ -25,7 +25,7 @@ constexpr double rounding_of_closing = 1e-13;
 
 /** The same that is worth correcting where the supports clamp the packing. */
 constexpr double closing_to_correct = 0.1;
-/** The shift that holds the cells in it, relative to stiffnesses of one. */
+/** The shift of that correction, relative to stiffnesses of one. */
 constexpr double holding_shift = 1e-8;
 constexpr unsigned int n_rounds = 10;
 

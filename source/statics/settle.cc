@@ -124,7 +124,7 @@ Solution settle(const DiscreteProblem &problem,
   }
   catch (const std::bad_alloc &)
   {
-    // So it does.
+    // The first answer stands.
   }
   return solution;
 }

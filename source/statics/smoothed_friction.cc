@@ -37,9 +37,9 @@ constexpr double ipopt_over_own_tolerance = 1e-3;
 constexpr double tolerance_over_barrier = 1e-2;
 
 /**
- * After how many iterations with compliant contact an interior point may have
- * the answer sooner: elsewhere Ipopt takes some dozens (measured), close to the
- * limit of the load some hundreds, or none are enough.
+ * The iterations with compliant contact after which an interior-point method
+ * may have the answer sooner: elsewhere Ipopt takes some dozens (measured),
+ * close to the limit of the load some hundreds, or none are enough.
  */
 constexpr unsigned int n_before_interior_point = 60;
 

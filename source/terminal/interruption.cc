@@ -110,7 +110,7 @@ void say(const int number)
 /** End the program as @p signal asks, once no Uninterrupted lives. */
 [[noreturn]] void end(const int signal)
 {
-  // Not unlocked: nobody is to write anything any more.
+  // Not unlocked: no thread may write any more.
   shared().mutex.lock();
   try
   {

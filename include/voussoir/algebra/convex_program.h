@@ -50,7 +50,7 @@ struct IpoptControls
 {
   /** Ipopt's own, of its optimality conditions. */
   double tolerance;
-  /** After so many iterations Ipopt gives up. */
+  /** The largest number of iterations. */
   unsigned int n_max_iterations;
   /** The product of each constraint and its multiplier to stop at. */
   double mu_target = 0.;

@@ -16,7 +16,7 @@ struct StressedCells
 {
   /** The cells. */
   const Packing &packing;
-  /** In their sub-cells. */
+  /** The stress in their sub-cells. */
   const StressField &stress;
   /** Of each cell; L. */
   const std::vector<dealii::Tensor<1, 2>> &displacement;

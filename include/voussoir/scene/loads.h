@@ -16,7 +16,7 @@ namespace Voussoir
 /** A force on each of some cells, which acts evenly over the area of each. */
 struct CellForce
 {
-  /** As the user called the cells. */
+  /** The name that the user gave the cells. */
   std::string name;
   /** Their numbers, ascending. */
   std::vector<unsigned int> cells;

@@ -11,7 +11,7 @@ struct SolverControls
 {
   /** Largest force imbalance to stop at, nondimensional. */
   double tolerance = 1e-10;
-  /** After so many iterations a solver gives up. */
+  /** The largest number of iterations of a solver. */
   unsigned int n_max_iterations = 300;
   /** True if equilibrate() follows. */
   bool equilibrate = false;

@@ -58,7 +58,7 @@ public:
 
   /** The stage @p name begins. */
   void begin(const std::string &name);
-  /** Say something of the stage. */
+  /** Show a text on the stage. */
   void say(const std::string &state);
   /** @p done of @p total things are done. */
   void count(std::size_t done, std::size_t total, const std::string &things);

@@ -16,7 +16,7 @@ using dealii::Point;
 
 namespace
 {
-/** Into how many triangles, at least, the polygon is cut. */
+/** The least number of triangles into which the polygon is cut. */
 constexpr unsigned int least_triangles = 4096;
 
 /**

@@ -92,7 +92,7 @@ private:
 
   const PointList &generators;
   const ConvexPolygon &polygon;
-  /** Points nearer to each other than this are one; a length. */
+  /** The distance below which points are the same; a length. */
   double resolution = 0.;
   /** A number larger than the size of the polygon; a length. */
   double extent = 0.;
