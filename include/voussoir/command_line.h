@@ -15,7 +15,7 @@
  *
  * Tension is positive everywhere. L stands for a length, S for a stress, in the
  * one consistent set of units that the user has; forces are per unit thickness,
- * S L. What is nondimensional says so.
+ * S L. Nondimensional quantities say so.
  */
 namespace Voussoir
 {

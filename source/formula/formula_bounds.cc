@@ -28,9 +28,9 @@ bool has_slopes(const Bounds &bounds)
 }
 
 /**
- * The side of zero. What is smooth and touches zero, or is equal to it, is so
- * on a set of measure zero, unless it is zero altogether. What may jump, and so
- * has no slopes, is known when it is cut.
+ * The side of zero. A smooth value that touches zero, or is equal to it, is so
+ * on a set of measure zero, unless it is zero altogether. A value that may
+ * jump, and so has no slopes, is known when it is cut.
  */
 Side side(const Bounds &distance)
 {

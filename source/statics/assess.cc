@@ -30,8 +30,8 @@ constexpr unsigned int n_max_parts = 8;
 
 /**
  * A strength, in units of the loads on a part over its size, with which joints
- * hardly slide: with much higher ones solvers lose digits. What is found with
- * it must be a proof with the true strengths.
+ * hardly slide: with much higher ones solvers lose digits. A proof found with
+ * it must hold with the true strengths.
  */
 constexpr double sufficient_strength = 1e3;
 

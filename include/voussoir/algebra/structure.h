@@ -19,7 +19,7 @@ namespace Voussoir
  * of other processes at the far ends of these joints.
  *
  * Vectors of unknowns are ordered body by body, component by component; see
- * dof(). What is summed up body by body is complete for own bodies only.
+ * dof(). Sums over the joints of a body are complete for own bodies only.
  */
 class Structure
 {
