@@ -13,8 +13,8 @@ namespace Voussoir
  * the strict interior of the contact constraints. Found when it is first asked
  * for.
  *
- * If the supports all face one way it is the uniform dilation, with the ground
- * drawn back. Else Newton's method looks for the minimum of
+ * If the supports all face one way the motion is the uniform dilation, with the
+ * ground drawn back. Else Newton's method looks for the minimum of
  *
  *     sum_e k_e min([u]_e . n_e - d_e, 0)^2 / 2,
  *
