@@ -117,7 +117,7 @@ std::string help()
   return text.str();
 }
 
-/** Where the program writes, and what is behind that. */
+/** The streams of the program, and the devices behind them. */
 struct Streams
 {
   std::ostream &out;
@@ -125,7 +125,7 @@ struct Streams
   const Screens &screens;
 };
 
-/** Print, and see to it that all of it arrives. */
+/** Print @p text; throws an InputError unless all of it is written. */
 void print(std::ostream &out, const std::string &text)
 {
   if (!(out << text << std::flush))
@@ -135,7 +135,7 @@ void print(std::ostream &out, const std::string &text)
 
 void run(const Arguments &arguments, const Streams &streams, const Team &team)
 {
-  // What remains of a quiet run are warnings, which belong to the errors.
+  // A quiet run shows warnings only, which belong to the errors.
   Terminal terminal = arguments.quiet
                           ? Terminal(streams.error, 1, streams.screens.error)
                           : Terminal(streams.out, 1, streams.screens.out);
@@ -165,8 +165,8 @@ void run(const Arguments &arguments, const Streams &streams, const Team &team)
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
-  // Where the file really is, should its name be a link; relative to the
-  // working directory, for messages that a user recognises.
+  // The directory of the file itself, should its name be a link; relative to
+  // the working directory, for messages that a user recognises.
   namespace fs = std::filesystem;
   simulation.run(prm,
                  fs::proximate(fs::canonical(arguments.file).parent_path()));

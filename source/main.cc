@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 /**
- * Whether a launcher of MPI stands between, which may show the program a
- * terminal whatever its own output is (Open MPI; others by PMI or PMIx).
+ * True if a launcher of MPI started the program, which may give it a terminal
+ * whatever its own output is (Open MPI; others by PMI or PMIx).
  */
 bool started_by_mpirun()
 {

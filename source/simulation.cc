@@ -29,7 +29,9 @@ namespace Voussoir
 {
 namespace
 {
-/** Join @p grids in a file to open in place of all of them. */
+/**
+ * Write results.pvd, a collection of @p grids that ParaView opens as one file.
+ */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
 {
@@ -215,7 +217,7 @@ void Simulation::write(Results results, const dealii::ParameterHandler &prm)
   }
   if (writes(ResultFiles::vtu))
   {
-    // In the order in which one covers the other where they are shown together.
+    // In the order of display, later grids over earlier ones.
     std::vector<std::string> grids = {"blocks.vtu", "interfaces.vtu"};
     add("blocks.vtu", write_blocks_vtu);
     if (stress.reconstruct())

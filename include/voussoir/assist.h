@@ -7,8 +7,8 @@
 namespace Voussoir
 {
 /**
- * What another process than the root does: take part in each task that the root
- * calls to, until there is none left.
+ * Take part, as a worker, in each task that the root calls to, until there is
+ * none left.
  */
 void assist(const Team &team);
 } // namespace Voussoir

@@ -15,11 +15,11 @@
  *
  * Tension is positive everywhere. L stands for a length, S for a stress, in the
  * one consistent set of units that the user has; forces are per unit thickness,
- * S L. What is nondimensional says so.
+ * S L. Nondimensional quantities say so.
  */
 namespace Voussoir
 {
-/** What is behind the standard streams. */
+/** The devices behind the standard streams. */
 struct Screens
 {
   Screen out;   /**< of what is found */
@@ -33,7 +33,7 @@ struct Screens
  * @param out takes the stages and the summary.
  * @param error takes the one message of a run that did not solve its scene.
  * @param team the processes that help; this one is the root.
- * @param screens whether the streams write to screens.
+ * @param screens the devices to which the streams write.
  * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
  *   the solver failed. Never throws.
  */

@@ -46,7 +46,7 @@ public:
            const std::filesystem::path &directory);
 
 private:
-  /** Which kinds of results are written. */
+  /** Kinds of results that are written. */
   enum class ResultFiles
   {
     all,
@@ -55,7 +55,7 @@ private:
     none
   };
 
-  /** In which form the packing is written, too. */
+  /** The form in which the packing is written, too. */
   enum class PackingFile
   {
     none,
@@ -68,7 +68,7 @@ private:
   Carried
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   Scene make_scene(const std::filesystem::path &directory) const;
-  /** Whether results of that kind are to be written. */
+  /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
   /**
    * Add to @p results what follows from the forces and is asked for.

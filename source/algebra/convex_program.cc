@@ -14,7 +14,7 @@ namespace Voussoir
 {
 namespace
 {
-/** What Ipopt takes for infinite. */
+/** The value that Ipopt takes for infinite. */
 constexpr double ipopt_infinity = 1e20;
 
 /**
@@ -25,7 +25,7 @@ constexpr double ipopt_infinity = 1e20;
 constexpr double pivot_tolerance_of_loose_unknowns = 1e-4;
 
 /**
- * What is added to the second derivatives of loose unknowns, which may change
+ * The shift of the second derivatives of loose unknowns, which may change
  * without any constraint noticing. It changes steps, not minima, and is far
  * below the stiffness of a contact that is pressed.
  */
@@ -50,7 +50,7 @@ public:
   }
 
   IpoptResult result;
-  /** Whether the caller, rather than Ipopt, ended the search. */
+  /** True if the caller, rather than Ipopt, ended the search. */
   bool is_stopped = false;
 
   /** Ipopt takes every exception for its own failure: keep it. */

@@ -11,9 +11,9 @@ namespace Voussoir
 namespace
 {
 /**
- * From how many bodies of a process on multigrid solves the system of both
- * components. Below, Cholesky's factorisation is faster; its time and memory
- * grow faster.
+ * The number of bodies of a process from which multigrid solves the system of
+ * both components. Below, Cholesky's factorisation is faster; its time and
+ * memory grow faster.
  */
 constexpr unsigned int n_bodies_for_multigrid = 1000000;
 
@@ -21,9 +21,9 @@ constexpr unsigned int n_bodies_for_multigrid = 1000000;
 constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
 
 /**
- * From how many unknowns on that couple the parts of several processes
- * multigrid takes over: their dense matrix, which the root factorises, then
- * takes 2 s (measured, on one core) and 0.3 GB.
+ * The number of unknowns that couple the parts of several processes from which
+ * multigrid takes over: their dense Schur complement, which the root
+ * factorises, then takes 2 s (measured, on one core) and 0.3 GB.
  */
 constexpr unsigned int n_couplings_for_multigrid = 6000;
 } // namespace

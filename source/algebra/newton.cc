@@ -17,16 +17,16 @@ namespace
 {
 /** The slope at the end of a line search, relative to that at its beginning. */
 constexpr double slope_reduction = 0.1;
-/** How close to the end of the energy's domain a step may go. */
+/** The part of the way to the end of the energy's domain that is allowed. */
 constexpr double fraction_to_boundary = 0.99;
-/** How a step grows while the energy falls, and how far. */
+/** The growth of a step while the energy falls, and its limit. */
 constexpr double expansion = 8.;
 constexpr double longest_expansion = 1e8;
 constexpr unsigned int n_max_searches = 60;
 /** The width of the bracket, relative to its end, that cannot be halved. */
 constexpr double smallest_bracket = 1e-15;
 
-/** What refine() may find of a right-hand side that was not solved for. */
+/** The largest residual that refine() corrects, over the right-hand side. */
 constexpr double little_left = 1e-3;
 
 /** The largest component of an own body, on all processes. */
@@ -109,7 +109,7 @@ void Newton::full_step()
   accept(std::move(trial));
 }
 
-/** As far as the energy is finite, with a margin. */
+/** The longest step with finite energy, with a margin. */
 double Newton::longest_step(const std::vector<Jump> &step_jumps) const
 {
   double longest = longest_expansion / fraction_to_boundary;

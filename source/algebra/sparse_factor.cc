@@ -14,7 +14,7 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/** What CHOLMOD returns, if it does. */
+/** The result of CHOLMOD; throws std::bad_alloc if it is null. */
 template <typename T>
 T *check(T *result)
 {

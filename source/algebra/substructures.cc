@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** How many of the ghosts are those of earlier processes; they come first. */
+/** The number of ghosts that belong to earlier processes; they come first. */
 unsigned int n_earlier_ghosts(const Structure &structure)
 {
   const auto &ghosts = structure.ghosts();
@@ -103,9 +103,9 @@ void Substructures::number_couplings()
 }
 
 /**
- * What is left of the matrix of this part for its coupled unknowns when all
- * others are eliminated, row by row: the product of the last block of L with
- * its transpose, less what SparseFactor has added.
+ * The Schur complement of this part for its coupled unknowns, row by row: the
+ * product of the last block of L with its transpose, less what SparseFactor has
+ * added.
  */
 std::vector<double> Substructures::schur_complement() const
 {
@@ -160,7 +160,7 @@ std::vector<double> Substructures::solve(const std::vector<double> &r)
   std::copy_n(r.begin(), structure.n_own_dofs(), all.begin());
   std::vector<double> columns = to_columns(all, n_components);
 
-  // What the others push on the coupled bodies, once they are eliminated.
+  // The forces of the others on the coupled bodies, once they are eliminated.
   const unsigned int n = coupled.size(), first = factor.n() - n;
   std::vector<double> right(n * n_columns);
   for (unsigned int c = 0; c < n_columns; ++c)

@@ -9,8 +9,7 @@ namespace Voussoir
 {
 void prepare_blas()
 {
-  // Which BLAS there is, only the machine knows: its functions are asked for by
-  // their names.
+  // The BLAS is known only at run time: its functions are looked up by name.
   const auto find = [](const char *name) {
     return dlsym(RTLD_DEFAULT, name);
   };

@@ -11,7 +11,7 @@ namespace
 /** Trap invalid operations, or not; return whether they were trapped. */
 bool trap(const bool trapped)
 {
-  // What happened before is not to be trapped now.
+  // Earlier exceptions are not to be trapped now.
   std::feclearexcept(FE_INVALID);
   const int before =
       trapped ? feenableexcept(FE_INVALID) : fedisableexcept(FE_INVALID);
@@ -22,7 +22,7 @@ bool trap(const bool trapped)
 bool trap_invalid_operations()
 {
   trap(true);
-  // Some processors cannot.
+  // Some processors have no such trap.
   return (fegetexcept() & FE_INVALID) != 0;
 }
 

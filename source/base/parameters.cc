@@ -15,7 +15,7 @@ namespace
 /** A value of the user's, not longer than a message can show. */
 constexpr std::size_t longest_value = 80;
 
-/** Whether @p text begins with @p start; then remove it. */
+/** Remove @p start from the beginning of @p text; true if it was there. */
 bool take(std::string &text, const std::string &start)
 {
   const bool found = text.compare(0, start.size(), start) == 0;
@@ -25,7 +25,7 @@ bool take(std::string &text, const std::string &start)
 }
 
 /**
- * What stands in @p text between @p begin, with which it starts, and the last
+ * The part of @p text between @p begin, with which @p text starts, and the last
  * @p end, shortened; nothing if it is of another form. (Not by std::regex,
  * which takes a stack as deep as the text is long.)
  */
@@ -44,7 +44,7 @@ std::optional<std::string> between(const std::string &text,
 }
 
 /**
- * What deal.II's parser has to say about a bad entry, in words that a user
+ * The message of deal.II's parser about a bad entry, in words that a user
  * knows, if it is one of the usual faults.
  */
 std::string in_plain_words(const std::string &message)
@@ -76,9 +76,9 @@ std::string in_plain_words(const std::string &message)
 }
 
 /**
- * What deal.II's parser has to say about a bad entry, as one sentence. It
- * begins with "Line <7> of file <name>:", which is of use for a file with
- * several lines only.
+ * The message of deal.II's parser about a bad entry, as one sentence. It begins
+ * with "Line <7> of file <name>:", which is of use for a file with several
+ * lines only.
  */
 std::string explain(const dealii::ExceptionBase &exception,
                     const std::string &name,

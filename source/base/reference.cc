@@ -20,7 +20,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** As wide as the other pages. */
+/** The width of a line, as on the other pages. */
 constexpr unsigned int line_width = 90;
 
 /** "a number from LOW to HIGH", without the bounds that are none. */
@@ -45,7 +45,7 @@ std::string quoted(std::string names)
   return "'" + names + "'";
 }
 
-/** Text as a paragraph of Markdown, in which nothing is a mark. */
+/** The text as a paragraph of Markdown, with its marks escaped. */
 std::string escaped(std::string words)
 {
   for (const char *mark : {"*", "<"})

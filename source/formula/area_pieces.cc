@@ -17,7 +17,7 @@ namespace
 {
 /** The part of the area that is too small to be cut again. */
 constexpr double smallest_piece = 1e-13;
-/** More pieces are not made. */
+/** The largest number of pieces. */
 constexpr unsigned int n_max_pieces = 2000;
 
 /** The distance of an argument from its level, over the size of what it is a
@@ -142,7 +142,7 @@ private:
     add(part, value, part.limits);
   }
 
-  /** Whether crossings are of the same curve, named more than once. */
+  /** True if crossings are of the same curve, named more than once. */
   bool are_one_curve(const std::vector<Crossing> &crossings,
                      const Corners &corners) const
   {

@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** Larger exponents are taken by the logarithm. */
+/** The largest exponent that is not taken by the logarithm. */
 constexpr double largest_integer_power = 1e6;
 
 bool is_number(const Interval &a)

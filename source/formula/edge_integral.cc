@@ -17,10 +17,10 @@ namespace
 {
 using Function = std::function<double(const Point<2> &)>;
 
-/** What integrate() is to reach, relative to the mean size of the function. */
+/** The tolerance of integrate(), relative to the mean size of the function. */
 constexpr double tolerance = 1e-13;
 
-/** In each part. */
+/** The points of the rule in each part. */
 constexpr unsigned int n_points = 15;
 
 /** The length of a piece in which a hidden peak would not count. */
@@ -28,7 +28,7 @@ constexpr double shortest_piece = 1e-12;
 /** The error of a first look at a piece, over the size of the function there,
  * with which not even the estimate can be trusted. */
 constexpr double roughness = 1e-2;
-/** More pieces are not made for the sake of peaks. */
+/** The largest number of pieces that are made for peaks. */
 constexpr unsigned int n_max_pieces = 200;
 
 /** Gauss' rule of four points and degree seven, from 0 to 1. */
@@ -117,7 +117,7 @@ private:
     return found.error <= roughness * found.size && !may_hide_a_peak(piece);
   }
 
-  /** Whether the quick rule is good. */
+  /** True if the quick rule is good. */
   bool look_quickly(const EdgePiece &piece, Integral<Sums> &found)
   {
     static const QuickRule rule;
@@ -136,7 +136,7 @@ private:
            smallest_unevenness * found.size;
   }
 
-  /** By the samples of the last look. */
+  /** True if the bounds allow a peak that the last samples did not show. */
   bool may_hide_a_peak(const EdgePiece &piece) const
   {
     const double length = piece.end - piece.begin;

@@ -21,7 +21,7 @@ constexpr double shortest_piece = 1e-14;
  * difference of, that may be rounding. */
 constexpr double rounding = 1e-13;
 
-/** More pieces are not made: what is left then is not smooth. */
+/** The largest number of pieces; the rest counts as not smooth. */
 constexpr unsigned int n_max_pieces = 10000;
 
 /** The jump to cut at: one whose argument has one root at most, if any. */
@@ -82,7 +82,7 @@ private:
     }
   }
 
-  /** Where a jump runs along @p part. */
+  /** Take the side of a jump that runs along @p part. */
   void choose_side(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> middle = at(0.5 * (part.begin + part.end));
@@ -93,7 +93,7 @@ private:
          Jumps::on_side(crossing, is_below, part.limits)});
   }
 
-  /** Where the argument of a jump increases, or decreases, along @p part. */
+  /** Cut @p part at the root of a jump's argument, monotonic along it. */
   void cut_at_root(const EdgePiece &part, const Crossing &crossing)
   {
     const Point<2> begin = at(part.begin), end = at(part.end);

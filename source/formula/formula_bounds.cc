@@ -10,10 +10,10 @@ namespace Voussoir
 {
 namespace
 {
-/** Beyond it doubles are integers. */
+/** The size beyond which doubles are integers. */
 constexpr double largest_step = 1e15;
 
-/** Which side of its level an argument is on, if that is known. */
+/** The side of its level that an argument is on, if that is known. */
 enum class Side
 {
   below,
@@ -28,9 +28,9 @@ bool has_slopes(const Bounds &bounds)
 }
 
 /**
- * The side of zero. What is smooth and touches zero, or is equal to it, is so
- * on a set of measure zero, unless it is zero altogether. What may jump, and so
- * has no slopes, is known when it is cut.
+ * The side of zero. A smooth value that touches zero, or is equal to it, is so
+ * on a set of measure zero, unless it is zero altogether. A value that may
+ * jump, and so has no slopes, is known when it is cut.
  */
 Side side(const Bounds &distance)
 {
@@ -101,7 +101,7 @@ bool has_no_limits(const Interval &a)
   return std::isinf(a.lower()) && std::isinf(a.upper());
 }
 
-/** Whether a value is not zero, but for a set of measure zero. */
+/** The truth of a value: not zero, but for a set of measure zero. */
 enum class Truth
 {
   no,
@@ -191,7 +191,7 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
       {}};
 }
 
-/** Of what has no jump. */
+/** The bounds of an operation that has no jump. */
 Bounds Formula::bounds_of(const Node &node) const
 {
   const Bounds &a = node_bounds[node.operand[0]];
@@ -287,7 +287,7 @@ void Formula::evaluate_branch(const unsigned int i,
         (node.kind == Kind::minimum) == (where == Side::above) ? b : a;
 }
 
-/** Which nodes the value depends on in the last box. */
+/** Mark the nodes on which the value depends in the last box. */
 void Formula::mark_needed() const
 {
   std::fill(needed.begin(), needed.end(), false);

@@ -14,7 +14,7 @@ namespace Voussoir
 namespace
 {
 /** @{ */
-/** What muParser calls; recognised in the byte code by its address. */
+/** A function that muParser calls; known in the byte code by its address. */
 double negative(double a)
 {
   return -a;

@@ -110,7 +110,7 @@ Jumps::Limits Jumps::limits_of(const unsigned int f, const Limits &limits) const
 std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
                                               const Limits &limits) const
 {
-  // What is not real is for whoever asks for the value there.
+  // Values that are not real are reported where they are evaluated, not here.
   const InvalidOperationsAllowed allowed;
   place(patch);
   std::vector<Crossing> crossings;

@@ -24,15 +24,15 @@ using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
 using Sums = Integrals<6>;
 
 /** @{ */
-/** What integrate() is to reach along one coordinate, and along the other. */
+/** The tolerances of integrate() along one coordinate, and along the other. */
 constexpr double inner_tolerance = 1e-13;
 constexpr double outer_tolerance = 1e-12;
 /** @} */
 
-/** In each part along a coordinate. */
+/** The points of the rule in each part along a coordinate. */
 constexpr unsigned int n_points = 21;
 
-/** The width of a strip, over that of its piece, in which is but rounding. */
+/** The width of a strip, over that of its piece, that is rounding. */
 constexpr double narrowest_strip = 1e-14;
 
 /**
@@ -51,7 +51,7 @@ constexpr double smallest_change = 1e-12;
  * size of the function. */
 constexpr double smallest_doubt = 1e-14;
 
-/** How often a triangle is cut in four before integrate() takes over. */
+/** The cuts in four of a triangle before integrate() takes over. */
 constexpr unsigned int n_refinements = 3;
 
 /** The same change with which not even the estimates of integrate() can be
@@ -61,11 +61,13 @@ constexpr double roughness = 1e-2;
 /** The part of the area in which nothing is looked for any more. */
 constexpr double smallest_part = 1e-14;
 
-/** More triangles are not cut in four. */
+/** The largest number of triangles that are cut in four. */
 constexpr unsigned int n_max_cut = 1000;
 
-/** The function is not evaluated more often than that to be exact: then what is
- * left takes each of its rules once. */
+/**
+ * The evaluations of the function after which what is left takes each of its
+ * rules once.
+ */
 constexpr unsigned int n_max_evaluations = 2000000;
 
 double area_of(const Triangle &triangle)
@@ -124,7 +126,7 @@ public:
   }
 
 private:
-  /** What the rule finds in a triangle. */
+  /** The result of the rule in a triangle. */
   struct Found
   {
     Sums sums = 0.;
@@ -214,11 +216,11 @@ private:
     Triangle corners;
     Found found;
     const Jumps::Limits *limits;
-    /** How often it was cut in four. */
+    /** The number of cuts in four that led to it. */
     unsigned int level;
     /** The integral of what bounds allow and was not seen; zero if none. */
     double hidden;
-    /** What cutting it may change, roughly. */
+    /** The change that cutting it may bring, roughly. */
     double doubt;
 
     bool operator<(const Part &other) const
@@ -329,7 +331,9 @@ private:
     }
   }
 
-  /** What integrate() is to reach: anything if it has had its evaluations. */
+  /**
+   * The tolerance of integrate(): infinite once its evaluations are used up.
+   */
   double tolerance_or_any(const double tolerance) const
   {
     return n_evaluations < n_max_evaluations
@@ -337,7 +341,10 @@ private:
                : std::numeric_limits<double>::infinity();
   }
 
-  /** Where corners are, and the curve leaves the piece; ascending. */
+  /**
+   * The coordinates at which corners are, or the curve leaves the piece;
+   * ascending.
+   */
   std::vector<double> strips(const AreaPiece &piece) const
   {
     const unsigned int s = 1 - piece.along;

@@ -13,7 +13,10 @@ namespace Voussoir
 {
 namespace
 {
-/** How much of a field a message quotes; it may be a whole file. */
+/**
+ * The number of characters of a field that a message quotes; a field may be a
+ * whole file.
+ */
 constexpr std::size_t quotation_length = 40;
 } // namespace
 

@@ -18,8 +18,9 @@ using dealii::Point;
 namespace
 {
 /**
- * How far two coordinates may differ by rounding, over the largest one. The
- * files have all digits; but another compiler may make others of the packing.
+ * The difference of two coordinates that may be rounding, over the largest one.
+ * The files have all digits; but another compiler may make others of the
+ * packing.
  */
 constexpr double rounding_of_coordinates = 1e-10;
 /** The same of a strength, over itself. */
@@ -129,7 +130,8 @@ EarlierRun::Origin EarlierRun::read_summary() const
     summary.at("formulation").get_to(found.formulation);
     summary.at("selection").get_to(found.selection);
     const nlohmann::json &solver = summary.at("solver");
-    // If that run has read its forces, too, what counts is who found them.
+    // If that run has read its forces, too, what counts is the solver that
+    // found them.
     const bool read = solver.contains("earlier_outcome");
     solver.at(read ? "earlier_outcome" : "outcome").get_to(found.outcome);
     solver.at("iterations").get_to(found.n_iterations);

@@ -11,7 +11,7 @@ namespace Voussoir
 {
 namespace
 {
-/** What it means that the load is carried to a small error only. */
+/** The message on a load that is carried to a small error only. */
 std::string inexact(const Results &results)
 {
   const Scene &scene = results.scene;

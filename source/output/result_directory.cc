@@ -27,7 +27,7 @@ const std::vector<std::string> all_result_files = {
 const std::vector<std::string> all_packing_files = {
     "packing.wkt", "packing.off", "packing_centres.txt"};
 
-/** Whether a file is what a process has written of the stress. */
+/** True if a file is the part of the stress that a process has written. */
 bool is_piece(const std::string &name)
 {
   static const std::regex pattern("stress_[0-9]+\\.vtu");

@@ -35,7 +35,7 @@ struct SubCellPoints
   };
 
   std::vector<SubTriangulation::Vertex> own;
-  /** Around each sub-cell of a triangle. */
+  /** The corners of each sub-cell of a triangle, around it. */
   std::vector<std::array<Corner, 4>> corners;
 };
 
@@ -112,7 +112,7 @@ private:
                                   }};
   }
   Point<2> point(unsigned int cell, unsigned int k) const;
-  /** What a cell is called in the whole packing. */
+  /** The number of a cell in the whole packing. */
   unsigned int number_of(unsigned int cell) const
   {
     return shown.first_cell + cell;

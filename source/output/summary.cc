@@ -23,10 +23,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** How many supports are named on the terminal. */
+/** The largest number of supports that are named on the terminal. */
 constexpr unsigned int n_shown_supports = 4;
 
-/** What stands first in every summary. */
+/** The beginning of every summary. */
 Json summary_of(const RunRecord &run, const Status &status)
 {
   const Packing &packing = run.scene.packing;

@@ -163,7 +163,7 @@ void VtuFile::add_point_vector(const std::string &name,
 
 void VtuFile::write(std::ostream &out) const
 {
-  // Where in the file the offset of each array stands, and what it is.
+  // The positions in the file of the offsets of the arrays, and the arrays.
   std::vector<std::streampos> places;
   std::vector<const Array *> arrays;
   const auto announce = [&](const Array &array) {

@@ -21,9 +21,9 @@ using dealii::Tensor;
 namespace
 {
 /**
- * How far, relative to the size of its cell, a vertex may lie inside the chord
- * of its neighbours and still count as convex: room for the rounding of the
- * coordinates, far below anything that a force could notice.
+ * The distance, relative to the size of its cell, that a vertex may lie inside
+ * the chord of its neighbours and still count as convex: room for the rounding
+ * of the coordinates, far below anything that a force could notice.
  */
 constexpr double convexity_tolerance = 1e-12;
 

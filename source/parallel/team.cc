@@ -27,8 +27,7 @@ int count_of(const std::size_t count)
 /** Of a task, with the zero at its end. */
 constexpr std::size_t length_of_names = 32;
 
-/** How long a worker sleeps before it asks again whether the root has called.
- */
+/** The time that a worker sleeps between two polls for a call of the root. */
 constexpr auto polling_interval = std::chrono::milliseconds(1);
 } // namespace
 

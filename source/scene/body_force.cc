@@ -21,7 +21,7 @@ Patch box_of(const Packing &packing, const unsigned int c)
   return box_around(vertices);
 }
 
-/** Whether a jump may cross the box around a cell. */
+/** True if a jump may cross the box around a cell. */
 bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
 {
   return !jumps.empty() &&
@@ -45,7 +45,7 @@ void integrate(const Packing &packing,
         packing.centre(c), b, closely ? jumps : none));
 }
 
-/** Whether bounds allow in a cell what was not seen in its triangles. */
+/** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Jumps &jumps,
                      const Packing &packing,

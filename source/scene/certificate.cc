@@ -58,7 +58,7 @@ std::vector<double> reference_forces(const Scene &scene,
   return reference;
 }
 
-/** By how much the forces of an interface are beyond their limits. */
+/** The excess of the forces of an interface over their limits. */
 double violation(const Scene &scene,
                  const InterfaceForces &forces,
                  const unsigned int e)

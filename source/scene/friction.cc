@@ -54,7 +54,7 @@ public:
     return integral.mean;
   }
 
-  /** On the means so far. */
+  /** Warnings on the means computed so far. */
   std::vector<std::string> warnings() const
   {
     return inaccuracies.warnings();
@@ -67,12 +67,12 @@ private:
   Inaccuracies inaccuracies;
 };
 
-/** What a user says of a pair of groups. */
+/** The strength that a user prescribes for a pair of groups. */
 struct PairStrength
 {
   std::string names;
   StrengthFormula formula;
-  /** Whether there is an interface between the two. */
+  /** True if there is an interface between the two. */
   bool is_met;
 };
 

@@ -41,7 +41,7 @@ public:
       f.emplace_back(component, variables, parameter);
   }
 
-  /** Whether both are zero everywhere by their form. */
+  /** True if both are zero everywhere by their form. */
   bool is_zero() const
   {
     return std::all_of(f.begin(), f.end(), [&](const Expression &component) {
@@ -50,7 +50,7 @@ public:
     });
   }
 
-  /** Whether both are the same everywhere by their form. */
+  /** True if both are the same everywhere by their form. */
   bool is_constant() const
   {
     return std::all_of(f.begin(), f.end(), [](const Expression &component) {

@@ -23,7 +23,7 @@ constexpr double balance_tolerance = 1e-10;
 /** The same for what is left of the forces on one cell where they cancel. */
 constexpr double cancellation_tolerance = 1e-14;
 
-/** How many groups that are not balanced a message names. */
+/** The largest number of unbalanced groups that a message names. */
 constexpr unsigned int n_named_groups = 5;
 
 /** Refuse a force whose square cannot be computed. */

@@ -28,7 +28,7 @@ namespace
  * written with few digits.
  */
 constexpr double largest_distance = 1e-6;
-/** What parts of the line may leave out of it, or cover twice. */
+/** The share of the line that its parts may leave out, or cover twice. */
 constexpr double largest_gap = 1e-6;
 
 /** Two finite numbers "a, b", or nothing. */
@@ -81,7 +81,7 @@ std::optional<Overlap> overlap(const SegmentTraction &segment,
   return part;
 }
 
-/** Whether parts, ascending, cover the line once. */
+/** True if parts, ascending, cover the line once. */
 bool cover_all(const std::vector<Overlap> &parts)
 {
   double end = 0.;

@@ -13,7 +13,7 @@ namespace Voussoir
 namespace
 {
 /**
- * How much room above 'Solver/Tolerance' the certificate gets, whose norm and
+ * The factor on 'Solver/Tolerance' for the certificate, whose norm and
  * reference force are others than the solver's.
  */
 constexpr double tolerance_allowance = 10.;

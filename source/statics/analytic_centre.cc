@@ -21,8 +21,8 @@ constexpr double first_shift = 1e-4, shift_ratio = 1e-2;
 /** The smaller, the closer to the limit of its strength a joint may be. */
 constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 /**
- * By what factor a force falls from one shift to the next: the root of their
- * ratio where it vanishes, one where it does not; this is half way.
+ * The factor by which a force falls from one shift to the next: the root of
+ * their ratio where it vanishes, one where it does not; this is half way.
  */
 constexpr double half_way = 0.316;
 constexpr double fixed_joints_decrement = 1e-4;
@@ -167,7 +167,7 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
 
   solution.n_iterations = n_iterations;
   solution.n_evaluations = n_evaluations;
-  // What the joints have in common is known only if the rest has a centre.
+  // The fixed forces of the joints are known only if the rest has a centre.
   if (solution.converged())
     for (const BarrierJoint::Fixed &fixed : law.fixed)
     {

@@ -21,21 +21,21 @@ namespace
 constexpr double rounding_of_balance = 1e-11;
 
 /**
- * How much more load than forces act on its worst cell another cell may have
- * and still belong to a part that slides; what is heavier is held.
+ * The largest load on a cell of a part that slides, over the forces on its
+ * worst cell; heavier cells are held.
  */
 constexpr double heavier = 1e3;
-/** For so many parts a proof of collapse is looked for. */
+/** The largest number of parts for which a proof of collapse is sought. */
 constexpr unsigned int n_max_parts = 8;
 
 /**
  * A strength, in units of the loads on a part over its size, with which joints
- * hardly slide: with much higher ones solvers lose digits. What is found with
- * it must be a proof with the true strengths.
+ * hardly slide: with much higher ones solvers lose digits. A proof found with
+ * it must hold with the true strengths.
  */
 constexpr double sufficient_strength = 1e3;
 
-/** How long the analytic centre may take, and what may follow it. */
+/** The most iterations of the analytic centre, and of what follows it. */
 constexpr unsigned int n_centre_iterations = 100;
 
 double error_of(const Certificate &certificate)
@@ -60,7 +60,7 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 }
 
 /**
- * The cells that hang together with @p first and have no more than @p load on
+ * Cell @p first and those connected to it by cells with no more than @p load on
  * them.
  */
 std::vector<bool>
@@ -184,7 +184,7 @@ Assessment assess(const Scene &scene,
   }
   catch (const std::bad_alloc &)
   {
-    // Nor can it be, with this memory.
+    // No proof can be found with this memory.
   }
   return {{Status::Kind::carried_within, error}, {}};
 }

@@ -121,8 +121,8 @@ void DiscreteProblem::choose_scales(const Scene &scene,
 }
 
 /**
- * What rounding leaves of the total force of a group is spread over its cells,
- * and the ground takes that of its own group.
+ * Spread the total force of a group that rounding leaves over its cells; the
+ * ground takes that of its own group.
  */
 void DiscreteProblem::balance_loads()
 {

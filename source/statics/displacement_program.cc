@@ -13,7 +13,7 @@ namespace
 /** The strength s_e, nondimensional, that hardly holds a body. */
 constexpr double hardly_any_strength = 1e-4;
 
-/** After how many iterations the load may be one that is not carried. */
+/** The iterations after which the load may be one that is not carried. */
 constexpr unsigned int n_before_doubt = 25;
 
 /** The unknowns of the bodies that are held, one in each connected group. */
@@ -27,7 +27,7 @@ std::vector<unsigned int> held_unknowns(const DiscreteProblem &problem)
   return held;
 }
 
-/** Those of bodies that hardly any friction holds. */
+/** The unknowns of the bodies that hardly any friction holds. */
 std::vector<unsigned int> loose_unknowns(const DiscreteProblem &problem)
 {
   std::vector<bool> is_loose(problem.n_bodies(), true);

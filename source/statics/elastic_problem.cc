@@ -16,7 +16,7 @@ namespace
 using Joint = Structure::Joint;
 
 /**
- * After how many iterations the load may be one that is not carried; then the
+ * The iterations after which the load may be one that is not carried; then the
  * barrier problem, whose iterates close no joint, finds the mechanism sooner.
  */
 constexpr unsigned int n_before_doubt = 20;
@@ -26,9 +26,12 @@ constexpr double shortest_good_step = 0.01;
 constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
 constexpr double first_shift = 1e-3;
-/** How near to the proximal minimum is near enough to move its centre. */
+/**
+ * The imbalance with the proximal term, over that without, below which the
+ * centre of that term moves.
+ */
 constexpr double inner_reduction = 0.1;
-/** By how much the imbalance must fall for a smaller shift. */
+/** The factor by which the imbalance must fall for a smaller shift. */
 constexpr double outer_reduction = 0.7;
 /**
  * Steps to a proximal minimum that make it an easy and a hard one, and minima

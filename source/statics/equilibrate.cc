@@ -16,16 +16,16 @@ namespace
 {
 /** An error, nondimensional, that is rounding. */
 constexpr double rounding = 1e-15;
-/** How much smaller a round must make the error for another to follow. */
+/** The ratio of the errors of two rounds below which another follows. */
 constexpr double worthwhile = 0.5;
 constexpr unsigned int n_max_rounds = 30;
-/** How often a correction is corrected for the shift and the rounding in it. */
+/** The refinements of a correction, for the shift and the rounding in it. */
 constexpr unsigned int n_refinements = 2;
 
 /** The distance from its limit, as a stress, at which a force moves freely. */
 constexpr double ample_slack = 0.1;
 
-/** What a shift costs in balance the refinements bring back, up to this one. */
+/** The largest shift whose error in the balance the refinements remove. */
 constexpr double largest_shift = 1.;
 
 /** The sum of all forces on each body, n_dofs() numbers. */

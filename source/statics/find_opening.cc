@@ -23,9 +23,9 @@ constexpr double least_cosine = 1e-2;
 /** The proximal term of the first step; joints that are open leave cells free.
  */
 constexpr double first_shift = 1e-6;
-/** By how much it falls after a step of at least this length. */
+/** Its reduction after a step, and the least length of such a step. */
 constexpr double shift_ratio = 0.1, good_step = 0.5;
-/** By how much of d_e a joint must open to count as open. */
+/** The part of d_e by which a joint must open to count as open. */
 constexpr double least_opening = 0.5;
 /**
  * The forces, relative to stiffnesses and distances of order one, that may be
@@ -33,7 +33,7 @@ constexpr double least_opening = 0.5;
  */
 constexpr double small_imbalance = 1e-9;
 constexpr unsigned int n_max_iterations = 200;
-/** How many roundings of a coordinate there may be in a vertex. */
+/** The error of a vertex, in roundings of a coordinate. */
 constexpr double n_roundings = 32.;
 
 /** A spring that pushes until its joint has opened by d_e. */
@@ -61,10 +61,10 @@ private:
 };
 
 /**
- * Where the ground has to be for its supports to open by d_e in the dilation u
- * = x_c: beyond the line of each of them.
+ * Find the displacement @p ground with which its supports open by d_e in the
+ * dilation u = x_c: beyond the line of each of them.
  *
- * @return whether there is such a point.
+ * @return true if there is such a point.
  */
 bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
 {
@@ -99,7 +99,7 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   return all_face_back;
 }
 
-/** How far n_e may be off, for the coordinates have so many digits only. */
+/** The error of n_e from the rounding of the coordinates. */
 double error_of_normal(const DiscreteProblem &problem, const Joint &joint)
 {
   return n_roundings * problem.rounding_of_coordinates() *

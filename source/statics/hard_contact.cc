@@ -17,12 +17,12 @@ namespace
 constexpr double largest_force_change = 1e-8;
 /** An imbalance, nondimensional, that is rounding. */
 constexpr double rounding = 1e-15;
-/** How much smaller a step must make the imbalance for another to follow. */
+/** The ratio of the imbalances of two steps below which another follows. */
 constexpr double worthwhile = 0.5;
-/** From Ipopt's point a handful of steps suffices. */
+/** The largest number of steps; from Ipopt's point a handful suffices. */
 constexpr unsigned int n_max_steps = 20;
 
-/** Whether @p newton comes to rest at the minimum. */
+/** True if @p newton converges to the minimum. */
 bool converges(Newton &newton, const double tolerance)
 {
   if (!std::isfinite(newton.imbalance()))

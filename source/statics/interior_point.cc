@@ -13,9 +13,9 @@ using Jump = Structure::Jump;
 
 namespace
 {
-/** How close to the end of its domain a step may go. */
+/** The part of the way to the end of its domain that a step may take. */
 constexpr double fraction_to_boundary = 0.99;
-/** By how much a step may aim to reduce the products at most. */
+/** The least factor by which a step aims to multiply the products. */
 constexpr double least_centring = 1e-6;
 
 /**
@@ -25,13 +25,13 @@ constexpr double least_centring = 1e-6;
  */
 constexpr double compliance_of_rigid_joints = 1e-6;
 
-/** When the conjugate gradients of a linear system stop; see solve(). */
+/** The stopping criteria of the conjugate gradients; see solve(). */
 constexpr double reduction_of_residual = 1e-13;
 constexpr unsigned int n_gradients = 10;
 /** The largest shift that these make up for. */
 constexpr double largest_shift = 1e-6;
 
-/** A step as short as this one shows that rounding has the upper hand. */
+/** The part of a step below which rounding dominates. */
 constexpr double shortest_step = 1e-6;
 
 double largest_component(const std::vector<double> &v)
@@ -76,8 +76,8 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
 
 bool InteriorPoint::step()
 {
-  // Where rounding leaves no step, what comes out is not a number; it is looked
-  // at before it is used.
+  // If rounding leaves no step, the result is not a number; it is checked
+  // before it is used.
   const InvalidOperationsAllowed allowed;
   ++iterations;
   const double mean = product();
@@ -262,7 +262,7 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
   return step;
 }
 
-/** How much of a step may be taken, no more than one. */
+/** The part of a step that may be taken, at most one. */
 InteriorPoint::Parts InteriorPoint::longest(const Step &step,
                                             const double fraction) const
 {

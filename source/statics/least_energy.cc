@@ -15,7 +15,7 @@ namespace
 {
 using Joint = Structure::Joint;
 
-/** With fewer cells a process has more to tell than to do. */
+/** The cells per process below which communication outweighs computation. */
 constexpr unsigned int least_cells_per_process = 500;
 
 /** The same by all processes; @p whole and @p order are the root's. */

@@ -12,18 +12,20 @@ namespace Voussoir
 namespace
 {
 /**
- * By how much, relative to the size of its terms, the work must exceed the
- * dissipation for the difference not to be rounding.
+ * The margin, relative to the size of its terms, by which the work must exceed
+ * the dissipation for the difference not to be rounding.
  */
 constexpr double rounding_margin = 1e-12;
 
-/** The closing of a joint, relative to the largest displacement, that is none.
+/**
+ * The closing of a joint, relative to the largest displacement, that is
+ * rounding.
  */
 constexpr double rounding_of_closing = 1e-13;
 
 /** The same that is worth correcting where the supports clamp the packing. */
 constexpr double closing_to_correct = 0.1;
-/** What holds the cells in that correction, relative to stiffnesses of one. */
+/** The shift of that correction, relative to stiffnesses of one. */
 constexpr double holding_shift = 1e-8;
 constexpr unsigned int n_rounds = 10;
 
@@ -35,7 +37,7 @@ double largest_component(const std::vector<double> &v)
   return largest;
 }
 
-/** @return whether that can be done. */
+/** @return false if @p divisor is not positive and finite. */
 bool divide(std::vector<double> &v, const double divisor)
 {
   if (!std::isfinite(divisor) || divisor <= 0.)
@@ -69,7 +71,7 @@ double gain(const DiscreteProblem &problem, const std::vector<double> &v)
  * which the joints that close neither close nor open: between supports that
  * clamp the packing they can do nothing else in a mechanism.
  *
- * @return whether no joint closes then.
+ * @return true if no joint closes then.
  */
 bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
 {
@@ -104,7 +106,8 @@ bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
 /**
  * Add to @p v as much of an opening as its closing joints need.
  *
- * @return how much; infinite if there is nothing that opens them.
+ * @return the multiple of the opening; infinite if there is nothing that opens
+ *   them.
  */
 double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 {

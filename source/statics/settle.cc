@@ -58,7 +58,8 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
     else if (imbalance <= controls.tolerance &&
              product <= product_near_rounding)
     {
-      // What rounding may stop is balanced all the same.
+      // Forces are balanced also if rounding stops the method before it
+      // converges.
       solution.stop = product <= largest_product ? Stop::Reason::converged
                                                  : Stop::Reason::rounding;
       solution.forces = point.forces();
@@ -122,7 +123,7 @@ Solution settle(const DiscreteProblem &problem,
   }
   catch (const std::bad_alloc &)
   {
-    // So it does.
+    // The first answer stands.
   }
   return solution;
 }

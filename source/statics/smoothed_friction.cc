@@ -37,9 +37,9 @@ constexpr double ipopt_over_own_tolerance = 1e-3;
 constexpr double tolerance_over_barrier = 1e-2;
 
 /**
- * After how many iterations with compliant contact an interior point may have
- * the answer sooner: elsewhere Ipopt takes some dozens (measured), close to the
- * limit of the load some hundreds, or none are enough.
+ * The iterations with compliant contact after which an interior-point method
+ * may have the answer sooner: elsewhere Ipopt takes some dozens (measured),
+ * close to the limit of the load some hundreds, or none are enough.
  */
 constexpr unsigned int n_before_interior_point = 60;
 
@@ -200,7 +200,7 @@ private:
                       std::move(before), terminal);
   }
 
-  /** Whether the interior point has an answer. */
+  /** True if the interior-point method has an answer. */
   bool has_answer() const
   {
     return interior && (interior->converged() || interior->mechanism);
@@ -250,7 +250,7 @@ private:
   const SolverControls &controls;
   const double barrier_parameter;
   Terminal &terminal;
-  /** What an interior point has found, if it was asked. */
+  /** The result of the interior-point method, if it was run. */
   std::optional<Solution> interior;
   /** Of the points of compliant contact, the one with the best balance. */
   std::vector<double> most_balanced;

@@ -29,8 +29,8 @@ constexpr double doubtful_slenderness = 1e-3;
 constexpr double turn = 1.;
 
 /**
- * By how much the mean of the stress may miss what the forces demand, and the
- * stress of a sub-cell that of the cell turned, relative to largest_stress().
+ * The error of the mean of the stress against the forces, and of the stress of
+ * a sub-cell against that of the cell turned, relative to largest_stress().
  */
 constexpr double largest_error = 1e-6;
 } // namespace
@@ -203,7 +203,7 @@ bool CellStress::mean_is_right() const
 }
 
 /**
- * Whether the stress that was found comes back in the cell turned, with the
+ * True if the stress that was found comes back in the cell turned, with the
  * forces on it. A check of all that rounding does, in the equations as in their
  * solution, and of each sub-cell.
  */

@@ -12,7 +12,7 @@ namespace
 /** Ratio of the pivots of B B^T below which a cell counts as undetermined. */
 constexpr double smallest_pivot_ratio = 1e-12;
 
-/** Which entries the matrix of the mixed problem has. */
+/** The sparsity pattern of the mixed problem. */
 dealii::DynamicSparsityPattern couplings(const CellSpaces &spaces)
 {
   const unsigned int n = spaces.n_unknown_fluxes();
@@ -101,7 +101,7 @@ bool Fan::find_fluxes()
 }
 
 /**
- * Whether the equations (sigma, j(q)) = 0 are independent in the free fluxes:
+ * True if the equations (sigma, j(q)) = 0 are independent in the free fluxes:
  * by the pivots of B B^T, with their matrix B. Unlike the pivots of the whole
  * system these do not see the weight 1/|sub-cell| of div sigma, which is large
  * along a short side and harmless.

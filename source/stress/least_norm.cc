@@ -27,7 +27,7 @@ Tensor<1, 2> rigid_motion(const unsigned int m, const dealii::Point<2> &x)
   return v;
 }
 
-/** Which entries the matrix has. */
+/** The sparsity pattern of the matrix. */
 dealii::DynamicSparsityPattern couplings(const CellSpaces &spaces)
 {
   const unsigned int n = spaces.n_unknown_fluxes();

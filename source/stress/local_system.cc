@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** Up to this size elimination without a sparse ordering is faster. */
+/** The size up to which elimination without a sparse ordering is faster. */
 constexpr unsigned int largest_small_system = 80;
 } // namespace
 

@@ -19,7 +19,7 @@ using dealii::Tensor;
 
 namespace
 {
-/** What one thread keeps from cell to cell: one object a number of sides. */
+/** The objects that a thread keeps from cell to cell, by number of sides. */
 struct Scratch
 {
   explicit Scratch(const Reconstruction &how)

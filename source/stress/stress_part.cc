@@ -13,7 +13,7 @@ using dealii::Tensor;
 
 namespace
 {
-/** What is sent of the cells of one process. */
+/** The data sent of the cells of one process. */
 struct Message
 {
   CellLoops cells;

@@ -18,19 +18,21 @@ namespace Voussoir
 {
 namespace
 {
-/** What a shell adds to the number of the signal that ended a program. */
+/** The number that a shell adds to that of the signal that ended a program. */
 constexpr int status_of_signals = 128;
 
-/** What wakes the thread without a signal. */
+/** The byte that wakes the thread without a signal. */
 constexpr unsigned char no_signal = 0;
 
-/** How long a message waits for a terminal or pipe that takes nothing; ms. */
+/**
+ * The time that a message waits for a terminal or pipe that takes nothing; ms.
+ */
 constexpr int patience_with_terminal = 1000;
 
 /**
- * How long the processes wait that have nothing to undo and nothing to say.
- * Open MPI kills the others within milliseconds when the first one has ended,
- * although it means to wait for a second.
+ * The time that processes with nothing to undo and no message wait. Open MPI
+ * kills the others within milliseconds when the first one has ended, although
+ * it means to wait for a second.
  */
 constexpr auto head_start = std::chrono::seconds(2);
 
@@ -44,7 +46,7 @@ constexpr Signal signals[] = {
     {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}};
 constexpr std::size_t n_signals = sizeof(signals) / sizeof(signals[0]);
 
-/** What the thread needs to know of the rest of the program. */
+/** The state that the thread shares with the rest of the program. */
 struct Shared
 {
   std::mutex mutex;
@@ -80,7 +82,7 @@ extern "C" void wake_on_signal(const int signal)
   errno = error;
 }
 
-/** Not by a stream, nor without asking: who reads it may have stopped. */
+/** Write without a stream, and after poll(): the reader may have stopped. */
 void write_to(const int file_descriptor, const std::string &text)
 {
   pollfd reader = {file_descriptor, POLLOUT, 0};
@@ -99,16 +101,16 @@ void say(const int number)
       name = signal.name;
   const std::string message = std::string("voussoir: Interrupted by ") + name +
                               "; " + shared().state + "\n";
-  // How far the run had come, and what a terminal shows of Ctrl-C.
+  // Clear the line of progress, and the terminal's echo of Ctrl-C.
   if (shared().screen)
     write_to(STDOUT_FILENO, clear_line);
   write_to(STDERR_FILENO, message);
 }
 
-/** End the program as @p signal asks, when nothing stands in the way. */
+/** End the program as @p signal asks, once no Uninterrupted lives. */
 [[noreturn]] void end(const int signal)
 {
-  // Not unlocked: nobody is to write anything any more.
+  // Not unlocked: no thread may write any more.
   shared().mutex.lock();
   try
   {
@@ -169,7 +171,7 @@ void Interruption::listen()
 {
   struct sigaction action = {};
   action.sa_handler = wake_on_signal;
-  // What the signal comes in between goes on until the thread ends it all.
+  // System calls go on after a signal, until the thread ends the program.
   action.sa_flags = SA_RESTART;
   sigfillset(&action.sa_mask);
   for (std::size_t i = 0; i < n_signals; ++i)

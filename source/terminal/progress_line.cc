@@ -158,6 +158,6 @@ try
 }
 catch (const std::bad_alloc &)
 {
-  // The main thread will say that there is no memory.
+  // The main thread reports that there is no memory.
 }
 } // namespace Voussoir

@@ -17,7 +17,7 @@ in_colour(const bool colours, const char *colour, const std::string &text)
                  : text;
 }
 
-/** What a variable of the environment says; empty if it is not there. */
+/** The value of a variable of the environment; empty if it is not there. */
 std::string environment(const char *name)
 {
   const char *value = std::getenv(name);

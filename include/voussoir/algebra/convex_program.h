@@ -21,7 +21,7 @@ public:
     unsigned int row;
     unsigned int column;
     /** @} */
-    /** What is added to other entries of that place. */
+    /** Its value, added to those of other entries of that place. */
     double value;
   };
 
@@ -45,12 +45,12 @@ public:
   virtual std::vector<Entry> constraints() const = 0;
 };
 
-/** What Ipopt is told. */
+/** The controls of Ipopt. */
 struct IpoptControls
 {
   /** Ipopt's own, of its optimality conditions. */
   double tolerance;
-  /** After so many iterations Ipopt gives up. */
+  /** The largest number of iterations. */
   unsigned int n_max_iterations;
   /** The product of each constraint and its multiplier to stop at. */
   double mu_target = 0.;
@@ -60,11 +60,11 @@ struct IpoptControls
   std::vector<unsigned int> loose = {};
 };
 
-/** Whether to stop after so many iterations, at these unknowns. */
+/** True to stop Ipopt after so many iterations, at these unknowns. */
 using IpoptStop =
     std::function<bool(unsigned int iteration, const std::vector<double> &x)>;
 
-/** Why Ipopt stopped. */
+/** The reason for which Ipopt stopped. */
 enum class IpoptOutcome
 {
   converged,
@@ -79,7 +79,7 @@ enum class IpoptOutcome
   other
 };
 
-/** What Ipopt found. */
+/** The result of Ipopt. */
 struct IpoptResult
 {
   /** The unknowns, where Ipopt stopped; empty if it had none. */
@@ -88,9 +88,9 @@ struct IpoptResult
   std::vector<double> multipliers;
   /** The number of Ipopt's iterations. */
   unsigned int n_iterations = 0;
-  /** How often value() was asked for. */
+  /** The number of calls of value(). */
   unsigned int n_evaluations = 0;
-  /** Why it stopped. */
+  /** The reason for which it stopped. */
   IpoptOutcome outcome = IpoptOutcome::other;
   /** The same as the number that Ipopt has for it. */
   int status = 0;
@@ -100,7 +100,7 @@ struct IpoptResult
  * Solve @p program with Ipopt and MUMPS.
  *
  * @param program to be solved.
- * @param start where to begin; as many numbers as there are unknowns.
+ * @param start the starting point; as many numbers as there are unknowns.
  * @param controls of Ipopt.
  * @param stops is asked after each iteration; what it throws is thrown here.
  * @param terminal sees the iterations.

@@ -31,8 +31,8 @@ public:
   /** The second derivatives; not negative. */
   virtual Jump second_derivative(unsigned int e, const Jump &jump) const = 0;
   /**
-   * How many times @p step may be added to @p jump before the energy of joint
-   * @p e is infinite; infinity if it never is.
+   * The multiple of @p step that may be added to @p jump before the energy of
+   * joint @p e is infinite; infinity if it never is.
    */
   virtual double longest_step(unsigned int /*e*/,
                               const Jump & /*jump*/,

@@ -18,13 +18,13 @@ namespace Voussoir
  * rounding for a factorisation.
  */
 constexpr double least_shift = 1e-13;
-/** How much larger the next shift is when a factorisation fails. */
+/** The factor from one shift to the next when a factorisation fails. */
 constexpr double factor_of_shift = 100.;
 
-/** What solves the linear systems; see JointSystem. */
+/** The solver of the linear systems; see JointSystem. */
 enum class LinearSolver
 {
-  /** What is faster at the size of the problem. */
+  /** The one that is faster at the size of the problem. */
   automatic,
   /** Cholesky, or Substructures on several processes. */
   direct,
@@ -69,10 +69,10 @@ public:
    */
   std::vector<double> solve(const std::vector<double> &r);
 
-  /** Whether another solve() costs little after a prepare(). */
+  /** True if another solve() costs little after a prepare(). */
   bool is_direct() const;
 
-  /** How long prepare() and solve() have taken so far; seconds. */
+  /** The time that prepare() and solve() have taken so far; seconds. */
   double seconds() const;
 
 private:

@@ -23,7 +23,7 @@ public:
                        double shift) = 0;
   /** See JointSystem::solve(); the ghosts of the result are not set. */
   virtual std::vector<double> solve(const std::vector<double> &r) = 0;
-  /** Whether another solve() costs little after a prepare(). */
+  /** True if another solve() costs little after a prepare(). */
   virtual bool is_direct() const = 0;
 };
 

@@ -39,8 +39,8 @@ public:
    * @param structure has bodies, joints and loads.
    * @param law of the joints.
    * @param system solves the linear systems.
-   * @param u where to begin, n_dofs() numbers with the ghosts; the energy must
-   *   be finite there.
+   * @param u the starting point, n_dofs() numbers with the ghosts; the energy
+   *   must be finite there.
    */
   Newton(const Structure &structure,
          const JointLaw &law,
@@ -85,12 +85,12 @@ public:
   /** The largest change of a force in the last step. */
   double force_change() const;
 
-  /** How many steps were taken. */
+  /** The number of steps taken. */
   unsigned int n_iterations() const;
 
-  /** How often the forces were evaluated. */
+  /** The number of evaluations of the forces. */
   unsigned int n_evaluations() const;
-  /** How long the linear systems have taken so far; see JointSystem. */
+  /** The time of the linear systems so far, in seconds; see JointSystem. */
   double seconds_of_systems() const;
 
 private:

@@ -32,7 +32,7 @@ public:
    *
    * @param structure has the joints; it must outlive this object.
    * @param n_components of the system, one or two.
-   * @param n_bodies how many bodies count; not fewer than are own.
+   * @param n_bodies the number of bodies that count; not fewer than are own.
    * @param last bodies to be eliminated after all others, ascending.
    * @throws std::bad_alloc if there is not enough memory.
    */
@@ -56,10 +56,10 @@ public:
   bool factorise(const std::vector<Structure::Jump> &coefficients,
                  double shift);
 
-  /** How many unknowns there are: n_components times n_bodies. */
+  /** The number of unknowns: n_components times n_bodies. */
   unsigned int n() const;
 
-  /** How many of them are those of the last bodies. */
+  /** The number of them that belong to the last bodies. */
   unsigned int n_last() const;
 
   /**
@@ -87,7 +87,7 @@ public:
   /** The lower triangular block of L of the last bodies. */
   const dealii::FullMatrix<double> &last_block() const;
 
-  /** What was added to the diagonal of each of the last_unknowns(). */
+  /** The number added to the diagonal of each of the last_unknowns(). */
   std::vector<double> added() const;
 
 private:
@@ -106,9 +106,9 @@ private:
   std::unique_ptr<cholmod_common_struct> common;
   cholmod_sparse_struct *matrix = nullptr;
   cholmod_factor_struct *factor = nullptr;
-  /** Where the diagonal entry of each column is. */
+  /** The place of the diagonal entry of each column. */
   std::vector<int> of_body;
-  /** Where the first entry of each column of each joint's block is. */
+  /** The place of the first entry of each column of each joint's block. */
   std::vector<int> of_joint;
   /** Of each of the last bodies. */
   std::vector<double> addition;

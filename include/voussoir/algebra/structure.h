@@ -19,7 +19,7 @@ namespace Voussoir
  * of other processes at the far ends of these joints.
  *
  * Vectors of unknowns are ordered body by body, component by component; see
- * dof(). What is summed up body by body is complete for own bodies only.
+ * dof(). Sums over the joints of a body are complete for own bodies only.
  */
 class Structure
 {
@@ -61,7 +61,7 @@ public:
     double tangential;
   };
 
-  /** What one process gets of a structure that several share. */
+  /** The part that one process gets of a structure that several share. */
   struct Part
   {
     /**
@@ -101,7 +101,7 @@ public:
 
   /** All joints that touch an own body. */
   const std::vector<Joint> &joints() const;
-  /** Whether this process counts the joint; the others that have it do not. */
+  /** True if this process counts the joint; the others that have it do not. */
   bool is_own(const Joint &joint) const;
   /** F_c of each own body. */
   const std::vector<dealii::Tensor<1, 2>> &loads() const;
@@ -130,16 +130,16 @@ protected:
   /** A whole structure, to be filled by a derived class. */
   Structure() = default;
 
-  /** What joints() returns. */
+  /** The result of joints(). */
   std::vector<Joint> joint_list;
-  /** What loads() returns; it has an element for each own body. */
+  /** The result of loads(); it has an element for each own body. */
   std::vector<dealii::Tensor<1, 2>> load;
 
 private:
   Team processes;
   unsigned int first = 0;
   std::vector<unsigned int> ghost_list;
-  /** How the unknowns of ghosts are exchanged; none if there are none. */
+  /** The exchange of the unknowns of ghosts; null if there are none. */
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> exchange;
 };
 

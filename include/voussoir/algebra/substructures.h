@@ -33,7 +33,7 @@ public:
    */
   Substructures(const Structure &structure, unsigned int n_components);
 
-  /** How many of the own bodies of this process couple. */
+  /** The number of own bodies of this process that couple. */
   static unsigned int n_coupling_bodies(const Structure &structure);
 
   bool prepare(const std::vector<Structure::Jump> &coefficients,

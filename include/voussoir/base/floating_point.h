@@ -13,7 +13,7 @@ namespace Voussoir
  * NaN is then found where it is made. Threads started later, and TBB's tasks,
  * do as the thread that called this; call it first in main().
  *
- * @return whether they are trapped: in Debug with glibc, which alone has the
+ * @return true if they are trapped: in Debug with glibc, which alone has the
  *   functions for it.
  */
 bool trap_invalid_operations();

@@ -6,7 +6,7 @@
 
 namespace Voussoir
 {
-/** In place of the number of a cell, side, unknown, ...: there is none. */
+/** No number of a cell, side, unknown, ... */
 constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
 } // namespace Voussoir
 

@@ -18,11 +18,11 @@ namespace Voussoir
 template <typename Enum>
 struct Choice
 {
-  /** What the entry is bound to takes this value. */
+  /** The value that the variable bound to the entry takes. */
   Enum value;
   /** Its name in a .prm file; without |. */
   std::string name;
-  /** What the documentation says of it, behind its name and a colon. */
+  /** Its documentation, behind its name and a colon. */
   std::string meaning;
 };
 
@@ -35,7 +35,7 @@ struct Choice
  * @param entry its name.
  * @param value must outlive @p prm.
  * @param choices in the order in which they are documented.
- * @param documentation what the entry chooses; a sentence.
+ * @param documentation a sentence that says what the entry chooses.
  */
 template <typename Enum>
 void add_choice(dealii::ParameterHandler &prm,

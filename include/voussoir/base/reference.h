@@ -13,8 +13,9 @@ class ParameterHandler;
 namespace Voussoir
 {
 /**
- * What an entry accepts, in words: "a number from 0 to 1" for deal.II's
- * "[Double 0...1 (inclusive)]". A description of another form is left as it is.
+ * The values that an entry accepts, in words: "a number from 0 to 1" for
+ * deal.II's "[Double 0...1 (inclusive)]". A description of another form is left
+ * as it is.
  */
 std::string text_of_pattern(const std::string &description);
 

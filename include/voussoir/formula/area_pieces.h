@@ -19,9 +19,9 @@ struct AreaPiece
   /** The coordinate, 0 or 1, along which its argument increases or decreases
    * everywhere, so that the curve is a graph over the other one. */
   unsigned int along = 0;
-  /** What is known of the jumps there. */
+  /** The known bounds of the jumps there. */
   Jumps::Limits limits;
-  /** Whether it is so small that it does not count, and not cut again. */
+  /** True if it is so small that it does not count, and is not cut again. */
   bool is_uncertain = false;
 };
 

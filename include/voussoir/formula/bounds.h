@@ -10,7 +10,7 @@ namespace Voussoir
 {
 /**
  * A closed interval, without directed rounding: bounds are true to rounding
- * errors, which whoever uses them must allow for.
+ * errors, for which the caller must allow.
  */
 using Interval = boost::numeric::interval<
     double,
@@ -22,16 +22,16 @@ using Interval = boost::numeric::interval<
 /** The largest distance of a point of @p a from zero. */
 double magnitude(const Interval &a);
 
-/** Whether zero is neither inside @p a nor at its ends. */
+/** True if zero is neither inside @p a nor at its ends. */
 bool excludes_zero(const Interval &a);
 
-/** Whether @p a is the one number zero. */
+/** True if @p a is the one number zero. */
 bool is_zero(const Interval &a);
 
 /**
- * What a function of two coordinates from -1 to 1 is between, and its
- * derivatives: interval arithmetic with automatic differentiation (Moore,
- * Kearfott and Cloud, *Introduction to Interval Analysis*, 2009).
+ * Bounds of a function of two coordinates from -1 to 1, and of its derivatives:
+ * interval arithmetic with automatic differentiation (Moore, Kearfott and
+ * Cloud, *Introduction to Interval Analysis*, 2009).
  */
 struct Bounds
 {
@@ -61,7 +61,7 @@ Bounds atan2(const Bounds &y, const Bounds &x);
 Bounds
 chain(const Bounds &a, const Interval &value, const Interval &derivative);
 
-/** What may be either of two functions from place to place. */
+/** The bounds of what may be either of two functions from place to place. */
 Bounds either(const Bounds &a, const Bounds &b);
 } // namespace Voussoir
 

@@ -8,7 +8,7 @@
 
 namespace Voussoir
 {
-/** What a function is over a straight edge. */
+/** The integral of a function over a straight edge. */
 struct EdgeIntegral
 {
   /** Its mean; in its unit. */

@@ -12,13 +12,13 @@ namespace Voussoir
 struct EdgePiece
 {
   /** @{ */
-  /** Where it is. */
+  /** Its ends along the edge. */
   double begin;
   double end;
   /** @} */
-  /** Whether the function is known to be smooth inside. */
+  /** True if the function is known to be smooth inside. */
   bool is_smooth;
-  /** What is known of the jumps there. */
+  /** The known bounds of the jumps there. */
   Jumps::Limits limits;
 };
 

@@ -45,7 +45,7 @@ public:
   /** The same of a list that is not stored. */
   double operator()(std::initializer_list<double> values) const;
 
-  /** Whether the formula uses none of the variables. */
+  /** True if the formula uses none of the variables. */
   bool is_constant() const;
 
   /** Its operations, to know where it jumps. */
@@ -68,13 +68,13 @@ public:
             const std::string &parameter);
 
   /**
-   * Whether it holds for one value of each variable, x and y first.
+   * True if it holds for one value of each variable, x and y first.
    *
    * @throws InputError naming the place if the value is not a number.
    */
   bool operator()(const std::vector<double> &values) const;
 
-  /** Whether it holds nowhere by its form, as 0 does. */
+  /** True if it holds nowhere by its form, as 0 does. */
   bool is_never() const;
 
 private:

@@ -28,8 +28,8 @@ class Formula
 {
 public:
   /**
-   * Where a jump is, for values of the variables in some box: a level strictly
-   * inside the bounds of its argument.
+   * A jump that values of the variables in some box may meet: its level is
+   * strictly inside the bounds of its argument.
    */
   struct Crossing
   {

@@ -13,7 +13,7 @@ namespace Voussoir
  */
 struct SmoothFunction
 {
-  /** In formulas. */
+  /** Its name in formulas. */
   std::string name;
   /** The function. */
   double (*value)(double);
@@ -21,13 +21,13 @@ struct SmoothFunction
   Bounds (*bounds)(const Bounds &);
 };
 
-/** All of them. */
+/** All smooth functions. */
 const std::vector<SmoothFunction> &smooth_functions();
 
 /** A function of one variable that has steps or kinks. */
 struct SteppedFunction
 {
-  /** In formulas. */
+  /** Its name in formulas. */
   std::string name;
   /** The function. */
   double (*value)(double);

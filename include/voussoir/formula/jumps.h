@@ -58,10 +58,10 @@ public:
   /** Let the further variables have these values. */
   void set_constants(const std::vector<double> &constants);
 
-  /** Whether there is none at all. */
+  /** True if there is none at all. */
   bool empty() const;
 
-  /** Whether there are formulas, and so bounds_in(). */
+  /** True if there are formulas, and so bounds_in(). */
   bool has_formulas() const;
 
   /** Those of each formula in @p patch within @p limits; the slopes are along
@@ -78,14 +78,16 @@ public:
   std::vector<Crossing> crossings(const Patch &patch,
                                   const Limits &limits) const;
 
-  /** The argument less the level of a crossing, at a point; zero if it is not
-   * real there, and the value is for whoever asks for it to refuse. */
+  /**
+   * The argument less the level of a crossing, at a point; zero if it is not
+   * real there, and the value is for the caller to refuse.
+   */
   double distance(const Crossing &crossing, const dealii::Point<2> &p) const;
 
   /**
-   * Whether the function has a step there, rather than a kink: whether its
-   * values on both sides of @p crossing at @p p, within @p limits, differ by
-   * more than rounding.
+   * True if the function has a step there, rather than a kink: if its values on
+   * both sides of @p crossing at @p p, within @p limits, differ by more than
+   * rounding.
    */
   bool is_step(const Crossing &crossing,
                const dealii::Point<2> &p,

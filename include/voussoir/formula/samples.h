@@ -13,8 +13,8 @@
 namespace Voussoir
 {
 /**
- * What a function was seen to be, against what it may be by its bounds: a peak
- * between the points of a rule leaves no other trace.
+ * The values of a function at the points of a rule, to be compared with its
+ * bounds: a peak between the points leaves no other trace.
  */
 struct Samples
 {
@@ -32,11 +32,11 @@ struct Samples
   }
 
   /**
-   * Whether all that @p bounds allow is near to what was seen, or they allow
+   * True if all that @p bounds allow is near to what was seen, or they allow
    * nothing far from a linear function; true as well if they do not bound the
    * value, and nothing can be said.
    *
-   * @param negligible the distance from a linear function that is none.
+   * @param negligible the distance from a linear function that does not count.
    */
   bool cover(const Bounds &bounds, const double negligible) const
   {
@@ -52,8 +52,10 @@ struct Samples
   }
 };
 
-/** Whether the samples of functions cover their bounds, as far as these are
- * known: those of the first bounds.size() functions. */
+/**
+ * True if the samples of functions cover their bounds, as far as these are
+ * known: those of the first bounds.size() functions.
+ */
 inline bool cover(const std::array<Samples, 2> &samples,
                   const std::vector<Bounds> &bounds,
                   const double negligible)

@@ -29,7 +29,7 @@ struct TriangleIntegral
   double error;
   /** The integral of the size of the largest component, roughly. */
   double size;
-  /** What was seen of each component at the points of the rule. */
+  /** The values of each component at the points of the rule. */
   std::array<Samples, 2> samples;
   /** The part of the area of which the side of a jump is not known. */
   double uncertain;
@@ -38,12 +38,12 @@ struct TriangleIntegral
 /**
  * Integrate a function over a triangle.
  *
- * Where @p jumps cross it, it is cut by area_pieces(). On a triangle without a
- * jump a rule of degree five serves where the function is even enough, or
+ * A triangle that @p jumps cross is cut by area_pieces(). On a triangle without
+ * a jump a rule of degree five serves where the function is even enough, or
  * cutting it in four changes nothing, and bounds of the function exclude that a
- * peak hides between the points. Else,
- * and where a curve crosses a piece, integrate() goes along one coordinate and
- * then the other, between the sides and the curve.
+ * peak hides between the points. Else, and where a curve crosses a piece,
+ * integrate() goes along one coordinate and then the other, between the sides
+ * and the curve.
  *
  * @param corners counterclockwise; lengths.
  * @param origin of the moment.

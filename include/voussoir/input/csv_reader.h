@@ -21,7 +21,7 @@ public:
   /** @throws InputError if the file cannot be read or is empty. */
   explicit CsvReader(std::filesystem::path file);
 
-  /** Whether the first line has that name. */
+  /** True if the first line has that name. */
   bool has_column(const std::string &name) const;
   /**
    * Read the numbers of the columns @p names.
@@ -33,7 +33,7 @@ public:
   /**
    * Read a line.
    *
-   * @return whether there was one.
+   * @return true if there was one.
    * @throws InputError if it has not as many fields as the first one, or a
    *   chosen one is not a finite number.
    */

@@ -41,7 +41,7 @@ public:
   Carried forces(const Scene &scene, SolverRecord &record);
 
 private:
-  /** What the summary says of how the forces were found. */
+  /** The origin of the forces, as the summary states it. */
   struct Origin
   {
     unsigned int n_cells, n_interfaces;
@@ -60,7 +60,7 @@ private:
   const std::filesystem::path directory;
   const Origin origin;
   CsvReader interfaces, cells;
-  /** Whether it is known which interfaces are never pressed. */
+  /** True if it is known which interfaces are never pressed. */
   const bool marked;
 };
 } // namespace Voussoir

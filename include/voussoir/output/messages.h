@@ -16,7 +16,7 @@ std::vector<std::string> cells_not_convex(const Packing &packing);
 std::vector<std::string> doubts_about(const Results &results);
 
 /**
- * What a run says whose load is not carried.
+ * The message of a run whose load is not carried.
  *
  * @param files those with the mechanism, "a and b", or none.
  */

@@ -10,7 +10,7 @@ namespace Voussoir
 {
 /**
  * The .pvd that makes one data set of @p files beside it, for ParaView, each
- * named as its file is up to the dot. What comes later covers what is in the
+ * named as its file is up to the dot. Later files cover earlier ones in the
  * same place, so that lines go last.
  */
 void write_pvd(std::ostream &out, const std::vector<std::string> &files);

@@ -61,8 +61,8 @@ public:
              const std::function<void(std::ostream &)> &writer);
 
   /**
-   * Where another process is to write the file @p name, which counts as written
-   * then.
+   * The path to which another process is to write the file @p name, which
+   * counts as written then.
    */
   std::filesystem::path place_for(const std::string &name);
 

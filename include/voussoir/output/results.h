@@ -14,7 +14,7 @@
 
 namespace Voussoir
 {
-/** What is known of every run, whatever came out of it. */
+/** The record of every run, whatever came out of it. */
 struct RunRecord : SolverRecord
 {
   /** @param scene must outlive this object. */
@@ -22,11 +22,11 @@ struct RunRecord : SolverRecord
   {
   }
 
-  /** What was given. */
+  /** The scene that was given. */
   const Scene &scene;
   /** The entry `Title`. */
   std::string title;
-  /** How many were started, also if the root solved alone. */
+  /** The number of processes started, also if the root solved alone. */
   unsigned int n_processes = 1;
   /** Wall clock time of each stage, in seconds. */
   std::map<std::string, double> timings;

@@ -20,7 +20,7 @@ void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
                          const Team &team);
 
-/** What the root calls the others to for it; see Team::call(). */
+/** The name of this task, to which the root calls; see Team::call(). */
 inline const std::string writing_task = "writing";
 
 /** The part of another process in write_stress_pieces(). */

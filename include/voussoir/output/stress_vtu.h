@@ -11,12 +11,12 @@
 
 namespace Voussoir
 {
-/** What stress.vtu shows: some cells and the stress inside them. */
+/** The content of stress.vtu: some cells and the stress inside them. */
 struct StressedCells
 {
   /** The cells. */
   const Packing &packing;
-  /** In their sub-cells. */
+  /** The stress in their sub-cells. */
   const StressField &stress;
   /** Of each cell; L. */
   const std::vector<dealii::Tensor<1, 2>> &displacement;

@@ -15,7 +15,7 @@ void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
 /** @} */
 
-/** Say from where to where the first supports are, and how many more. */
+/** Show the ends of the first supports, and the number of the others. */
 void show_supports(Terminal &terminal, const Scene &scene);
 
 /** The summary of a run in a few lines, for people. */

@@ -37,7 +37,7 @@ inline std::array<double, 9> tensor(const dealii::Tensor<2, 2> &t)
   return {{t[0][0], t[0][1], 0., t[1][0], t[1][1], 0., 0., 0., 0.}};
 }
 
-/** What is derived from the symmetric part of a stress, in its unit. */
+/** Quantities derived from the symmetric part of a stress, in its unit. */
 struct StressInvariants
 {
   /** @param stress sigma_ij, of plane stress. */

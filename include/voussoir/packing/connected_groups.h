@@ -8,7 +8,7 @@
 
 namespace Voussoir
 {
-/** Whether cells that both touch the ground are connected by it. */
+/** The choice whether cells that both touch the ground are connected by it. */
 enum class Ground
 {
   /** They are: the ground and all that touches it is one group. */

@@ -12,9 +12,9 @@ namespace Voussoir
 extern const std::string ground_name;
 
 /**
- * What is wrong with @p name for a group of cells, as the end of a sentence
- * about it; empty if nothing is. Names stand in lists of parameters and in
- * files, so they have none of the characters that separate there.
+ * The fault of @p name as the name of a group of cells, as the end of a
+ * sentence about it; empty if nothing is. Names stand in lists of parameters
+ * and in files, so they have none of the characters that separate there.
  */
 std::string fault_of_group_name(const std::string &name);
 

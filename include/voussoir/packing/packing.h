@@ -22,7 +22,7 @@ struct CellLoops
   std::vector<dealii::Point<2>> vertices;
   /** Vertex numbers of one loop after the other, each counterclockwise. */
   std::vector<unsigned int> loops;
-  /** Where the loop of each cell begins, and the end: n_cells + 1 numbers. */
+  /** The start of the loop of each cell, and the end: n_cells + 1 numbers. */
   std::vector<unsigned int> first = {0};
   /** The centre x_c of each cell, a length; empty to take the centroids. */
   std::vector<dealii::Point<2>> centres;
@@ -33,20 +33,20 @@ struct CellLoops
   std::vector<unsigned int> group;
 
   /**
-   * How far a vertex may lie inside the chord of its neighbours in a cell that
-   * counts as convex, beyond rounding; a length. Zero for what was computed,
-   * more for what was read and matched within a tolerance.
+   * The distance that a vertex may lie inside the chord of its neighbours in a
+   * cell that counts as convex, beyond rounding; a length. Zero for what was
+   * computed, more for what was read and matched within a tolerance.
    */
   double tolerance = 0.;
 
   /** The file that the cells were read from; empty if they were not. */
   std::string file;
-  /** What a record of that file is called. */
+  /** The name of a record of that file. */
   std::string record_name = "line";
   /** For each cell the number of its record; empty if not read. */
   std::vector<unsigned int> records;
 
-  /** What the user ought to know of how the input was understood. */
+  /** Notices to the user on how the input was understood. */
   std::vector<std::string> notices;
 };
 
@@ -119,7 +119,7 @@ public:
    */
   struct Side
   {
-    /** Whether it is one of boundary_edges(), and not of interfaces(). */
+    /** True if it is one of boundary_edges(), and not of interfaces(). */
     bool on_boundary;
     /** Its number in that list. */
     unsigned int index;
@@ -150,7 +150,7 @@ public:
   unsigned int n_cells() const;
   /** The number that stands for the ground, in Interface::cell_plus. */
   unsigned int ground() const;
-  /** How many of interfaces(), the last ones, are supports. */
+  /** The number of interfaces() that are supports, the last ones. */
   unsigned int n_supports() const;
   /** The edges e that carry forces: those between cells, then the supports. */
   const std::vector<Interface> &interfaces() const;
@@ -199,7 +199,7 @@ public:
 
   /** The cells that are not convex, only star-shaped; ascending numbers. */
   const std::vector<unsigned int> &not_convex() const;
-  /** What the user ought to know of how the input was understood. */
+  /** Notices to the user on how the input was understood. */
   const std::vector<std::string> &notices() const;
   /** "cell 3", with its line or feature if it was read; "the ground". */
   std::string describe(unsigned int cell) const;

@@ -26,7 +26,7 @@ public:
    * The packing that the parameters describe, with the groups of the entry
    * `Groups`, and without supports.
    *
-   * @param directory where relative paths among the parameters start.
+   * @param directory the start of relative paths among the parameters.
    * @param terminal see PackingGenerator::generate().
    * @throws InputError if the parameters describe no packing: as
    *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.

@@ -38,7 +38,7 @@ public:
   unsigned int size() const;
   /** The number of this process, from 0 to size() - 1. */
   unsigned int rank() const;
-  /** Whether this is process 0. */
+  /** True if this is process 0. */
   bool is_root() const;
 
   /**
@@ -73,7 +73,7 @@ public:
   template <typename T>
   T min(T value) const;
   /** @} */
-  /** Whether it holds on all processes; collective. */
+  /** True if @p value is true on all processes; collective. */
   bool all(bool value) const;
 
   /** The root's @p value, on all processes; plain data, collective. */
@@ -87,8 +87,8 @@ public:
   std::vector<std::vector<T>> gather(const std::vector<T> &values) const;
 
   /**
-   * What the root has for this process, element rank() of its @p values, which
-   * are not asked for on the others; collective.
+   * The values of the root for this process, element rank() of its @p values,
+   * which are ignored on the others; collective.
    */
   template <typename T>
   std::vector<T> scatter(const std::vector<std::vector<T>> &values) const;

@@ -43,7 +43,7 @@ public:
   void
   add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
 
-  /** Whether there is none, and none was added. */
+  /** True if there is none, and none was added. */
   bool empty() const;
 
   /** The force on @p cell; S L. */

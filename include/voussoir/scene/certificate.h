@@ -27,7 +27,7 @@ struct UnbalancedCell
 };
 
 /**
- * How good a set of interface forces is (paper, eqs. 1, 12 and 13), computed
+ * The errors of a set of interface forces (paper, eqs. 1, 12 and 13), computed
  * from the scene and the forces alone, in the user's units, by code that no
  * solver shares. Each group of cells that touch each other has a reference
  * force of its own, the largest load on one of them; without it the largest of
@@ -71,7 +71,7 @@ constexpr double largest_accepted_error = 1e-6;
 Certificate certify(const Scene &scene, const InterfaceForces &forces);
 
 /**
- * How good a proof of collapse is, by the same rules: the displacements, one
+ * The errors of a proof of collapse, by the same rules: the displacements, one
  * for each cell, may be multiplied by any positive number.
  */
 struct MechanismCertificate
@@ -85,15 +85,15 @@ struct MechanismCertificate
   /** Work of the load over the dissipation of friction; infinite if none. */
   double work_over_dissipation = 0.;
   /**
-   * What the largest load on a cell would do in all closings together, over the
-   * work of the load less the dissipation: where it is not small, normal
-   * forces of the size of that load could take up the difference.
+   * The work that the largest load on a cell would do in all closings, over the
+   * work of the load less the dissipation: where it is not small, normal forces
+   * of the size of that load could take up the difference.
    */
   double share_of_closing = 0.;
 };
 
 /**
- * Whether the load does more work than friction can dissipate, and joints close
+ * True if the load does more work than friction can dissipate, and joints close
  * by rounding only, also beside that work.
  */
 bool proves_collapse(const MechanismCertificate &certificate);

@@ -19,7 +19,7 @@ struct Strengths
    * the interface, not negative; S.
    */
   std::vector<double> of_interface;
-  /** What a user should know of means that are not exact. */
+  /** Warnings to the user on means that are not exact. */
   std::vector<std::string> warnings;
 };
 

@@ -12,7 +12,7 @@ namespace Voussoir
 /** A part of the load that a user knows by name. */
 struct LoadPart
 {
-  /** Such as "the traction on the side from (0, 1) to (1, 1)". */
+  /** Its name, such as "the traction on the side from (0, 1) to (1, 1)". */
   std::string name;
   /** Along the displacement given; a force per unit thickness times that. */
   double work;

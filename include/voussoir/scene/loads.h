@@ -16,7 +16,7 @@ namespace Voussoir
 /** A force on each of some cells, which acts evenly over the area of each. */
 struct CellForce
 {
-  /** As the user called the cells. */
+  /** The name that the user gave the cells. */
   std::string name;
   /** Their numbers, ascending. */
   std::vector<unsigned int> cells;
@@ -35,7 +35,7 @@ struct Loads
   std::vector<CellForce> on_cells;
   /** EdgeTractions::first_moment of the traction, or empty if it is zero. */
   std::vector<dealii::Tensor<1, 2>> traction_moment = {};
-  /** What a user should know of integrals that are not exact. */
+  /** Warnings to the user on integrals that are not exact. */
   std::vector<std::string> warnings = {};
 };
 

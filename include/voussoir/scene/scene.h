@@ -39,7 +39,7 @@ struct Scene
   std::vector<CellForce> on_cells;
   /** The body force, with on_cells in it. */
   BodyForce body;
-  /** Whether there is more in it than on_cells. */
+  /** True if there is more in it than on_cells. */
   bool has_body_force;
   /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
@@ -77,8 +77,8 @@ struct InterfaceForces
 };
 
 /**
- * How much of its strength an interface uses: |f_e^t| / (s_e |e|), and zero
- * where there is no tangential force.
+ * The part of its strength that an interface uses: |f_e^t| / (s_e |e|), and
+ * zero where there is no tangential force.
  */
 double
 utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);

@@ -31,8 +31,8 @@ private:
 };
 
 /**
- * Whether @p condition, an expression in the coordinates x, y of the midpoint
- * and the outward unit normal nx, ny, holds on each boundary edge.
+ * True for each boundary edge on which @p condition holds, an expression in the
+ * coordinates x, y of the midpoint and the outward unit normal nx, ny.
  *
  * @return one entry for each of Packing::boundary_edges().
  * @throws InputError naming @p parameter if it cannot be evaluated or holds on

@@ -18,16 +18,16 @@
 
 namespace Voussoir
 {
-/** How an answer was found. */
+/** The way in which an answer was found. */
 struct SolverRecord
 {
   /** Formulation::name(). */
   std::string formulation;
   /** Formulation::selection(). */
   std::string selection;
-  /** Why the solver stopped; see Stop::words(). */
+  /** The reason for which the solver stopped; see Stop::words(). */
   std::string outcome;
-  /** Of forces that were read, why the solver that found them stopped. */
+  /** The same of the solver that found the forces, if they were read. */
   std::string earlier_outcome;
   /** Solution::n_iterations. */
   unsigned int n_iterations = 0;
@@ -50,9 +50,9 @@ struct Carried
   /** @} */
   /** u_c of each cell, see Solution::displacement; L. */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good the forces are. */
+  /** The errors of the forces. */
   Certificate certificate;
-  /** What they say of the load. */
+  /** The status of the load that follows from them. */
   Status status;
 };
 
@@ -61,9 +61,9 @@ struct NotCarried
 {
   /** Of each cell along the mechanism; the largest component is one. */
   std::vector<dealii::Tensor<1, 2>> displacement;
-  /** How good a proof the mechanism is. */
+  /** The errors of the mechanism as a proof. */
   MechanismCertificate proof;
-  /** What drives the mechanism, the most work first. */
+  /** The loads that drive the mechanism, the most work first. */
   std::vector<LoadPart> parts;
 };
 

@@ -11,10 +11,10 @@
 
 namespace Voussoir
 {
-/** What is known of the load, once there are forces that almost carry it. */
+/** The answer on the load, once there are forces that almost carry it. */
 struct Assessment
 {
-  /** Whether it is carried. */
+  /** The status of the load. */
   Status status;
   /** u_c of each cell: the proof that it is not. */
   std::vector<dealii::Tensor<1, 2>> mechanism;

@@ -38,7 +38,10 @@ enum class BarrierWeights
 class BarrierJoint : public JointLaw
 {
 public:
-  /** What all admissible and balanced states have in common at a joint. */
+  /**
+   * The forces that all admissible and balanced states have in common at a
+   * joint.
+   */
   struct Fixed
   {
     /** p = 0: the joint has no barrier for it. */
@@ -59,7 +62,7 @@ public:
   /** The weight w_e, nondimensional. */
   double weight(unsigned int e) const;
 
-  /** What is left of the strength, s_e |e| - |q_e|, without cancellation. */
+  /** The rest of the strength, s_e |e| - |q_e|, without cancellation. */
   double slack(unsigned int e, const Jump &jump) const;
 
   /** One entry per joint; at first nothing is fixed. */

@@ -50,7 +50,7 @@ public:
 
   /** The bodies but for the ground, which is there if there are supports. */
   unsigned int n_cells() const;
-  /** Whether there is any load at all. */
+  /** True if there is any load at all. */
   bool is_loaded() const;
   /**
    * x_c of each cell; nondimensional, from the area-weighted mean of the
@@ -58,7 +58,7 @@ public:
    */
   const std::vector<dealii::Tensor<1, 2>> &centres() const;
   /**
-   * Whether @p body stands for its connected group where one displacement of
+   * True if @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
    */
   bool is_held(unsigned int body) const;

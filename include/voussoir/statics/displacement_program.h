@@ -17,17 +17,17 @@ namespace Voussoir
 class DisplacementProgram : public ConvexProgram
 {
 public:
-  /** Where to begin; as many numbers as there are unknowns. */
+  /** The starting point; as many numbers as there are unknowns. */
   virtual std::vector<double> start() const = 0;
 
-  /** Why to stop after @p iteration; none to go on. */
+  /** The reason to stop after @p iteration; none to go on. */
   virtual Stop verdict(unsigned int /*iteration*/)
   {
     return {};
   }
 };
 
-/** What solve_program() found. */
+/** The result of solve_program(). */
 struct ProgramResult
 {
   /** The unknowns, where Ipopt stopped. */
@@ -42,17 +42,16 @@ struct ProgramResult
   std::optional<Mechanism> mechanism;
   /** The number of Ipopt's iterations. */
   unsigned int n_iterations = 0;
-  /** How often value() was asked for. */
+  /** The number of calls of value(). */
   unsigned int n_evaluations = 0;
-  /** Why it stopped. */
+  /** The reason for which it stopped. */
   Stop stop;
 };
 
 /**
- * Solve @p program with Ipopt. In each connected group of cells one is held
- * where it starts, since a translation changes nothing. The iterates are
- * watched for mechanisms; after many iterations without a minimum
- * find_collapse() is asked.
+ * Solve @p program with Ipopt. In each connected group of cells one is held at
+ * its start, since a translation changes nothing. The iterates are watched for
+ * mechanisms; after many iterations without a minimum find_collapse() is asked.
  *
  * @param problem whose displacements are the first unknowns.
  * @param program to be solved.

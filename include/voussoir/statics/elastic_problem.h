@@ -36,7 +36,7 @@ private:
   const Structure &structure;
 };
 
-/** How to minimise the energy of ElasticJoint; plain data. */
+/** The controls of minimise_elastic(); plain data. */
 struct ElasticOrder
 {
   LinearSolver linear_solver = LinearSolver::automatic;
@@ -48,7 +48,7 @@ struct ElasticOrder
  * Minimise the energy of ElasticJoint by Newton's method; collective.
  *
  * @param problem shares out and collects.
- * @param order how.
+ * @param order the controls.
  * @param displacement_unit see minimise().
  * @param terminal sees the iterations.
  * @throws SolverError if a linear system cannot be solved.

@@ -9,10 +9,11 @@
 namespace Voussoir
 {
 /**
- * Whether a motion opens every joint of @p problem: the strict interior of the
- * contact constraints. Found when it is first asked for.
+ * The proof that a motion opens every joint of @p problem, or that none does:
+ * the strict interior of the contact constraints. Found when it is first asked
+ * for.
  *
- * Where the supports all face one way it is the uniform dilation, with the
+ * If the supports all face one way the motion is the uniform dilation, with the
  * ground drawn back. Else Newton's method looks for the minimum of
  *
  *     sum_e k_e min([u]_e . n_e - d_e, 0)^2 / 2,
@@ -24,7 +25,7 @@ namespace Voussoir
 const Opening &opening_of(const DiscreteProblem &problem);
 
 /**
- * Whether the displacement @p u (n_dofs() numbers) opens every joint by more
+ * True if the displacement @p u (n_dofs() numbers) opens every joint by more
  * than the rounding of its normal, which is that of the coordinates over the
  * length of the joint, could make of it.
  */
@@ -32,7 +33,7 @@ bool opens_all_joints(const DiscreteProblem &problem,
                       const std::vector<double> &u);
 
 /**
- * Whether no motion opens every joint by more than that, since the normal
+ * True if no motion opens every joint by more than that, since the normal
  * forces @p p, one for each joint, balance by themselves: if every |u_c| <= 1,
  * then the least [u]_e . n_e is at most the sum of what is left on the cells
  * over the sum of p.

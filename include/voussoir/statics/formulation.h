@@ -26,7 +26,9 @@ public:
   virtual std::string name() const = 0;
   /** One line on it, for the documentation of the parameters. */
   virtual std::string meaning() const = 0;
-  /** By which principle the state was selected, with the present parameters. */
+  /**
+   * The principle by which the state was selected, with the present parameters.
+   */
   virtual std::string selection() const = 0;
 
   /** Declare the parameters in the current subsection and bind them. */
@@ -35,8 +37,8 @@ public:
   /**
    * Find the forces, or the proof that there are none.
    *
-   * Whether the forces of a solution that has not converged() are good enough,
-   * certify() tells.
+   * The forces of a solution that has not converged() are for certify() to
+   * judge.
    *
    * @throws InputError if the formulation needs a motion that opens all
    * contacts and there is none; see require_interior().

@@ -34,7 +34,7 @@ public:
    */
   FrictionCone(double strength, double smoothing, double product);
 
-  /** Whether there is friction. */
+  /** True if there is friction. */
   bool exists() const;
   /** The force q. */
   double force() const;
@@ -63,7 +63,7 @@ public:
   };
   /** The step to the product @p target whose change of force is @p dq. */
   Step step(double target, double dq) const;
-  /** How many times the step may be taken by lambda, and by s. */
+  /** The multiple of the step that lambda may take, and that s may take. */
   double longest_of_force(const Step &step) const;
   /** See longest_of_force(). */
   double longest_of_sliding(const Step &step) const;

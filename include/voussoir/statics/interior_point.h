@@ -10,7 +10,7 @@
 
 namespace Voussoir
 {
-/** What the forces of one joint cost; nondimensional. See InteriorPoint. */
+/** The cost of the forces of one joint; nondimensional. See InteriorPoint. */
 struct JointCost
 {
   /** c^n, not negative. */
@@ -34,8 +34,8 @@ struct JointCost
  * which the load alpha F is carried. Displacements are the multipliers of the
  * balance. p_e has the multiplier z_e >= 0, which is [u]_e . n_e + c_e^n p_e in
  * the end; friction is a FrictionCone, whose sliding is [u]_e . t_e - c_e^t q_e
- * in the end. All p_e z_e and s_e . lambda_e go to zero together, in proportion
- * to |e| d_e, while the forces find their balance.
+ * in the end. All p_e z_e and s_e . lambda_e go to zero, in proportion to |e|
+ * d_e, while the forces find their balance.
  *
  * Forces and displacements are unknowns of equal right, so that no digits of
  * the forces are lost when many joints slide far: the method needs some dozens
@@ -49,7 +49,7 @@ public:
   /** Of displacements or forces; see Structure::Jump. */
   using Jump = Structure::Jump;
 
-  /** What is looked for. */
+  /** The optimum that is looked for. */
   enum class Aim
   {
     /** The forces that cost the least. */
@@ -83,9 +83,9 @@ public:
   double imbalance() const;
   /** The mean product of a force and its multiplier, over |e| d_e. */
   double product() const;
-  /** How many steps were taken. */
+  /** The number of steps taken. */
   unsigned int n_iterations() const;
-  /** How long the linear systems have taken so far; see JointSystem. */
+  /** The time of the linear systems so far, in seconds; see JointSystem. */
   double seconds_of_systems() const;
 
 private:
@@ -93,14 +93,16 @@ private:
   struct State
   {
     JointCost cost;
-    /** What steps that lose digits without it see in addition to the cost. */
+    /**
+     * The compliance added to the cost in steps that lose digits without it.
+     */
     double extra_compliance;
     /** |e| d_e. */
     double weight;
     double p, z;
     FrictionCone friction;
     /** @{ */
-    /** By how much z and the sliding are short of what they should be. */
+    /** The shortfall of z and of the sliding. */
     double short_z = 0., short_v = 0.;
     /** @} */
   };

@@ -37,7 +37,7 @@ private:
   LinearSolver linear_solver = LinearSolver::automatic;
 };
 
-/** What the root calls the others to for it; see Team::call(). */
+/** The name of this task, to which the root calls; see Team::call(). */
 inline const std::string least_energy_task = "least energy";
 
 /**

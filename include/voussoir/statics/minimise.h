@@ -12,12 +12,12 @@
 
 namespace Voussoir
 {
-/** When Newton's method stops; see minimise(). */
+/** The stopping criteria of Newton's method; see minimise(). */
 struct NewtonControls
 {
   /** The largest imbalance. */
   double imbalance;
-  /** After so many steps it gives up. */
+  /** The largest number of steps. */
   unsigned int n_max_iterations;
   /** The largest decrement of the last step. */
   double decrement = std::numeric_limits<double>::infinity();

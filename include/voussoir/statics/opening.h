@@ -7,8 +7,8 @@
 namespace Voussoir
 {
 /**
- * Whether a motion opens every joint, with the proof. By the theorem of the
- * alternative of Gordan exactly one of these exists:
+ * The proof that a motion opens every joint, or that none does. By the theorem
+ * of the alternative of Gordan exactly one of these exists:
  *
  *     u with [u]_e . n_e > 0 for every e,
  *     p >= 0, not all zero, with sum_e p_e n_e = 0 on every cell (the sign of

@@ -14,7 +14,7 @@
 namespace Voussoir
 {
 /**
- * Find the forces that cost the least, where another method has no answer.
+ * Find the forces that cost the least, if another method has no answer.
  * Iterations add up.
  *
  * @param problem has the joints.

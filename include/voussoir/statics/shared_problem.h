@@ -40,7 +40,7 @@ public:
 
   /** This process' part of the displacement of opening_of(); collective. */
   std::vector<double> opening() const;
-  /** Whether opening_of() has one; collective. */
+  /** True if opening_of() has one; collective. */
   bool has_opening() const;
 
   /**
@@ -50,8 +50,8 @@ public:
   std::optional<Mechanism> find_mechanism(const std::vector<double> &u) const;
 
   /**
-   * The parts of all processes put together, in the order of the whole, on the
-   * root, and nothing on the others; collective.
+   * The parts of all processes, in the order of the whole, on the root, and
+   * nothing on the others; collective.
    *
    * @param u the displacement, n_dofs() numbers of structure().
    * @param forces f_e^n and f_e^t of each joint of structure().

@@ -10,12 +10,12 @@ namespace Voussoir
 /**
  * The displacement problem with smoothed friction, solved by Ipopt with MUMPS.
  *
- * The energy of the joints is that of SmoothedJoint, with compliant contact
- * (no constraints) or hard contact (the constraints [u]_e . n_e >= 0, whose
+ * The energy of the joints is that of SmoothedJoint, with compliant contact (no
+ * constraints) or hard contact (the constraints [u]_e . n_e >= 0, whose
  * multipliers are the normal forces). Either way the forces balance at the
  * minimum. They do not depend on the size of the smoothing length eps: the
- * substitution u = eps w removes it, and the problem is solved in w. What the
- * smoothing chooses is the state, see selection().
+ * substitution u = eps w removes it, and the problem is solved in w. The
+ * smoothing chooses the state, see selection().
  */
 class SmoothedFriction : public Formulation
 {

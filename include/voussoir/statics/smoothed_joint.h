@@ -7,7 +7,7 @@
 
 namespace Voussoir
 {
-/** How two blocks touch; see SmoothedJoint. */
+/** The contact between two blocks; see SmoothedJoint. */
 enum class Contact
 {
   /** By springs, which choose among the states of the rigid blocks. */

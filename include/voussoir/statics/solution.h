@@ -12,14 +12,14 @@
 
 namespace Voussoir
 {
-/** What a formulation returns. */
+/** The result of a formulation. */
 struct Solution
 {
   /** f_e^n and f_e^t of each joint; nondimensional, see dimensional_forces().
    */
   InterfaceForces forces;
   /**
-   * What equilibrate() changed in a force at most, over the largest force
+   * The largest change of a force by equilibrate(), over the largest force
    * before or after.
    */
   std::optional<double> correction;
@@ -40,14 +40,14 @@ struct Solution
   std::optional<Mechanism> mechanism;
   /** The number of the solver's iterations. */
   unsigned int n_iterations = 0;
-  /** How often the solver evaluated the energy or the forces. */
+  /** The number of evaluations of the energy or the forces by the solver. */
   unsigned int n_evaluations = 0;
-  /** How long parts of the solution took, by name; wall time. */
+  /** The wall time of parts of the solution, by name; seconds. */
   std::map<std::string, double> seconds;
-  /** Why the solver stopped. */
+  /** The reason for which the solver stopped. */
   Stop stop;
 
-  /** Whether the solver met its tolerance. */
+  /** True if the solver met its tolerance. */
   bool converged() const
   {
     return stop == Stop::Reason::converged;

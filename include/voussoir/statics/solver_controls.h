@@ -6,14 +6,14 @@
 
 namespace Voussoir
 {
-/** What all formulations are told about how to solve. */
+/** The controls that all formulations share. */
 struct SolverControls
 {
   /** Largest force imbalance to stop at, nondimensional. */
   double tolerance = 1e-10;
-  /** After so many iterations a solver gives up. */
+  /** The largest number of iterations of a solver. */
   unsigned int n_max_iterations = 300;
-  /** Whether equilibrate() follows. */
+  /** True if equilibrate() follows. */
   bool equilibrate = false;
   /**
    * The processes that can help; a formulation that cannot use them works on

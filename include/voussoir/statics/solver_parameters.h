@@ -22,7 +22,7 @@ public:
   /** The one that was chosen, with its parameters. */
   const Formulation &formulation() const;
 
-  /** What all formulations are told. */
+  /** The controls that all formulations share. */
   const SolverControls &controls() const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace Voussoir
 {
-/** What became of the load; the words for it are here alone. */
+/** The answer on the load; the words for it are here alone. */
 struct Status
 {
   /** The three answers. */
@@ -23,11 +23,11 @@ struct Status
     collapse
   };
 
-  /** Which of them it is. */
+  /** The answer found. */
   Kind kind = Kind::solved;
   /**
-   * What is missing to balance or admissibility, over the largest load on a
-   * cell; of `carried_within` only.
+   * The error of balance or admissibility, over the largest load on a cell; of
+   * `carried_within` only.
    */
   double within = 0.;
 

@@ -42,9 +42,10 @@ public:
   };
 
   /**
-   * What depends on the shape of the cell, of one sub-cell, in the unit of
-   * length of the vertices that place() was given. Indices j and l are those of
-   * multipliers w, k and l those of fluxes phi, q those of Gauss points.
+   * Integrals that depend on the shape of the cell, of one sub-cell, in the
+   * unit of length of the vertices that place() was given. Indices j and l are
+   * those of multipliers w, k and l those of fluxes phi, q those of Gauss
+   * points.
    */
   struct Integrals
   {
@@ -58,7 +59,10 @@ public:
     dealii::Table<2, dealii::Tensor<1, 2>> moment;
     /** The integral of phi_k times phi_l, by k and l; only if asked for. */
     dealii::Table<2, double> flux_mass;
-    /** Where w_j is one and the others zero, by j; from the cell's centre. */
+    /**
+     * The point at which w_j is one and the others zero, by j; from the cell's
+     * centre.
+     */
     std::vector<dealii::Point<2>> nodes;
     /** phi_k in the middle, the image of the reference square's centre, by k.
      */
@@ -146,7 +150,7 @@ private:
   dealii::Table<2, double> multipliers;
   /** phi_k on the reference square, at all points. */
   dealii::Table<2, dealii::Tensor<1, 2>> reference_values;
-  /** By which phi_k of a sub-cell is multiplied, 1 or -1. */
+  /** The sign by which phi_k of a sub-cell is multiplied, 1 or -1. */
   std::vector<double> orientations;
   unsigned int unknown_fluxes = 0;
   std::vector<Integrals> all_integrals;

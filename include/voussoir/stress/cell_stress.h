@@ -12,7 +12,7 @@
 
 namespace Voussoir
 {
-/** What is known of the stress in one sub-cell. */
+/** The stress in one sub-cell, as far as it is known. */
 struct SubCellStress
 {
   /** sigma at the image of the reference square's centre; S. */
@@ -32,7 +32,7 @@ struct SubCellStress
  *
  *     (sigma, j(q)) = 0 for all q in FE_DGQ,  j(q) = [[0, q], [-q, 0]].
  *
- * Which of these fields is meant, a derived class says. One object serves all
+ * A derived class says which of these fields is meant. One object serves all
  * cells with n sides, one after the other.
  *
  * The symmetric part of the mean stress is taken out first; it solves the
@@ -40,10 +40,10 @@ struct SubCellStress
  * the remainder. So a uniform stress comes back to rounding, whatever the shape
  * of the cell.
  *
- * Where the centre and a side make a slender triangle, the integrals there have
+ * If the centre and a side make a slender triangle, the integrals there have
  * few digits. Such a cell is solved a second time, turned by an angle, in which
- * all of them are rounded differently, and what the two solutions differ by is
- * what rounding does to them.
+ * all of them are rounded differently, and the difference of the two solutions
+ * is the effect of rounding.
  */
 class CellStress
 {
@@ -115,7 +115,7 @@ protected:
    * derived class solves for.
    */
   dealii::Vector<double> unknowns;
-  /** What remains of the force on each side, over the size of the cell. */
+  /** The rest of the force on each side, over the size of the cell. */
   std::vector<dealii::Tensor<1, 2>> forces;
 
 private:

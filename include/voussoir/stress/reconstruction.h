@@ -15,12 +15,14 @@
 
 namespace Voussoir
 {
-/** How the stress inside the cells is reconstructed. */
+/** The method by which the stress inside the cells is reconstructed. */
 struct Reconstruction
 {
-  /** Whether as in LeastNorm, rather than as in Fan. */
+  /** True for LeastNorm, false for Fan. */
   bool is_refined = false;
-  /** Of LeastNorm: how often its quadrilaterals are cut in four. */
+  /**
+   * Of LeastNorm: the number of times that its quadrilaterals are cut in four.
+   */
   unsigned int n_refinements = 0;
   /** Of LeastNorm: the degree k of FE_RaviartThomas. */
   unsigned int degree = 0;
@@ -31,21 +33,21 @@ struct Reconstruction
   /** The shortest side that it may have; see ShortSides. */
   double shortest_side() const;
 
-  /** What solves cells with @p n_sides sides: a Fan or a LeastNorm. */
+  /** The solver of cells with @p n_sides sides: a Fan or a LeastNorm. */
   std::unique_ptr<CellStress> cell_stress(unsigned int n_sides) const;
 };
 
 /** The stress inside the cells. */
 struct StressField
 {
-  /** How each triangle of a cell's centre and one side is cut. */
+  /** The cut of each triangle of a cell's centre and one side. */
   SubTriangulation cut = SubTriangulation::fan();
   /**
    * The stress of each sub-cell, cell by cell and in these triangle by
    * triangle; see first(). Empty if no reconstruction was asked for.
    */
   std::vector<SubCellStress> sub_cells;
-  /** How many there are; more than here if several processes have them. */
+  /** The number of sub-cells; more than here if several processes have them. */
   unsigned long long n_sub_cells = 0;
   /**
    * The cells for which the stress is not determined, or lost to rounding;
@@ -54,8 +56,8 @@ struct StressField
   std::vector<unsigned int> undetermined;
 
   /**
-   * Where in sub_cells those of the triangle of side @p i of @p cell begin; of
-   * side 0 of cell n_cells() their number.
+   * The index in sub_cells of the first one of the triangle of side @p i of
+   * @p cell; for side 0 of cell n_cells() their number.
    */
   std::size_t first(const Packing &packing,
                     const unsigned int cell,
@@ -79,9 +81,9 @@ public:
   /** Declare the entry and the section, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm);
 
-  /** Whether the stress inside the cells is to be reconstructed at all. */
+  /** True if the stress inside the cells is to be reconstructed at all. */
   bool reconstruct() const;
-  /** How, if it is. */
+  /** The method, if it is. */
   Reconstruction reconstruction() const;
 
 private:

@@ -34,7 +34,7 @@ public:
   /**
    * Take a cell and the forces on it; see CellStress::solve().
    *
-   * @return whether it has sides to leave out, and at least three others. Else
+   * @return true if it has sides to leave out, and at least three others. Else
    *   the cell is to be taken as it is, and nothing below may be called.
    */
   bool leave_out(const std::vector<dealii::Point<2>> &vertices,
@@ -42,7 +42,7 @@ public:
                  const std::vector<dealii::Tensor<1, 2>> &body_forces);
 
   /** @{ */
-  /** What remains, as CellStress::solve() takes it. */
+  /** The rest, as CellStress::solve() takes it. */
   const std::vector<dealii::Point<2>> &vertices() const
   {
     return corners;

@@ -42,7 +42,7 @@ StressPart reconstruct_on_root(const Scene &scene,
                                const Team &team,
                                Terminal &terminal);
 
-/** What the root calls the others to for it; see Team::call(). */
+/** The name of this task, to which the root calls; see Team::call(). */
 inline const std::string stress_task = "stress";
 
 /** The same for another process. */

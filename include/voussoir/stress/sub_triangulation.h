@@ -10,10 +10,10 @@
 namespace Voussoir
 {
 /**
- * How a cell is cut into quadrilaterals, its sub-cells: each triangle of the
- * cell's centre and one side is cut in the same way. Vertices lie at centre +
- * a (v_i - centre) + b (v_j - centre) in the triangle of the side from v_i to
- * v_j = v_{i+1}.
+ * The cut of a cell into quadrilaterals, its sub-cells: each triangle of the
+ * cell's centre and one side is cut in the same way. Vertices lie at centre + a
+ * (v_i - centre) + b (v_j - centre) in the triangle of the side from v_i to v_j
+ * = v_{i+1}.
  */
 class SubTriangulation
 {

@@ -14,10 +14,9 @@ namespace Voussoir
  * While this lives, SIGINT, SIGTERM and SIGHUP end the program wherever it is,
  * also inside a library, and leave nothing half done.
  *
- * What an Uninterrupted has left to be undone is undone, one message on
- * standard error says how the results were left, and the exit status is 128
- * plus the number of the signal. For main(), before MPI starts; one may live at
- * a time.
+ * The undo of Uninterrupted::on_interruption() runs, one message on standard
+ * error says how the results were left, and the exit status is 128 plus the
+ * number of the signal. For main(), before MPI starts; one may live at a time.
  *
  * The handler of the signals only wakes a thread, which waits until no
  * Uninterrupted lives, and does the rest. So nothing else has to look for
@@ -73,14 +72,13 @@ public:
   Uninterrupted();
 
   /**
-   * What an interruption has to do from now on, in place of what was set
-   * before; nothing, if empty. It runs in a thread of its own, when no
-   * Uninterrupted lives.
+   * Set the action of an interruption from now on, in place of the one before;
+   * nothing, if empty. It runs in a thread of its own, when no Uninterrupted
+   * lives.
    */
   void on_interruption(std::function<void()> undo);
 
-  /** How the message of an interruption goes on after "Interrupted by ...; ".
-   */
+  /** Set the sentence that follows "Interrupted by ...; " in the message. */
   void state(const std::string &sentence);
 
 private:

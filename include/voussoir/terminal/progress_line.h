@@ -15,13 +15,13 @@
 
 namespace Voussoir
 {
-/** How far something has come. */
+/** The progress of a stage. */
 struct Progress
 {
   std::size_t done = 0;    /**< of total */
   std::size_t total = 0;   /**< 0: not known */
-  std::string things;      /**< what is counted, in the plural */
-  std::string state;       /**< what there is to say, if nothing is counted */
+  std::string things;      /**< those counted, in the plural */
+  std::string state;       /**< a text, if nothing is counted */
   double seconds = 0.;     /**< since the stage began */
   double counted_for = 0.; /**< seconds in which done was reached */
   double since = 0.;       /**< seconds since then */
@@ -46,7 +46,7 @@ public:
 
   /**
    * @param out a stream to a screen that overwrites.
-   * @param patience how long a stage must take to be shown.
+   * @param patience the time after which a stage is shown.
    * @param interval the time between two versions of the line.
    */
   ProgressLine(std::ostream &out,
@@ -58,7 +58,7 @@ public:
 
   /** The stage @p name begins. */
   void begin(const std::string &name);
-  /** Say something of the stage. */
+  /** Show a text on the stage. */
   void say(const std::string &state);
   /** @p done of @p total things are done. */
   void count(std::size_t done, std::size_t total, const std::string &things);

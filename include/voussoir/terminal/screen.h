@@ -6,13 +6,15 @@
 
 namespace Voussoir
 {
-/** What the device that a stream writes to can do; by default no more than take
- * one line after the other, as a file does. */
+/**
+ * The abilities of the device that a stream writes to; by default only to take
+ * one line after the other, as a file does.
+ */
 struct Screen
 {
-  /** Whether a line can be written over. */
+  /** True if a line can be written over. */
   bool overwrites = false;
-  /** Whether text can be coloured. */
+  /** True if text can be coloured. */
   bool colours = false;
   /** Characters in a line, if lines can be written over. */
   unsigned int width = 80;

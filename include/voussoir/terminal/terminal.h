@@ -13,7 +13,7 @@
 namespace Voussoir
 {
 /**
- * What the user sees while a scene runs.
+ * The output that the user sees while a scene runs.
  *
  * Verbosity 0 shows the closing summary alone, 1 adds a line per stage and, on
  * a screen, how far a stage of more than two seconds has come, 2 adds the
@@ -34,16 +34,16 @@ public:
   void be_quiet();
   /** Show what belongs to this verbosity, 0 to 2. */
   void set_verbosity(unsigned int verbosity);
-  /** How much is shown; 0 also of a quiet one. */
+  /** The verbosity; 0 also of a quiet one. */
   unsigned int verbosity() const;
 
   /** The stage @p name begins; it is in progress until stage() ends it. */
   void begin(const std::string &name);
 
-  /** Say what a stage found, once it has ended. Shown from verbosity 1. */
+  /** Report the result of a stage that has ended. Shown from verbosity 1. */
   void stage(const std::string &name, const std::string &found);
 
-  /** Say how far the stage has come, on a screen. */
+  /** Report the progress of the stage, on a screen. */
   void progress(const std::string &state);
   /** The same, where @p total things are counted, such as "cells". */
   void progress(std::size_t done, std::size_t total, const std::string &things);
@@ -66,7 +66,7 @@ private:
   const Screen screen;
   unsigned int level;
   bool quiet = false;
-  /** Where a line can be written over, and only once a stage begins. */
+  /** The line of progress; null before a stage and where none is shown. */
   std::unique_ptr<ProgressLine> in_progress;
 };
 } // namespace Voussoir

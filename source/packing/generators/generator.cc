@@ -7,7 +7,7 @@ namespace Voussoir
 {
 namespace
 {
-/** With which a packing needs some 100 GB. */
+/** The number with which a packing needs some 100 GB. */
 constexpr double largest_number_of_cells = 1e8;
 } // namespace
 

@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** What is not for bricks: lintels and openings, from left to right. */
+/** A part of a course that is not for bricks: a lintel or an opening. */
 struct Reserved
 {
   double left, right;

@@ -9,8 +9,8 @@ namespace Voussoir
 namespace
 {
 /**
- * How far, relative to the size of the wall, what the user writes may be off a
- * joint and still mean it: ten digits are enough to name one.
+ * The distance from a joint, relative to the size of the wall, at which a
+ * number of the user still means it: ten digits are enough to name one.
  */
 constexpr double relative_resolution = 1e-9;
 } // namespace

@@ -26,15 +26,16 @@ using dealii::Point;
 using Box = dealii::BoundingBox<2>;
 
 /**
- * How many tolerances a vertex may be moved: one, and one more where a vertex
- * between two others joins them. Beyond, short sides run together in a chain.
+ * The number of tolerances by which a vertex may be moved: one, and one more
+ * where a vertex between two others joins them. Beyond, short sides have merged
+ * in a chain.
  */
 constexpr double longest_move = 2.;
 
 /**
- * By how many tolerances a vertex may then lie inside the chord of its
- * neighbours in a convex cell: an inserted vertex is that far from the side,
- * and one more, and so may be its neighbours on the other side of it.
+ * The number of tolerances by which a vertex may then lie inside the chord of
+ * its neighbours in a convex cell: an inserted vertex is that far from the
+ * side, and one more, and so may be its neighbours on the other side of it.
  */
 constexpr double deepest_dent = 2. * (longest_move + 1.);
 

@@ -96,7 +96,7 @@ double mean_size(const CellLoops &cells)
 }
 
 /**
- * How wide the gap is between two sides that face each other along more than
+ * The width of the gap between two sides that face each other along more than
  * @p width; infinite if they do not.
  */
 double

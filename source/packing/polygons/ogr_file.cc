@@ -13,7 +13,7 @@ namespace Voussoir
 #ifdef VOUSSOIR_WITH_GDAL
 namespace
 {
-/** Keeps what GDAL would print, while it lives. */
+/** Keeps the messages that GDAL would print, while it lives. */
 class GdalMessages
 {
 public:

@@ -25,8 +25,8 @@ using Ring = std::vector<Point<2>>;
 using Box = dealii::BoundingBox<2>;
 
 /**
- * How far, relative to the lengths of the sides at a vertex, it may lie inside
- * its neighbours' chord by rounding alone.
+ * The distance, relative to the lengths of the sides at a vertex, that the
+ * vertex may lie inside its neighbours' chord by rounding alone.
  */
 constexpr double convexity_tolerance = 1e-12;
 
@@ -69,7 +69,7 @@ std::vector<Ring> convex_pieces(const Ring &ring)
   return pieces;
 }
 
-/** How far @p b reaches over the side of @p a that it reaches over least. */
+/** The least distance that @p b reaches over a side of @p a. */
 double least_reach(const Ring &a, const Ring &b, const double enough)
 {
   double least = std::numeric_limits<double>::max();

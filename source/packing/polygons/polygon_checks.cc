@@ -26,7 +26,7 @@ using Ring = std::vector<Point<2>>;
 /** The automatic matching tolerance relative to the mean size of a cell. */
 constexpr double relative_tolerance = 1e-10;
 
-/** How many units of rounding coordinates from another program may be off. */
+/** The error of coordinates from another program, in units of rounding. */
 constexpr double n_units_of_rounding =
     16. * std::numeric_limits<double>::epsilon();
 
@@ -75,7 +75,7 @@ std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
   return points;
 }
 
-/** Where two sides meet that should not, if they do. */
+/** Find the @p place where two sides meet that should not; true if they do. */
 bool find_contact(const std::vector<Kernel::Point_2> &p,
                   const std::size_t i,
                   const std::size_t j,
@@ -97,7 +97,7 @@ bool find_contact(const std::vector<Kernel::Point_2> &p,
   return true;
 }
 
-/** Where a ring that is not simple crosses or touches itself. */
+/** The point where a ring that is not simple crosses or touches itself. */
 Point<2> place_of_crossing(const std::vector<Kernel::Point_2> &p)
 {
   const std::size_t n = p.size();
@@ -144,7 +144,7 @@ void check_vertices(const PolygonList &polygons, const unsigned int cell)
                               "choose another unit of length.");
 }
 
-/** Whether all vertices lie on one line, to rounding. */
+/** True if all vertices lie on one line, to rounding. */
 bool is_flat(const Ring &ring)
 {
   const auto farthest = std::max_element(

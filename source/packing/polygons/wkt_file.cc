@@ -19,7 +19,10 @@ using MultiPolygon = boost::geometry::model::multi_polygon<Polygon>;
 
 constexpr const char *white_space = " \t\r\v\f";
 
-/** How much of a line a message quotes; a line may be a whole file. */
+/**
+ * The number of characters of a line that a message quotes; a line may be a
+ * whole file.
+ */
 constexpr std::size_t quotation_length = 40;
 
 /** The beginning of @p words in quotation marks, without control characters. */

@@ -55,7 +55,10 @@ void CellCutter::cut_at_side(const unsigned int cell, const unsigned int side)
   remaining.swap(result);
 }
 
-/** Where the edge from @p start to @p end crosses a side, or its extension. */
+/**
+ * The point where the edge from @p start to @p end crosses a side, or its
+ * extension.
+ */
 CellCutter::Corner CellCutter::meeting_point(const unsigned int cell,
                                              const Corner &start,
                                              const Corner &end,

@@ -18,7 +18,7 @@ using dealii::Tensor;
 namespace
 {
 /**
- * How far each vertex must stand out from the line through its neighbours,
+ * The least distance of each vertex from the line through its neighbours,
  * relative to the size of the polygon: far above rounding, so that no side and
  * no corner is an accident of it, and far below any corner that is meant.
  */

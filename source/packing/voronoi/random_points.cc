@@ -16,18 +16,18 @@ using dealii::Point;
 
 namespace
 {
-/** Into how many triangles, at least, the polygon is cut. */
+/** The least number of triangles into which the polygon is cut. */
 constexpr unsigned int least_triangles = 4096;
 
 /**
- * How often the bound in some triangle may be raised. Once or twice is usual
- * for a formula with a peak between the corners; a size that vanishes would
- * raise bounds for ever.
+ * The number of times that the bound in some triangle may be raised. Once or
+ * twice is usual for a formula with a peak between the corners; a size that
+ * vanishes would raise bounds for ever.
  */
 constexpr unsigned int most_raised_bounds = 200;
 
 /**
- * How many points are tried for each that is kept, on average, before the size
+ * The number of points tried for each that is kept, on average, before the size
  * is taken to vanish somewhere: far more than bounds that fit ever cost.
  */
 constexpr double most_tries = 100.;
@@ -147,7 +147,12 @@ std::vector<Point<2>> PointSource::draw(const unsigned int n,
   size.refuse_as_too_small(*excess);
 }
 
-/** Where a bound was exceeded and is now raised; nothing if all went well. */
+/**
+ * Draw @p points.
+ *
+ * @return a point at which the bound was exceeded and is now raised; nothing if
+ *   all points were drawn.
+ */
 std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
                                                  const unsigned int seed)
 {
@@ -189,7 +194,7 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
 /** Cells along a side of the grid in which order_along_curve() finds points. */
 constexpr std::uint32_t curve_grid = 1 << 16;
 
-/** Where the Hilbert curve through the grid meets its cell (x, y). */
+/** The place of cell (x, y) of the grid along the Hilbert curve. */
 std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
 {
   std::uint32_t place = 0;

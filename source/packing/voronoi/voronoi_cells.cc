@@ -30,8 +30,8 @@ using dealii::Point;
 constexpr double relative_resolution = 1e-12;
 
 /**
- * How far away the guards stand, relative to the size of the polygon: farther
- * than any point of it is from a generator, by more than that distance again.
+ * The distance of the guards, relative to the size of the polygon: farther than
+ * any point of it is from a generator, by more than that distance again.
  */
 constexpr double guard_distance = 4.;
 
@@ -92,7 +92,7 @@ private:
 
   const PointList &generators;
   const ConvexPolygon &polygon;
-  /** Points nearer to each other than this are one; a length. */
+  /** The distance below which points are the same; a length. */
   double resolution = 0.;
   /** A number larger than the size of the polygon; a length. */
   double extent = 0.;
@@ -102,7 +102,7 @@ private:
   std::vector<Point<2>> vertices;
   /** Of the vertices of the triangulation's faces, those not inside. */
   std::vector<bool> outside;
-  /** On how many sides of the polygon each vertex lies. */
+  /** The number of sides of the polygon on which each vertex lies. */
   std::vector<unsigned char> n_sides_at;
   /** The vertices of one cell after the other, and where each begins. */
   std::vector<unsigned int> loops, first = {0};

@@ -7,8 +7,8 @@
 namespace Voussoir
 {
 /**
- * How the bricks of a wall overlap, seen from the front. A stretcher shows its
- * length, a header half of that, a closer a quarter; a bat is a brick cut
+ * The overlap of the bricks of a wall, seen from the front. A stretcher shows
+ * its length, a header half of that, a closer a quarter; a bat is a brick cut
  * short. Courses are counted from 0 at the bottom.
  */
 enum class Bond

@@ -31,7 +31,7 @@ public:
   /**
    * Make the cells of the packing, from the parameters that were parsed.
    *
-   * @param directory where relative paths among the parameters start.
+   * @param directory the start of relative paths among the parameters.
    * @param terminal is told how far that has come, where it can be long.
    * @throws InputError if the parameters describe no packing.
    */

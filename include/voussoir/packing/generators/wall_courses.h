@@ -16,7 +16,7 @@ struct Stone
   /** The positions of its vertical sides; lengths. */
   double left, right;
   /** @} */
-  /** Whether it is a lintel, and not a brick. */
+  /** True if it is a lintel, and not a brick. */
   bool is_lintel;
 };
 

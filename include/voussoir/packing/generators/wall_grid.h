@@ -40,7 +40,7 @@ public:
    */
   double snap(double x);
 
-  /** Positions nearer to each other than this are one; a length. */
+  /** The distance below which positions are the same; a length. */
   double resolution() const;
 
 private:

@@ -21,7 +21,7 @@ struct WallPart
   unsigned int first_course, end_course;
   /** @} */
 
-  /** Whether they have more than a side in common. */
+  /** True if they have more than a side in common. */
   bool overlaps(const WallPart &other) const;
 };
 

@@ -26,11 +26,11 @@ struct PolygonList
 
   /** The file that they were read from. */
   std::filesystem::path file;
-  /** What a record of the file is: a line, or a feature of a drawing. */
+  /** The name of a record of the file: a line, or a feature of a drawing. */
   std::string record_name = "line";
   /** In the order of the file. */
   std::vector<Polygon> polygons;
-  /** What the user ought to know of how the file was understood. */
+  /** Notices to the user on how the file was understood. */
   std::vector<std::string> notices;
 
   /** A record for messages, such as "line 3 of 'wall.wkt'". */

@@ -17,13 +17,13 @@ namespace Voussoir
  * Cuts the Voronoi cells of points in a convex polygon at its sides, so that
  * they fit each other to the last bit.
  *
- * What is cut is known by name. An edge of a cell lies between two generators
- * or on a side of the polygon, so a new vertex is either the point of a side
- * that is equidistant from two generators, or a corner of the polygon. Its
- * position is computed from these alone, in the same way for all cells around
- * it, and lies on the side to one rounding whatever the shape of the cells. As
- * the sides are taken one after the other, two neighbours cut their common edge
- * by the same decisions, rounding or not.
+ * Vertices are identified by name. An edge of a cell lies between two
+ * generators or on a side of the polygon, so a new vertex is either the point
+ * of a side that is equidistant from two generators, or a corner of the
+ * polygon. Its position is computed from these alone, in the same way for all
+ * cells around it, and lies on the side to one rounding whatever the shape of
+ * the cells. As the sides are taken one after the other, two neighbours cut
+ * their common edge by the same decisions, rounding or not.
  */
 class CellCutter
 {
@@ -31,7 +31,7 @@ public:
   /** A vertex of a cell, with the edge from there to the next vertex. */
   struct Corner
   {
-    /** Where it is; a length. */
+    /** Its coordinates; lengths. */
     dealii::Point<2> position;
     /** The number of the vertex; none for one that is cut off later. */
     unsigned int vertex = none;
@@ -44,14 +44,14 @@ public:
   /** A vertex made by cutting. */
   struct Vertex
   {
-    /** Where it is; a length. */
+    /** Its coordinates; lengths. */
     dealii::Point<2> position;
-    /** On how many sides of the polygon it lies: one, or two in a corner. */
+    /** Sides of the polygon on which it lies: one, or two in a corner. */
     unsigned int n_sides;
   };
 
   /**
-   * @param polygon what the cells are cut down to; it must outlive this object.
+   * @param polygon that cuts the cells; it must outlive this object.
    * @param generators of the cells, in the order of these; they must outlive
    *   this object.
    * @param first_vertex the number of the first vertex that is made here.

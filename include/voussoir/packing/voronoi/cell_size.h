@@ -30,7 +30,7 @@ public:
    */
   double operator()(const dealii::Point<2> &p) const;
 
-  /** Whether the formula does not depend on the place. */
+  /** True if the formula does not depend on the place. */
   bool is_constant() const;
 
   /**

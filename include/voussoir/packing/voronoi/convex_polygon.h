@@ -55,7 +55,7 @@ public:
    */
   double beyond(const dealii::Point<2> &p, unsigned int side) const;
 
-  /** Whether @p p is farther than @p margin inside every side. */
+  /** True if @p p is farther than @p margin inside every side. */
   bool contains(const dealii::Point<2> &p, double margin) const;
 
   /** "rectangle" or "polygon", for messages. */
