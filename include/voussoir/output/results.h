@@ -38,7 +38,7 @@ struct RunRecord : SolverRecord
  */
 struct Results : RunRecord, Carried
 {
-  /** What follows from the forces is not found yet. */
+  /** Without what follows from the forces. */
   Results(RunRecord run, Carried found)
       : RunRecord(std::move(run)), Carried(std::move(found))
   {

@@ -27,7 +27,7 @@ struct Stop
     /** Of the analytic centre: none was found. */
     no_centre,
     /** @{ */
-    /** What Ipopt says of itself. */
+    /** Outcomes of Ipopt. */
     looser_tolerance,
     diverged,
     infeasible,
@@ -36,7 +36,7 @@ struct Stop
     /** @} */
   };
 
-  /** Which of them it is. */
+  /** The reason itself. */
   Reason reason = Reason::none;
   /** Ipopt's number of it, of `other` only. */
   int status = 0;
