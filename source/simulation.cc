@@ -18,9 +18,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
-#include <algorithm>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>

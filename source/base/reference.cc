@@ -12,7 +12,6 @@
 #include <ostream>
 #include <regex>
 #include <sstream>
-#include <vector>
 
 namespace Voussoir
 {

@@ -2,7 +2,6 @@
 #include <voussoir/base/none.h>
 #include <voussoir/packing/straight_runs.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 

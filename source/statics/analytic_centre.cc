@@ -6,10 +6,6 @@
 #include <voussoir/statics/settle.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace Voussoir
 {
 using Jump = Structure::Jump;

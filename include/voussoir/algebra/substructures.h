@@ -7,7 +7,6 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
-#include <memory>
 #include <vector>
 
 namespace Voussoir

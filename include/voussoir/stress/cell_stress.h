@@ -7,7 +7,6 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
 #include <vector>
 
 namespace Voussoir

@@ -13,7 +13,6 @@
 #include <CGAL/partition_2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace Voussoir
