@@ -5,7 +5,7 @@
 // that minimise over v the energy b v - w log(v - x) - w log(v + x).
 
 #include <voussoir/statics/barrier_joint.h>
-#include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/elastic_problem.h>
 
 #include "tests.h"
 
