@@ -39,8 +39,11 @@ private:
 /** The controls of minimise_elastic(); plain data. */
 struct ElasticOrder
 {
+  /** The method for its linear systems. */
   LinearSolver linear_solver = LinearSolver::automatic;
+  /** The largest imbalance to stop at, nondimensional. */
   double tolerance = SolverControls().tolerance;
+  /** The number of iterations after which to give up. */
   unsigned int n_max_iterations = SolverControls().n_max_iterations;
 };
 
