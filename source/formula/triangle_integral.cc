@@ -51,8 +51,11 @@ constexpr double smallest_change = 1e-12;
  * size of the function. */
 constexpr double smallest_doubt = 1e-14;
 
-/** The cuts in four of a triangle before integrate() takes over. */
-constexpr unsigned int n_refinements = 3;
+/**
+ * A change, over smallest_change, that two more cuts in four take below it: one
+ * divides it by 2^6. Of a larger one integrate() needs fewer evaluations.
+ */
+constexpr double reachable_change = 4096.;
 
 /** The same change with which not even the estimates of integrate() can be
  * trusted: a peak was met, but not resolved. */
@@ -143,7 +146,7 @@ private:
     mean_size = found.size / area;
     samples = found.samples;
     const Jumps::Limits no_limits = jumps.no_limits();
-    look_at(triangle, found, no_limits, 0);
+    look_at(triangle, found, no_limits);
     cut_doubtful();
   }
 
@@ -167,7 +170,7 @@ private:
             sum += apply_rule(part).sums;
           }
           else
-            look_at(part, apply_rule(part), piece.limits, 0);
+            look_at(part, apply_rule(part), piece.limits);
     cut_doubtful();
   }
 
@@ -216,8 +219,6 @@ private:
     Triangle corners;
     Found found;
     const Jumps::Limits *limits;
-    /** The number of cuts in four that led to it. */
-    unsigned int level;
     /** The integral of what bounds allow and was not seen; zero if none. */
     double hidden;
     /** The change that cutting it may bring, roughly. */
@@ -232,8 +233,7 @@ private:
   /** Add the integral over a triangle, or put it off to be cut. */
   void look_at(const Triangle &corners,
                const Found &found,
-               const Jumps::Limits &limits,
-               const unsigned int level)
+               const Jumps::Limits &limits)
   {
     const double part_area = area_of(corners);
     const double even =
@@ -245,7 +245,7 @@ private:
       sum += found.sums;
       return;
     }
-    doubtful.push_back({corners, found, &limits, level, hidden,
+    doubtful.push_back({corners, found, &limits, hidden,
                         std::max(hidden, found.unevenness * part_area)});
     std::push_heap(doubtful.begin(), doubtful.end());
   }
@@ -289,7 +289,7 @@ private:
       return;
     }
     if (is_last ||
-        (part.level >= n_refinements && !is_rough && part.hidden == 0.))
+        (change > reachable_change * enough && !is_rough && part.hidden == 0.))
     {
       AreaPiece piece;
       piece.corners.assign(part.corners.begin(), part.corners.end());
@@ -297,7 +297,7 @@ private:
     }
     ++n_cut;
     for (unsigned int k = 0; k < 4; ++k)
-      look_at(triangles[k], finer[k], *part.limits, part.level + 1);
+      look_at(triangles[k], finer[k], *part.limits);
   }
 
   /** See Part::hidden; for @p negligible see Samples::cover(). */
