@@ -106,10 +106,9 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   terminal.set_verbosity(verbosity);
   for (const std::string &warning : unused_settings(prm))
     terminal.warning(warning);
-  ResultDirectory target(output_directory);
-  target.try_out();
+  ResultDirectory files(output_directory, terminal);
   for (const std::filesystem::path &file : packing.input_files(directory))
-    target.spare(file);
+    files.spare(file);
   std::optional<EarlierRun> earlier;
   if (!forces_from.empty())
     earlier.emplace(forces_from);
@@ -139,9 +138,10 @@ void Simulation::run(const dealii::ParameterHandler &prm,
               : analyse(scene, solver.formulation(), solver.controls(), record,
                         timer, terminal);
   if (auto *const carried = std::get_if<Carried>(&answer))
-    write(Results(record, std::move(*carried)), prm);
+    write(files, Results(record, std::move(*carried)), prm);
   else
-    write(Collapse(record, std::get<NotCarried>(std::move(answer))), prm);
+    write(files, Collapse(record, std::get<NotCarried>(std::move(answer))),
+          prm);
 }
 
 Scene Simulation::make_scene(const std::filesystem::path &directory) const
@@ -192,7 +192,9 @@ bool Simulation::writes(const ResultFiles kind) const
          keeps_forces;
 }
 
-void Simulation::write(Results results, const dealii::ParameterHandler &prm)
+void Simulation::write(ResultDirectory &files,
+                       Results results,
+                       const dealii::ParameterHandler &prm)
 {
   for (const std::string &warning : doubts_about(results))
     terminal.warning(warning);
@@ -204,7 +206,6 @@ void Simulation::write(Results results, const dealii::ParameterHandler &prm)
 
   timer.enter_subsection("output");
   terminal.begin("Output");
-  ResultDirectory files(output_directory, terminal);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
@@ -273,11 +274,12 @@ Simulation::write_stress(ResultDirectory &files,
   return "stress.vtu";
 }
 
-void Simulation::write(Collapse collapse, const dealii::ParameterHandler &prm)
+void Simulation::write(ResultDirectory &files,
+                       Collapse collapse,
+                       const dealii::ParameterHandler &prm)
 {
   timer.enter_subsection("output");
   terminal.begin("Output");
-  ResultDirectory files(output_directory, terminal);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, collapse); });
   };

@@ -82,9 +82,12 @@ private:
                            const Results &results,
                            const std::optional<StressPart> &own_part) const;
   /** Complete and write what was found. */
-  void write(Results results, const dealii::ParameterHandler &prm);
+  void write(ResultDirectory &files,
+             Results results,
+             const dealii::ParameterHandler &prm);
   /** @throws LoadNotCarried when it is written. */
-  [[noreturn]] void write(Collapse collapse,
+  [[noreturn]] void write(ResultDirectory &files,
+                          Collapse collapse,
                           const dealii::ParameterHandler &prm);
   /** Add what every run writes, and put all files in place. */
   template <typename Found>

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/formula/area_pieces.h>
-#include <voussoir/formula/edge_pieces.h>
-#include <voussoir/formula/gauss_kronrod.h>
+#include <voussoir/formula/strip_integral.h>
 #include <voussoir/formula/triangle_integral.h>
 #include <voussoir/formula/triangle_rule.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace Voussoir
 {
@@ -21,19 +19,7 @@ using Triangle = std::array<Point<2>, 3>;
 using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
 /** Of f, and of the components of f times those of the distance from the
  * origin over the scale, row by row. */
-using Sums = Integrals<6>;
-
-/** @{ */
-/** The tolerances of integrate() along one coordinate, and along the other. */
-constexpr double inner_tolerance = 1e-13;
-constexpr double outer_tolerance = 1e-12;
-/** @} */
-
-/** The points of the rule in each part along a coordinate. */
-constexpr unsigned int n_points = 21;
-
-/** The width of a strip, over that of its piece, that is rounding. */
-constexpr double narrowest_strip = 1e-14;
+using Sums = AreaSums;
 
 /**
  * LinearFit::unevenness() with which the rule is good, over the geometric
@@ -53,11 +39,11 @@ constexpr double smallest_doubt = 1e-14;
 
 /**
  * A change, over smallest_change, that two more cuts in four take below it: one
- * divides it by 2^6. Of a larger one integrate() needs fewer evaluations.
+ * divides it by 2^6. Of a larger one strip_integral() needs fewer evaluations.
  */
 constexpr double reachable_change = 4096.;
 
-/** The same change with which not even the estimates of integrate() can be
+/** The same change with which not even the estimate of strip_integral() can be
  * trusted: a peak was met, but not resolved. */
 constexpr double roughness = 1e-2;
 
@@ -140,13 +126,28 @@ private:
     std::array<Samples, 2> samples;
   };
 
+  /** A triangle in which the function is smooth, and what is known of it. */
+  struct Part
+  {
+    Triangle corners;
+    Found found;
+    const Jumps::Limits *limits;
+    /** The change that cutting it may bring, roughly. */
+    double doubt;
+
+    bool operator<(const Part &other) const
+    {
+      return doubt < other.doubt;
+    }
+  };
+
   void integrate_smooth()
   {
     const Found found = apply_rule(triangle);
     mean_size = found.size / area;
     samples = found.samples;
     const Jumps::Limits no_limits = jumps.no_limits();
-    look_at(triangle, found, no_limits);
+    look_at({triangle, found, &no_limits, 0.});
     cut_doubtful();
   }
 
@@ -154,24 +155,26 @@ private:
   {
     const std::vector<AreaPiece> pieces =
         area_pieces({triangle.begin(), triangle.end()}, jumps);
-    double size = 0.;
+    std::vector<std::pair<Part, const AreaPiece *>> parts;
     for (const AreaPiece &piece : pieces)
       for (const Triangle &part : triangles_of(piece.corners))
-        size += apply_rule(part).size;
-    mean_size = size / area;
-    for (const AreaPiece &piece : pieces)
-      if (piece.crossing)
-        integrate_strips(piece);
-      else
-        for (const Triangle &part : triangles_of(piece.corners))
-          if (piece.is_uncertain)
-          {
-            uncertain += area_of(part);
-            sum += apply_rule(part).sums;
-          }
-          else
-            look_at(part, apply_rule(part), piece.limits);
+      {
+        parts.push_back({{part, apply_rule(part), &piece.limits, 0.}, &piece});
+        mean_size += parts.back().first.found.size / area;
+      }
+    for (const auto &[part, piece] : parts)
+      if (piece->is_uncertain)
+      {
+        uncertain += area_of(part.corners);
+        sum += part.found.sums;
+      }
+      else if (!piece->crossing)
+        look_at(part);
     cut_doubtful();
+    // Last, when the size of the function is known best.
+    for (const AreaPiece &piece : pieces)
+      if (piece.crossing && !piece.is_uncertain)
+        integrate_strips(piece);
   }
 
   /** At a point; the constant is the mean size. */
@@ -213,40 +216,22 @@ private:
     return found;
   }
 
-  /** A triangle in which the function is smooth, and what is known of it. */
-  struct Part
-  {
-    Triangle corners;
-    Found found;
-    const Jumps::Limits *limits;
-    /** The integral of what bounds allow and was not seen; zero if none. */
-    double hidden;
-    /** The change that cutting it may bring, roughly. */
-    double doubt;
-
-    bool operator<(const Part &other) const
-    {
-      return doubt < other.doubt;
-    }
-  };
-
   /** Add the integral over a triangle, or put it off to be cut. */
-  void look_at(const Triangle &corners,
-               const Found &found,
-               const Jumps::Limits &limits)
+  void look_at(Part part)
   {
-    const double part_area = area_of(corners);
-    const double even =
-        smallest_unevenness * std::sqrt(mean_size * found.size / part_area);
-    const double hidden = hidden_in(corners, found, limits, even);
-    if (part_area <= smallest_part * area ||
-        (found.unevenness <= even && hidden == 0.))
+    // By its own size alone, since that of all may still be far too large, if a
+    // point of the rule has met a peak.
+    const double size = part.found.size / area_of(part.corners);
+    const double hidden = hidden_in(part, evenness(part, size));
+    if (area_of(part.corners) <= smallest_part * area ||
+        (part.found.unevenness <= evenness(part, size) && hidden == 0.))
     {
-      sum += found.sums;
+      sum += part.found.sums;
       return;
     }
-    doubtful.push_back({corners, found, &limits, hidden,
-                        std::max(hidden, found.unevenness * part_area)});
+    part.doubt =
+        std::max(hidden, part.found.unevenness * area_of(part.corners));
+    doubtful.push_back(std::move(part));
     std::push_heap(doubtful.begin(), doubtful.end());
   }
 
@@ -258,15 +243,18 @@ private:
       std::pop_heap(doubtful.begin(), doubtful.end());
       const Part part = doubtful.back();
       doubtful.pop_back();
-      // The mean may be larger than when the part was put off.
-      if (part.doubt <= smallest_doubt * mean_size * area)
+      const double even = evenness(part, mean_size);
+      const bool hides = hidden_in(part, even) > 0.;
+      if (part.doubt <= smallest_doubt * mean_size * area ||
+          (part.found.unevenness <= even && !hides))
         sum += part.found.sums;
       else
-        cut(part);
+        cut(part, hides);
     }
   }
 
-  void cut(const Part &part)
+  /** @param hides true if hidden_in() is not zero. */
+  void cut(const Part &part, const bool hides)
   {
     const std::array<Triangle, 4> triangles = quarters(part.corners);
     std::array<Found, 4> finer;
@@ -277,19 +265,18 @@ private:
       all.sums += finer[k].sums;
       all.size += finer[k].size;
     }
-    mean_size = std::max(mean_size, all.size / area);
+    mean_size = std::max(mean_size + (all.size - part.found.size) / area, 0.);
     const double change = abs(all.sums - part.found.sums);
     const double enough = smallest_change * mean_size * area_of(part.corners);
     const bool is_rough = change > roughness * all.size;
     const bool is_last = n_cut >= n_max_cut;
-    if ((change <= enough && part.hidden == 0.) || (is_last && is_rough))
+    if ((change <= enough && !hides) || (is_last && is_rough))
     {
       sum += all.sums;
       error += change <= enough ? change : all.size;
       return;
     }
-    if (is_last ||
-        (change > reachable_change * enough && !is_rough && part.hidden == 0.))
+    if (is_last || (change > reachable_change * enough && !is_rough && !hides))
     {
       AreaPiece piece;
       piece.corners.assign(part.corners.begin(), part.corners.end());
@@ -297,127 +284,40 @@ private:
     }
     ++n_cut;
     for (unsigned int k = 0; k < 4; ++k)
-      look_at(triangles[k], finer[k], *part.limits);
+      look_at({triangles[k], finer[k], part.limits, 0.});
   }
 
-  /** See Part::hidden; for @p negligible see Samples::cover(). */
-  double hidden_in(const Triangle &part,
-                   const Found &found,
-                   const Jumps::Limits &limits,
-                   const double negligible) const
+  /** The unevenness with which the rule is good, beside a function of @p size
+   * elsewhere. */
+  static double evenness(const Part &part, const double size)
+  {
+    return smallest_unevenness *
+           std::sqrt(size * part.found.size / area_of(part.corners));
+  }
+
+  /** The integral of what bounds allow and was not seen, zero if none; for
+   * @p negligible see Samples::cover(). */
+  double hidden_in(const Part &part, const double negligible) const
   {
     if (!jumps.has_formulas())
       return 0.;
-    const auto bounds = jumps.bounds_in(rectangle_around(part), limits);
-    if (cover(found.samples, bounds, negligible))
+    const auto bounds =
+        jumps.bounds_in(rectangle_around(part.corners), *part.limits);
+    if (cover(part.found.samples, bounds, negligible))
       return 0.;
     double range = 0.;
     for (const Bounds &of_component : bounds)
       range = std::max(range, width(of_component.value));
-    return range * area_of(part);
+    return range * area_of(part.corners);
   }
 
-  /** Add the integral over a piece that one curve may cross. */
   void integrate_strips(const AreaPiece &piece)
   {
-    const std::vector<double> cuts = strips(piece);
-    for (unsigned int k = 0; k + 1 < cuts.size(); ++k)
-    {
-      const auto strip = integrate<n_points>(
-          [&](const double s) { return across(piece, s); }, cuts[k],
-          cuts[k + 1], tolerance_or_any(outer_tolerance));
-      sum += strip.value;
-      error += strip.error;
-    }
-  }
-
-  /**
-   * The tolerance of integrate(): infinite once its evaluations are used up.
-   */
-  double tolerance_or_any(const double tolerance) const
-  {
-    return n_evaluations < n_max_evaluations
-               ? tolerance
-               : std::numeric_limits<double>::infinity();
-  }
-
-  /**
-   * The coordinates at which corners are, or the curve leaves the piece;
-   * ascending.
-   */
-  std::vector<double> strips(const AreaPiece &piece) const
-  {
-    const unsigned int s = 1 - piece.along;
-    std::vector<double> all;
-    for (unsigned int i = 0; i < piece.corners.size(); ++i)
-    {
-      const Point<2> &a = piece.corners[i];
-      const Point<2> &b = piece.corners[(i + 1) % piece.corners.size()];
-      all.push_back(a[s]);
-      if (piece.crossing)
-        for (const EdgePiece &part : edge_pieces(a, b, jumps, piece.limits))
-          all.push_back(a[s] + part.end * (b[s] - a[s]));
-    }
-    std::sort(all.begin(), all.end());
-    const double narrow = narrowest_strip * (all.back() - all.front());
-    std::vector<double> cuts;
-    for (const double cut : all)
-      if (cuts.empty() || cut > cuts.back() + narrow)
-        cuts.push_back(cut);
-    return cuts;
-  }
-
-  /** The integral along the line at @p s through a piece. */
-  Sums across(const AreaPiece &piece, const double s)
-  {
-    const auto [a, b] = ends(piece, s);
-    const double length = b[piece.along] - a[piece.along];
-    const auto between = [&](const double begin, const double end) {
-      return length * integrate<n_points>(
-                          [&](const double t) { return at(a + t * (b - a)); },
-                          begin, end, tolerance_or_any(inner_tolerance))
-                          .value;
-    };
-    if (!(length > 0.))
-      return 0.;
-    if (piece.crossing)
-    {
-      const double first = jumps.distance(*piece.crossing, a);
-      const double last = jumps.distance(*piece.crossing, b);
-      if (first * last < 0.)
-      {
-        const double root =
-            root_between(a, b, first, last, jumps, *piece.crossing);
-        return between(0., root) + between(root, 1.);
-      }
-    }
-    return between(0., 1.);
-  }
-
-  /** The lower and the upper end of the line at @p s through a piece. */
-  static std::pair<Point<2>, Point<2>> ends(const AreaPiece &piece,
-                                            const double s)
-  {
-    const unsigned int along = piece.along, other = 1 - piece.along;
-    Point<2> lower, upper;
-    bool is_first = true;
-    for (unsigned int i = 0; i < piece.corners.size(); ++i)
-    {
-      const Point<2> &a = piece.corners[i];
-      const Point<2> &b = piece.corners[(i + 1) % piece.corners.size()];
-      if ((s - a[other]) * (s - b[other]) > 0. || a[other] == b[other])
-        continue;
-      Point<2> p;
-      p[other] = s;
-      p[along] = a[along] +
-                 (s - a[other]) / (b[other] - a[other]) * (b[along] - a[along]);
-      if (is_first || p[along] < lower[along])
-        lower = p;
-      if (is_first || p[along] > upper[along])
-        upper = p;
-      is_first = false;
-    }
-    return {lower, upper};
+    const auto found = strip_integral(
+        piece, jumps, [this](const Point<2> &p) { return at(p); },
+        [this] { return n_evaluations >= n_max_evaluations; });
+    sum += found.value;
+    error += found.error;
   }
 
   const Triangle &triangle;

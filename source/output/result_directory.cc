@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <regex>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace Voussoir
@@ -45,16 +45,9 @@ ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
     existing = existing.parent_path();
   if (!fs::is_directory(existing))
     refuse("'" + existing.string() + "' is not a directory");
-  if (access(existing.c_str(), W_OK | X_OK) != 0)
-    refuse(std::strerror(errno));
-  Uninterrupted().state(
-      "nothing was written, and '" + directory.string() +
-      (fs::exists(directory) ? "' is as it was." : "' was not made."));
-}
-
-void ResultDirectory::try_out()
-{
   Uninterrupted whole;
+  whole.state("nothing was written, and '" + directory.string() +
+              (fs::exists(directory) ? "' is as it was." : "' was not made."));
   make_staging(whole);
   discard();
   whole.on_interruption({});
@@ -88,10 +81,17 @@ void ResultDirectory::make_staging(Uninterrupted &whole)
     created.push_back(missing);
   fs::create_directories(directory, error);
   if (error)
+  {
+    discard();
     refuse(error.message());
+  }
   std::string path = fs::absolute(directory / ".voussoir-XXXXXX").string();
   if (mkdtemp(path.data()) == nullptr)
-    refuse(std::strerror(errno));
+  {
+    const std::string reason = std::strerror(errno);
+    discard();
+    refuse(reason);
+  }
   staging = path;
   whole.on_interruption([this] { discard(); });
 }

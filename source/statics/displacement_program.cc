@@ -89,50 +89,40 @@ ProgramResult solve_program(const DiscreteProblem &problem,
   hold_bodies(problem, start);
 
   ProgramResult result;
+  Solution &solution = result.solution;
+  solution.displacement.resize(problem.n_cells());
   bool has_doubted = false;
   const auto look_for_collapse = [&] {
     has_doubted = true;
-    result.mechanism = find_collapse(SharedProblem(problem), terminal);
+    solution.mechanism = find_collapse(SharedProblem(problem), terminal);
   };
   const auto stops = [&](const unsigned int iteration,
                          const std::vector<double> &x) {
-    result.mechanism = find_mechanism(
+    solution.mechanism = find_mechanism(
         problem, std::vector<double>(x.begin(), x.begin() + problem.n_dofs()));
-    if (!result.mechanism && !has_doubted && iteration >= n_before_doubt)
+    if (!solution.mechanism && !has_doubted && iteration >= n_before_doubt)
       look_for_collapse();
-    if (!result.mechanism)
-      result.stop = program.verdict(iteration);
-    return result.mechanism || result.stop != Stop::Reason::none;
+    if (!solution.mechanism)
+      solution.stop = program.verdict(iteration);
+    return solution.mechanism || solution.stop != Stop::Reason::none;
   };
   IpoptResult found =
       solve_with_ipopt(program, std::move(start), controls, stops, terminal);
   result.x = std::move(found.x);
   result.multipliers = std::move(found.multipliers);
-  result.n_iterations = found.n_iterations;
-  result.n_evaluations = found.n_evaluations;
+  solution.n_iterations = found.n_iterations;
+  solution.n_evaluations = found.n_evaluations;
   if (found.outcome != IpoptOutcome::stopped)
-    result.stop = stop_of(found);
+    solution.stop = stop_of(found);
 
-  if (result.stop != Stop::Reason::converged && !result.mechanism &&
-      !has_doubted)
+  if (!solution.converged() && !solution.mechanism && !has_doubted)
     look_for_collapse();
-  if (result.mechanism)
-    result.stop = Stop::Reason::collapse;
+  if (solution.mechanism)
+    solution.stop = Stop::Reason::collapse;
   else if (result.x.empty())
-    throw SolverError("Ipopt " + result.stop.words() +
+    throw SolverError("Ipopt " + solution.stop.words() +
                       " before its first iteration. Try 'Formulation = least "
                       "energy', which does without Ipopt.");
   return result;
-}
-
-Solution make_solution(const DiscreteProblem &problem, ProgramResult result)
-{
-  Solution solution;
-  solution.mechanism = std::move(result.mechanism);
-  solution.n_iterations = result.n_iterations;
-  solution.n_evaluations = result.n_evaluations;
-  solution.stop = result.stop;
-  solution.displacement.resize(problem.n_cells());
-  return solution;
 }
 } // namespace Voussoir

@@ -137,13 +137,12 @@ Solution solve_linear_program(const DiscreteProblem &problem,
                               Terminal &terminal)
 {
   Program program(problem);
-  const ProgramResult result =
+  ProgramResult result =
       solve_program(problem, program,
                     {controls.tolerance, controls.n_max_iterations}, terminal);
-  Solution solution = make_solution(problem, result);
-  if (!solution.mechanism)
-    solution.forces = program.forces(result.multipliers);
-  return solution;
+  if (!result.solution.mechanism)
+    result.solution.forces = program.forces(result.multipliers);
+  return result.solution;
 }
 } // namespace
 

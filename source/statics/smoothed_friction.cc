@@ -178,7 +178,7 @@ public:
   {
     if (has_answer())
     {
-      interior->n_evaluations += result.n_evaluations;
+      interior->n_evaluations += result.solution.n_evaluations;
       return *interior;
     }
     Solution solution = solution_of_ipopt(std::move(result));
@@ -209,8 +209,8 @@ private:
   Solution solution_of_ipopt(ProgramResult result) const
   {
     std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
-    const std::vector<double> multipliers = result.multipliers;
-    Solution solution = make_solution(problem, std::move(result));
+    const std::vector<double> &multipliers = result.multipliers;
+    Solution solution = std::move(result.solution);
     if (solution.mechanism)
       return solution;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)

@@ -296,6 +296,10 @@ int main()
   // A peak between all points, that bounds find.
   compare("1 + exp(-((x-0.3)^2+(y-0.3)^2)/1e-8)", 0.5 + 1e-8 * pi);
   compare("1e8*exp(-((x-0.3)^2+(y-0.3)^2)/1e-8)", pi);
+  // The same where a point of the rule meets it: its size is not that seen.
+  compare("1e8*exp(-((x-1/3)^2+(y-1/3)^2)/1e-8)", pi);
+  compare("cos(3*x) + 1e4*exp(-((x-1/3)^2+(y-1/3)^2)/1e-8)",
+          (1. - std::cos(3.)) / 9. + 1e-4 * pi);
   compare("min(x, y)", 1. / 12.);
   compare("floor(4*x)", 0.4375);
   compare("sqrt(x)", 4. / 15.);

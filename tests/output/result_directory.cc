@@ -78,9 +78,8 @@ int main()
         !fs::exists("new"));
 
   // Before anything is solved: a name that no file system takes.
-  show_refusal(
-      [] { ResultDirectory("new/" + std::string(300, 'x')).try_out(); });
-  ResultDirectory("new/below").try_out();
+  show_refusal([] { ResultDirectory("new/" + std::string(300, 'x')); });
+  const ResultDirectory trial("new/below");
   check("nothing stays of a trial", !fs::exists("new"));
 
   std::ofstream("file") << "in the way\n";

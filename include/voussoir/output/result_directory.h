@@ -24,21 +24,14 @@ class ResultDirectory
 {
 public:
   /**
-   * Nothing is created yet.
-   *
-   * @throws InputError if it is plain that nothing can be written there.
-   * @param terminal is told which file is being written.
-   */
-  explicit ResultDirectory(std::filesystem::path directory,
-                           Terminal &terminal = Terminal::silent());
-  /**
    * Make what write() needs, and remove it, so that a long run does not find
    * out at its end that this cannot be.
    *
    * @throws InputError if it cannot.
+   * @param terminal is told which file is being written.
    */
-  void try_out();
-
+  explicit ResultDirectory(std::filesystem::path directory,
+                           Terminal &terminal = Terminal::silent());
   /**
    * @throws InputError if @p input is one of the files that a run may write
    * here: it would be lost.

@@ -5,7 +5,6 @@
 #include <voussoir/algebra/convex_program.h>
 #include <voussoir/statics/solution.h>
 
-#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -30,7 +29,9 @@ public:
 /** The result of solve_program(). */
 struct ProgramResult
 {
-  /** The unknowns, where Ipopt stopped. */
+  /** Without forces, and with displacement zero. */
+  Solution solution;
+  /** The unknowns at which Ipopt stopped. */
   std::vector<double> x;
   /**
    * Of each constraint, not positive.
@@ -38,14 +39,6 @@ struct ProgramResult
    * That of [u]_e . n_e >= 0 is f_e^n = -p_e.
    */
   std::vector<double> multipliers;
-  /** The proof, if there is one, that there is no minimum. */
-  std::optional<Mechanism> mechanism;
-  /** The number of Ipopt's iterations. */
-  unsigned int n_iterations = 0;
-  /** The number of calls of value(). */
-  unsigned int n_evaluations = 0;
-  /** The reason for which it stopped. */
-  Stop stop;
 };
 
 /**
@@ -64,9 +57,6 @@ ProgramResult solve_program(const DiscreteProblem &problem,
                             DisplacementProgram &program,
                             IpoptControls controls,
                             Terminal &terminal);
-
-/** A solution without its forces, and with displacement zero. */
-Solution make_solution(const DiscreteProblem &problem, ProgramResult result);
 } // namespace Voussoir
 
 #endif
