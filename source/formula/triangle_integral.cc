@@ -100,6 +100,22 @@ public:
       integrate_smooth();
     else
       integrate_pieces();
+    return result();
+  }
+
+  std::optional<TriangleIntegral> quick_integral()
+  {
+    const Jumps::Limits no_limits = jumps.no_limits();
+    const Part part = whole(no_limits);
+    if (part.found.unevenness > evenness(part, mean_size))
+      return {};
+    sum = part.found.sums;
+    return result();
+  }
+
+private:
+  TriangleIntegral result() const
+  {
     TriangleIntegral result;
     for (unsigned int i = 0; i < 2; ++i)
     {
@@ -114,7 +130,6 @@ public:
     return result;
   }
 
-private:
   /** The result of the rule in a triangle. */
   struct Found
   {
@@ -143,12 +158,18 @@ private:
 
   void integrate_smooth()
   {
+    const Jumps::Limits no_limits = jumps.no_limits();
+    look_at(whole(no_limits));
+    cut_doubtful();
+  }
+
+  /** All of the triangle, whose mean size and samples it sets. */
+  Part whole(const Jumps::Limits &no_limits)
+  {
     const Found found = apply_rule(triangle);
     mean_size = found.size / area;
     samples = found.samples;
-    const Jumps::Limits no_limits = jumps.no_limits();
-    look_at({triangle, found, &no_limits, 0.});
-    cut_doubtful();
+    return {triangle, found, &no_limits, 0.};
   }
 
   void integrate_pieces()
@@ -340,5 +361,13 @@ TriangleIntegral triangle_integral(const Triangle &corners,
                                    const Jumps &jumps)
 {
   return Integrator(corners, origin, f, jumps).integral();
+}
+
+std::optional<TriangleIntegral> quick_triangle_integral(const Triangle &corners,
+                                                        const Point<2> &origin,
+                                                        const Function &f)
+{
+  static const Jumps none;
+  return Integrator(corners, origin, f, none).quick_integral();
 }
 } // namespace Voussoir

@@ -28,23 +28,6 @@ bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
          !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
 }
 
-/** Put into @p parts those over the triangles of the centre and each side of
- * a cell. */
-void integrate(const Packing &packing,
-               const unsigned int c,
-               const std::function<Tensor<1, 2>(const Point<2> &)> &b,
-               const Jumps &jumps,
-               const bool closely,
-               std::vector<TriangleIntegral> &parts)
-{
-  static const Jumps none;
-  parts.clear();
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-    parts.push_back(triangle_integral(
-        {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}},
-        packing.centre(c), b, closely ? jumps : none));
-}
-
 /** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Jumps &jumps,
@@ -62,6 +45,54 @@ bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
     }
   return !cover(samples, jumps.bounds_in(box_of(packing, c), jumps.no_limits()),
                 0.);
+}
+
+using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
+
+std::array<Point<2>, 3>
+corners(const Packing &packing, const unsigned int c, const unsigned int i)
+{
+  return {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}};
+}
+
+/**
+ * Put into @p parts the integrals over the triangles of the centre and each
+ * side of a cell, by one rule each.
+ *
+ * @return true if nothing can be between its points, by one look at the whole
+ *   cell, which is cheaper than one at each triangle.
+ */
+bool integrate_quickly(const Packing &packing,
+                       const unsigned int c,
+                       const Function &b,
+                       const Jumps &jumps,
+                       std::vector<TriangleIntegral> &parts)
+{
+  parts.clear();
+  if (is_near(jumps, packing, c))
+    return false;
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+  {
+    const auto part =
+        quick_triangle_integral(corners(packing, c, i), packing.centre(c), b);
+    if (!part)
+      return false;
+    parts.push_back(*part);
+  }
+  return !may_hide_a_peak(parts, jumps, packing, c);
+}
+
+/** The same exactly, whatever it takes. */
+void integrate(const Packing &packing,
+               const unsigned int c,
+               const Function &b,
+               const Jumps &jumps,
+               std::vector<TriangleIntegral> &parts)
+{
+  parts.clear();
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    parts.push_back(
+        triangle_integral(corners(packing, c, i), packing.centre(c), b, jumps));
 }
 
 /** A sub-cell: the triangle of the centre and side i of a cell. */
@@ -93,11 +124,8 @@ BodyForce::BodyForce(
         [&](const Point<2> &x) {
           return b(x, c);
         };
-    // A look at the whole cell is cheaper than one at each triangle.
-    const bool closely = is_near(jumps, packing, c);
-    integrate(packing, c, b_c, jumps, closely, parts);
-    if (!closely && may_hide_a_peak(parts, jumps, packing, c))
-      integrate(packing, c, b_c, jumps, true, parts);
+    if (!integrate_quickly(packing, c, b_c, jumps, parts))
+      integrate(packing, c, b_c, jumps, parts);
     double error = 0., size = 0., uncertain = 0.;
     for (unsigned int i = 0; i < parts.size(); ++i)
     {

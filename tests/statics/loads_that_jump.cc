@@ -121,6 +121,11 @@ void check_body_forces()
   check_error("exp(10 y): torque",
               std::abs(residual_torques(sheared, {{0.}, {0.}})[0] - torque),
               1e-9);
+  // A peak of the integral pi that a point of the rule meets on its flank.
+  const Scene peaked = block(1., "set Body force = 0; "
+                                 "-1e8*exp(-((x-0.5)^2+(y-0.16662)^2)/1e-8)");
+  check_error("a peak", std::abs(peaked.load[0][1] + dealii::numbers::PI),
+              1e-11);
   check_load("sin(20 x)", block(1., "set Body force = sin(20*x); 0"),
              (1. - std::cos(20.)) / 20., 0., 0.);
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace Voussoir
 {
@@ -56,6 +57,16 @@ TriangleIntegral triangle_integral(
     const dealii::Point<2> &origin,
     const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> &f,
     const Jumps &jumps);
+
+/**
+ * The same by one application of the rule; nothing if the function is not even
+ * enough for it. No bounds are asked for: whether a jump or a peak hides
+ * between the points, the caller may ask for many triangles at a time.
+ */
+std::optional<TriangleIntegral> quick_triangle_integral(
+    const std::array<dealii::Point<2>, 3> &corners,
+    const dealii::Point<2> &origin,
+    const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> &f);
 } // namespace Voussoir
 
 #endif
