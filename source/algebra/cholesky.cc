@@ -3,27 +3,27 @@
 
 namespace Voussoir
 {
-Cholesky::Cholesky(const Structure &structure, const unsigned int n_components)
-    : n_components(n_components),
-      factor(structure, n_components, structure.n_bodies())
+
+Cholesky::Cholesky(const JointBlocks &blocks)
+    : factor(blocks, blocks.of().n_bodies())
 {
 }
 
-bool Cholesky::prepare(const std::vector<Structure::Jump> &coefficients,
+bool Cholesky::prepare(const std::vector<double> &coefficients,
                        const double shift)
 {
   return factor.factorise(coefficients, shift);
 }
 
-std::vector<double> Cholesky::solve(const std::vector<double> &r)
+std::vector<double> Cholesky::solve(const std::vector<double> &r,
+                                    const unsigned int n_columns)
 {
-  return from_columns(
-      factor.solve(to_columns(r, n_components), 2 / n_components),
-      n_components);
+  return factor.solve(r, n_columns);
 }
 
 bool Cholesky::is_direct() const
 {
   return true;
 }
+
 } // namespace Voussoir

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/cholesky.h>
+#include <voussoir/algebra/componentwise.h>
+#include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/algebra/joint_system.h>
 #include <voussoir/algebra/multigrid.h>
 #include <voussoir/algebra/substructures.h>
-
-#include <algorithm>
 
 namespace Voussoir
 {
@@ -12,7 +12,7 @@ namespace
 {
 /**
  * The number of bodies of a process from which multigrid solves the system of
- * both components. Below, Cholesky's factorisation is faster; its time and
+ * all unknowns. Below, Cholesky's factorisation is faster; its time and
  * memory grow faster.
  */
 constexpr unsigned int n_bodies_for_multigrid = 1000000;
@@ -34,41 +34,45 @@ JointSystem::JointSystem(const Structure &structure, const LinearSolver kind)
   timer.reset();
 }
 
-std::unique_ptr<LinearMethod>
-JointSystem::make(const unsigned int n_components) const
+std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
 {
+  const JointBlocks blocks(structure, apart);
   const Team &team = structure.team();
   const bool is_shared = team.size() > 1;
   bool direct = kind == LinearSolver::direct;
   if (kind == LinearSolver::automatic)
   {
     const unsigned int n_couplings =
-        n_components *
+        blocks.n() *
         team.sum(is_shared ? Substructures::n_coupling_bodies(structure) : 0);
-    direct = n_couplings < n_couplings_for_multigrid &&
-             team.max(structure.n_own_bodies()) <
-                 (n_components == 1 ? n_bodies_for_multigrid_of_one
-                                    : n_bodies_for_multigrid);
+    direct =
+        n_couplings < n_couplings_for_multigrid &&
+        team.max(structure.n_own_bodies()) <
+            (apart ? n_bodies_for_multigrid_of_one : n_bodies_for_multigrid);
   }
-
   if (!direct)
-    return std::make_unique<Multigrid>(structure, n_components);
+    return std::make_unique<Multigrid>(blocks);
   if (is_shared)
-    return std::make_unique<Substructures>(structure, n_components);
-  return std::make_unique<Cholesky>(structure, n_components);
+    return std::make_unique<Substructures>(blocks);
+  return std::make_unique<Cholesky>(blocks);
 }
 
-bool JointSystem::prepare(const std::vector<Structure::Jump> &coefficients,
+bool JointSystem::prepare(const std::vector<double> &coefficients,
                           const double shift)
 {
   timer.start();
-  const bool apart = structure.team().all(std::all_of(
-      coefficients.begin(), coefficients.end(),
-      [](const Structure::Jump &a) { return a.normal == a.tangential; }));
-  std::unique_ptr<LinearMethod> &method = methods[apart ? 0 : 1];
-  if (!method)
-    method = make(apart ? 1 : 2);
-  current = method.get();
+  if (Componentwise::serves(structure, coefficients))
+  {
+    if (!componentwise)
+      componentwise = std::make_unique<Componentwise>(make(true));
+    current = componentwise.get();
+  }
+  else
+  {
+    if (!coupled)
+      coupled = make(false);
+    current = coupled.get();
+  }
   const bool is_prepared = current->prepare(coefficients, shift);
   timer.stop();
   return is_prepared;
@@ -87,7 +91,10 @@ double JointSystem::seconds() const
 std::vector<double> JointSystem::solve(const std::vector<double> &r)
 {
   timer.start();
-  std::vector<double> u = current->solve(r);
+  const std::vector<double> of_own(r.begin(),
+                                   r.begin() + structure.n_own_dofs());
+  std::vector<double> u = current->solve(of_own, 1);
+  u.resize(structure.n_dofs());
   structure.update_ghosts(u);
   timer.stop();
   return u;

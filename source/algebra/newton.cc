@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/newton.h>
-#include <voussoir/base/exceptions.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -11,8 +10,6 @@
 
 namespace Voussoir
 {
-using Jump = Structure::Jump;
-
 namespace
 {
 /** The slope at the end of a line search, relative to that at its beginning. */
@@ -64,32 +61,23 @@ Newton::Newton(const Structure &structure,
       last_force_change(std::numeric_limits<double>::infinity())
 {
   present.u = std::move(u);
-  present.jumps = jumps_of(present.u);
+  present.jumps = structure.jumps(present.u);
   evaluate(present);
-}
-
-std::vector<Jump> Newton::jumps_of(const std::vector<double> &u) const
-{
-  std::vector<Jump> jumps(structure.joints().size());
-  for (unsigned int e = 0; e < jumps.size(); ++e)
-    jumps[e] = structure.jump(structure.joints()[e], u.data());
-  return jumps;
 }
 
 void Newton::evaluate(State &state)
 {
   ++evaluations;
-  const auto &joints = structure.joints();
-  state.forces.resize(joints.size());
+  const unsigned int n_rows = structure.n_rows();
+  state.forces.resize(structure.n_all_rows());
   state.gradient.resize(structure.n_dofs());
-  for (unsigned int b = 0; b < structure.n_own_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      state.gradient[structure.dof(b, i)] = -structure.loads()[b][i];
-  for (unsigned int e = 0; e < joints.size(); ++e)
+  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+    state.gradient[k] = -structure.loads()[k];
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
   {
-    state.forces[e] = law.force(e, state.jumps[e]);
-    structure.add_jump_gradient(joints[e], state.forces[e],
-                                state.gradient.data());
+    double *forces = state.forces.data() + std::size_t(e) * n_rows;
+    law.find_forces(e, state.jumps.data() + std::size_t(e) * n_rows, forces);
+    structure.add_jump_gradient(e, forces, state.gradient.data());
   }
 }
 
@@ -102,45 +90,53 @@ double Newton::step(const double shift, const std::vector<double> &centre)
 void Newton::full_step()
 {
   ++iterations;
-  const std::vector<double> d = direction(least_shift, present.u);
-  const std::vector<Jump> step_jumps = jumps_of(d);
+  const Direction d = direction(least_shift, present.u);
   State trial;
-  go(d, step_jumps, std::min(1., longest_step(step_jumps)), trial);
+  go(d, std::min(1., d.longest), trial);
   accept(std::move(trial));
 }
 
-/** The longest step with finite energy, with a margin. */
-double Newton::longest_step(const std::vector<Jump> &step_jumps) const
-{
-  double longest = longest_expansion / fraction_to_boundary;
-  for (unsigned int e = 0; e < step_jumps.size(); ++e)
-    longest =
-        std::min(longest, law.longest_step(e, present.jumps[e], step_jumps[e]));
-  return fraction_to_boundary * structure.team().min(longest);
-}
-
-std::vector<double> Newton::direction(double shift,
-                                      const std::vector<double> &centre)
+Newton::Direction Newton::direction(const double shift,
+                                    const std::vector<double> &centre)
 {
   std::vector<double> right(present.gradient.size());
   for (unsigned int k = 0; k < right.size(); ++k)
     right[k] =
         proximal_force(shift, present.u[k], centre[k]) - present.gradient[k];
+  Direction d;
+  d.u = solve(shift, right);
+  d.jumps = structure.jumps(d.u);
+  const unsigned int n_rows = structure.n_rows();
+  double longest = longest_expansion / fraction_to_boundary;
+  for (std::size_t e = 0, k = 0; k < d.jumps.size(); ++e, k += n_rows)
+    longest =
+        std::min(longest, law.longest_step(e, &present.jumps[k], &d.jumps[k]));
+  d.longest = fraction_to_boundary * structure.team().min(longest);
+  return d;
+}
 
-  std::vector<Jump> second(present.jumps.size());
-  double stiffest = 1.;
-  bool finite = true;
-  for (unsigned int e = 0; e < second.size(); ++e)
-  {
-    second[e] = law.second_derivative(e, present.jumps[e]);
-    stiffest = std::max({stiffest, second[e].normal, second[e].tangential});
-    finite &= std::isfinite(second[e].normal + second[e].tangential);
-  }
-  stiffest = structure.team().max(stiffest);
+std::vector<double> Newton::stiffnesses() const
+{
+  std::vector<double> second(present.jumps.size());
+  const unsigned int n_rows = structure.n_rows();
+  for (std::size_t e = 0, k = 0; k < second.size(); ++e, k += n_rows)
+    law.find_second_derivatives(e, &present.jumps[k], &second[k]);
+  const bool finite =
+      std::all_of(second.begin(), second.end(),
+                  [](const double k) { return std::isfinite(k); });
   if (!structure.team().all(finite))
-    throw SolverError("The stiffness of a joint is beyond all numbers: its "
-                      "strength is too far above the load. Lower "
-                      "'Friction/Strength', or take another 'Formulation'.");
+    throw NewtonFailure(NewtonFailure::Cause::stiffness);
+  return second;
+}
+
+std::vector<double> Newton::solve(double shift,
+                                  const std::vector<double> &right)
+{
+  const std::vector<double> second = stiffnesses();
+  double stiffest = 1.;
+  for (const double k : second)
+    stiffest = std::max(stiffest, k);
+  stiffest = structure.team().max(stiffest);
   // Rounding can cost the matrix its definiteness; then the step would not lead
   // downhill, and a larger shift is tried, up to the largest coefficient.
   for (; shift <= stiffest; shift *= factor_of_shift)
@@ -153,29 +149,24 @@ std::vector<double> Newton::direction(double shift,
       if (std::isfinite(descent) && descent >= 0.)
         return d;
     }
-  throw SolverError(
-      "A linear system of Newton's method cannot be solved: the strengths or "
-      "the sizes of the interfaces differ by too much. Take another "
-      "'Formulation'.");
+  throw NewtonFailure(NewtonFailure::Cause::linear_system);
 }
 
 /**
  * Take out of @p d what the shift has put into it, where that is little: cells
  * that no joint holds owe their whole displacement to the shift.
  */
-void Newton::refine(const std::vector<Jump> &second,
+void Newton::refine(const std::vector<double> &second,
                     const std::vector<double> &right,
                     std::vector<double> &d)
 {
   std::vector<double> left(right);
-  for (unsigned int e = 0; e < second.size(); ++e)
-  {
-    const Jump jump = structure.jump(structure.joints()[e], d.data());
-    structure.add_jump_gradient(structure.joints()[e],
-                                {-second[e].normal * jump.normal,
-                                 -second[e].tangential * jump.tangential},
-                                left.data());
-  }
+  std::vector<double> f = structure.jumps(d);
+  for (std::size_t k = 0; k < f.size(); ++k)
+    f[k] *= -second[k];
+  const unsigned int n_rows = structure.n_rows();
+  for (std::size_t e = 0, k = 0; k < f.size(); ++e, k += n_rows)
+    structure.add_jump_gradient(e, &f[k], left.data());
   if (largest(structure, left) > little_left * largest(structure, right))
     return;
   const std::vector<double> correction = system.solve(left);
@@ -183,43 +174,61 @@ void Newton::refine(const std::vector<Jump> &second,
     d[k] += correction[k];
 }
 
-double Newton::search(const std::vector<double> &direction,
+/** It goes there: trial is the state at the last length asked for. */
+class Newton::Slope
+{
+public:
+  Slope(Newton &newton,
+        const Direction &direction,
+        const double shift,
+        const std::vector<double> &centre)
+      : newton(newton), direction(direction), shift(shift), centre(centre)
+  {
+  }
+  double operator()(const double t)
+  {
+    length = t;
+    newton.go(direction, t, trial);
+    const double slope = of(trial);
+    return std::isfinite(slope) ? slope : std::numeric_limits<double>::max();
+  }
+  double of(const State &state) const
+  {
+    long double sum = 0.;
+    for (unsigned int k = 0; k < newton.structure.n_own_dofs(); ++k)
+      sum +=
+          (state.gradient[k] - proximal_force(shift, state.u[k], centre[k])) *
+          direction.u[k];
+    return static_cast<double>(newton.structure.team().sum(sum));
+  }
+
+  State trial;
+  double length = 0.;
+
+private:
+  Newton &newton;
+  const Direction &direction;
+  const double shift;
+  const std::vector<double> &centre;
+};
+
+double Newton::search(const Direction &direction,
                       const double shift,
                       const std::vector<double> &centre)
 {
-  const auto slope = [&](const State &state) {
-    long double sum = 0.;
-    for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
-      sum +=
-          (state.gradient[k] - proximal_force(shift, state.u[k], centre[k])) *
-          direction[k];
-    return static_cast<double>(structure.team().sum(sum));
-  };
-
-  const std::vector<Jump> step_jumps = jumps_of(direction);
-  const double longest = longest_step(step_jumps);
-
-  State trial;
-  double t = 0.;
-  const auto slope_at = [&](const double at) {
-    t = at;
-    go(direction, step_jumps, t, trial);
-    const double s = slope(trial);
-    return std::isfinite(s) ? s : std::numeric_limits<double>::max();
-  };
-
-  double lower = 0., slope_lower = slope(present);
+  Slope slope(*this, direction, shift, centre);
+  double lower = 0., slope_lower = slope.of(present);
   last_decrement = slope_lower <= 0. ? std::sqrt(-slope_lower)
                                      : std::numeric_limits<double>::infinity();
   const double small = slope_reduction * std::abs(slope_lower);
-  double upper = std::min(1., longest);
-  double slope_upper = slope_at(upper);
-  while (slope_upper < -small && upper < longest)
+  double upper = std::min(1., direction.longest);
+  double slope_upper = slope(upper);
+  while (slope_upper < -small && upper < direction.longest)
   {
     lower = upper;
     slope_lower = slope_upper;
-    upper = std::min(expansion * upper, longest);
-    slope_upper = slope_at(upper);
+    upper = std::min(expansion * upper, direction.longest);
+    slope_upper = slope(upper);
   }
   // In the limit of rounding there may be no change of sign to be found.
   if (slope_upper > small && slope_lower < 0.)
@@ -228,10 +237,8 @@ double Newton::search(const std::vector<double> &direction,
     std::uintmax_t n_searches = n_max_searches;
     boost::math::tools::toms748_solve(
         [&](const double at) {
-          if (found)
-            return 0.;
-          const double s = slope_at(at);
-          found = std::abs(s) <= small;
+          const double s = found ? 0. : slope(at);
+          found = found || std::abs(s) <= small;
           return found ? 0. : s;
         },
         lower, upper, slope_lower, slope_upper,
@@ -240,57 +247,34 @@ double Newton::search(const std::vector<double> &direction,
         },
         n_searches);
   }
-  accept(std::move(trial));
-  return t;
+  accept(std::move(slope.trial));
+  return slope.length;
 }
 
-void Newton::go(const std::vector<double> &direction,
-                const std::vector<Jump> &step_jumps,
-                const double t,
-                State &trial)
+void Newton::go(const Direction &direction, const double t, State &trial)
 {
   trial.u = present.u;
-  for (unsigned int k = 0; k < direction.size(); ++k)
-    trial.u[k] += t * direction[k];
+  for (unsigned int k = 0; k < trial.u.size(); ++k)
+    trial.u[k] += t * direction.u[k];
   trial.jumps = present.jumps;
-  for (unsigned int e = 0; e < step_jumps.size(); ++e)
-  {
-    trial.jumps[e].normal += t * step_jumps[e].normal;
-    trial.jumps[e].tangential += t * step_jumps[e].tangential;
-  }
+  for (std::size_t k = 0; k < trial.jumps.size(); ++k)
+    trial.jumps[k] += t * direction.jumps[k];
   evaluate(trial);
 }
 
 void Newton::accept(State trial)
 {
   last_force_change = 0.;
-  for (unsigned int e = 0; e < trial.forces.size(); ++e)
-    last_force_change = std::max(
-        {last_force_change,
-         std::abs(trial.forces[e].normal - present.forces[e].normal),
-         std::abs(trial.forces[e].tangential - present.forces[e].tangential)});
+  for (std::size_t k = 0; k < trial.forces.size(); ++k)
+    last_force_change = std::max(last_force_change,
+                                 std::abs(trial.forces[k] - present.forces[k]));
   last_force_change = structure.team().max(last_force_change);
   present = std::move(trial);
 }
 
-const std::vector<double> &Newton::u() const
-{
-  return present.u;
-}
-
-const std::vector<Jump> &Newton::jumps() const
-{
-  return present.jumps;
-}
-
-const std::vector<Jump> &Newton::forces() const
-{
-  return present.forces;
-}
-
 double Newton::imbalance() const
 {
-  return imbalance(0., present.u);
+  return largest(structure, present.gradient);
 }
 
 double Newton::imbalance(const double shift,
@@ -304,28 +288,4 @@ double Newton::imbalance(const double shift,
   return structure.team().max(largest);
 }
 
-double Newton::decrement() const
-{
-  return last_decrement;
-}
-
-double Newton::force_change() const
-{
-  return last_force_change;
-}
-
-unsigned int Newton::n_iterations() const
-{
-  return iterations;
-}
-
-unsigned int Newton::n_evaluations() const
-{
-  return evaluations;
-}
-
-double Newton::seconds_of_systems() const
-{
-  return system.seconds();
-}
 } // namespace Voussoir

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/linear_method.h>
 #include <voussoir/algebra/sparse_factor.h>
 
 #include <algorithm>
 #include <cholmod.h>
 #include <new>
+#include <numeric>
 #include <utility>
 
 namespace Voussoir
 {
 using Joint = Structure::Joint;
-using Jump = Structure::Jump;
 
 namespace
 {
@@ -24,13 +23,11 @@ T *check(T *result)
 }
 } // namespace
 
-SparseFactor::SparseFactor(const Structure &structure,
-                           const unsigned int n_components,
+SparseFactor::SparseFactor(const JointBlocks &blocks,
                            const unsigned int n_bodies,
                            const std::vector<unsigned int> &last)
-    : structure(structure), n_components(n_components), n_bodies(n_bodies),
-      last(last), common(std::make_unique<cholmod_common>()),
-      addition(last.size())
+    : blocks(blocks), structure(blocks.of()), n_bodies(n_bodies), last(last),
+      common(std::make_unique<cholmod_common>()), addition(last.size())
 {
   cholmod_start(common.get());
   common->print = 0; // failures are reported by their status
@@ -46,13 +43,47 @@ SparseFactor::~SparseFactor()
 
 unsigned int SparseFactor::n() const
 {
-  return n_components * n_bodies;
+  return blocks.n() * n_bodies;
 }
 
 unsigned int SparseFactor::n_last() const
 {
-  return n_components * last.size();
+  return blocks.n() * last.size();
 }
+
+struct SparseFactor::Below
+{
+  Below(const std::vector<Joint> &joints, const unsigned int n_bodies)
+      : first(n_bodies + 1, 0)
+  {
+    const auto for_all = [&](const auto &visit) {
+      for (unsigned int e = 0; e < joints.size(); ++e)
+      {
+        const auto [low, high] =
+            std::minmax(joints[e].cell_minus, joints[e].cell_plus);
+        if (high < n_bodies)
+          visit(low, high, e);
+      }
+    };
+    for_all([&](const unsigned int low, unsigned int, unsigned int) {
+      ++first[low + 1];
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    joint.resize(first.back());
+    std::vector<unsigned int> next(first.begin(), first.end() - 1);
+    for_all([&](const unsigned int low, const unsigned int high,
+                const unsigned int e) {
+      joint[next[low]++] = {high, e};
+    });
+    for (unsigned int c = 0; c < n_bodies; ++c)
+      std::sort(joint.begin() + first[c], joint.begin() + first[c + 1]);
+  }
+
+  /** Where those of each body begin. */
+  std::vector<unsigned int> first;
+  /** The higher body, ascending, and the joint. */
+  std::vector<std::pair<unsigned int, unsigned int>> joint;
+};
 
 /**
  * The columns of a body have its diagonal block and below it the blocks of its
@@ -61,43 +92,19 @@ unsigned int SparseFactor::n_last() const
  */
 void SparseFactor::make_pattern()
 {
-  const std::vector<Joint> &joints = structure.joints();
-  const auto counts = [&](const Joint &joint) {
-    return joint.cell_minus < n_bodies && joint.cell_plus < n_bodies;
-  };
-  std::vector<unsigned int> first_below(n_bodies + 1, 0);
-  for (const Joint &joint : joints)
-    if (counts(joint))
-      ++first_below[std::min(joint.cell_minus, joint.cell_plus) + 1];
-  for (unsigned int b = 0; b < n_bodies; ++b)
-    first_below[b + 1] += first_below[b];
-  // Body and joint, for each body those below it.
-  std::vector<std::pair<unsigned int, unsigned int>> below(first_below.back());
-  std::vector<unsigned int> next(first_below.begin(), first_below.end() - 1);
-  for (unsigned int e = 0; e < joints.size(); ++e)
-    if (counts(joints[e]))
-    {
-      const auto [low, high] =
-          std::minmax(joints[e].cell_minus, joints[e].cell_plus);
-      below[next[low]++] = {high, e};
-    }
-
-  const unsigned int n = n_components;
+  const Below below(structure.joints(), n_bodies);
+  const unsigned int n = blocks.n();
   const std::size_t n_entries =
-      std::size_t(n_bodies) * n * (n + 1) / 2 + below.size() * n * n;
+      std::size_t(n_bodies) * n * (n + 1) / 2 + below.joint.size() * n * n;
   matrix =
       check(cholmod_allocate_sparse(n * n_bodies, n * n_bodies, n_entries, true,
                                     true, -1, CHOLMOD_REAL, common.get()));
   int *first = static_cast<int *>(matrix->p);
   int *rows = static_cast<int *>(matrix->i);
   of_body.resize(n_bodies * n);
-  of_joint.resize(joints.size() * n);
+  of_joint.resize(structure.joints().size() * n);
   int k = 0;
   for (unsigned int c = 0; c < n_bodies; ++c)
-  {
-    const auto begin = below.begin() + first_below[c];
-    const auto end = below.begin() + first_below[c + 1];
-    std::sort(begin, end);
     for (unsigned int j = 0; j < n; ++j)
     {
       first[n * c + j] = k;
@@ -105,47 +112,49 @@ void SparseFactor::make_pattern()
       for (unsigned int i = j; i < n; ++i)
         rows[k++] = n * c + i;
       unsigned int previous = dealii::numbers::invalid_unsigned_int;
-      for (auto it = begin; it != end; ++it)
+      for (unsigned int m = below.first[c]; m < below.first[c + 1]; ++m)
       {
+        const auto [high, e] = below.joint[m];
         // Two joints between the same bodies share their entries.
-        if (it->first != previous)
+        if (high != previous)
           for (unsigned int i = 0; i < n; ++i)
-            rows[k++] = n * it->first + i;
-        of_joint[n * it->second + j] = k - n;
-        previous = it->first;
+            rows[k++] = n * high + i;
+        of_joint[n * e + j] = k - n;
+        previous = high;
       }
     }
-  }
   first[n * n_bodies] = k;
 }
 
-void SparseFactor::fill(const std::vector<Jump> &coefficients,
+void SparseFactor::fill(const std::vector<double> &coefficients,
                         const double shift)
 {
-  const unsigned int n = n_components;
+  const unsigned int n = blocks.n();
   double *values = static_cast<double *>(matrix->x);
   std::fill_n(values, static_cast<int *>(matrix->p)[matrix->ncol], 0.);
-  for (unsigned int c = 0; c < structure.n_own_bodies(); ++c)
-    for (unsigned int j = 0; j < n; ++j)
-      values[of_body[n * c + j]] = shift;
-  for (unsigned int e = 0; e < coefficients.size(); ++e)
+  for (unsigned int k = 0; k < n * structure.n_own_bodies(); ++k)
+    values[of_body[k]] = shift;
+  JointBlocks::Blocks of;
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
   {
-    const Joint &joint = structure.joints()[e];
-    if (joint.cell_minus >= n_bodies || joint.cell_plus >= n_bodies)
+    const unsigned int minus = structure.joints()[e].cell_minus;
+    const unsigned int plus = structure.joints()[e].cell_plus;
+    if (minus >= n_bodies || plus >= n_bodies)
       continue;
+    blocks.find(e, coefficients.data(), of);
+    // The block is stored in the columns of the lower body.
+    const bool transposed = plus < minus;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
       {
-        const double entry = n == 1
-                                 ? coefficients[e].normal
-                                 : block_of_joint(joint, coefficients[e], i, j);
-        values[of_joint[n * e + j] + i] -= entry;
-        if (i >= j)
-          for (const unsigned int c : {joint.cell_minus, joint.cell_plus})
-            values[of_body[n * c + j] + i - j] += entry;
+        values[of_joint[n * e + j] + i] +=
+            of.mixed[transposed ? j * n + i : i * n + j];
+        if (i < j)
+          continue;
+        values[of_body[n * minus + j] + i - j] += of.minus[i * n + j];
+        values[of_body[n * plus + j] + i - j] += of.plus[i * n + j];
       }
   }
-
   for (unsigned int k = 0; k < last.size(); ++k)
   {
     addition[k] = 0.;
@@ -167,8 +176,8 @@ void SparseFactor::analyse()
   }
   std::vector<int> set(n(), 0), order(n());
   for (const unsigned int b : last)
-    for (unsigned int i = 0; i < n_components; ++i)
-      set[n_components * b + i] = 1;
+    for (unsigned int i = 0; i < blocks.n(); ++i)
+      set[blocks.n() * b + i] = 1;
   if (!cholmod_camd(matrix, nullptr, 0, set.data(), order.data(), common.get()))
     throw std::bad_alloc();
   common->nmethods = 1;
@@ -179,7 +188,7 @@ void SparseFactor::analyse()
       check(cholmod_analyze_p(matrix, order.data(), nullptr, 0, common.get()));
 }
 
-bool SparseFactor::factorise(const std::vector<Jump> &coefficients,
+bool SparseFactor::factorise(const std::vector<double> &coefficients,
                              const double shift)
 {
   fill(coefficients, shift);
@@ -274,7 +283,7 @@ std::vector<double> SparseFactor::added() const
   std::vector<double> result;
   for (const unsigned int unknown : last_unknowns())
     result.push_back(addition[std::lower_bound(last.begin(), last.end(),
-                                               unknown / n_components) -
+                                               unknown / blocks.n()) -
                               last.begin()]);
   return result;
 }

@@ -3,68 +3,70 @@
 
 #include <deal.II/base/index_set.h>
 
+#include <array>
 #include <utility>
 
 namespace Voussoir
 {
+
+Structure::Structure(const Kinematics &kinematics, const FrictionLaw &friction)
+    : unknowns_per_body(kinematics.n_unknowns()),
+      rows_per_joint(kinematics.n_rows())
+{
+  own.kinematics = &kinematics;
+  own.friction = &friction;
+}
+
 Structure::Structure(const Team &team, Part part)
-    : joint_list(std::move(part.joints)), load(std::move(part.loads)),
-      processes(team), first(part.first), ghost_list(std::move(part.ghosts))
+    : own(std::move(part)), processes(team),
+      unknowns_per_body(own.kinematics->n_unknowns()),
+      rows_per_joint(own.kinematics->n_rows())
 {
   if (team.size() == 1)
     return;
-  const unsigned int n_all_dofs = 2 * team.sum(n_own_bodies());
-  dealii::IndexSet own(n_all_dofs), of_ghosts(n_all_dofs);
-  own.add_range(dof(first, 0), dof(first + n_own_bodies(), 0));
-  for (const unsigned int ghost : ghost_list)
+  const unsigned int n_all_dofs = unknowns_per_body * team.sum(n_own_bodies());
+  dealii::IndexSet of_own(n_all_dofs), of_ghosts(n_all_dofs);
+  of_own.add_range(dof(own.first, 0), dof(own.first + n_own_bodies(), 0));
+  for (const unsigned int ghost : own.ghosts)
     of_ghosts.add_range(dof(ghost, 0), dof(ghost + 1, 0));
   exchange = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
-      own, of_ghosts, team.communicator());
+      of_own, of_ghosts, team.communicator());
 }
 
-const Team &Structure::team() const
+void Structure::Joints::add(const Structure &other,
+                            const unsigned int e,
+                            const unsigned int minus,
+                            const unsigned int plus)
 {
-  return processes;
+  list.push_back(other.joints()[e]);
+  list.back().cell_minus = minus;
+  list.back().cell_plus = plus;
+  for (unsigned int r = 0; r < other.n_rows(); ++r)
+  {
+    const ContactRow row = other.row(e, r);
+    direction.push_back(row.direction);
+    if (other.n_unknowns() == 2)
+      continue;
+    turn_minus.push_back(row.turn_minus);
+    turn_plus.push_back(row.turn_plus);
+  }
 }
 
-unsigned int Structure::n_own_bodies() const
+void Structure::add_joint(const Joint &joint, const JointFrame &frame)
 {
-  return load.size();
-}
-
-unsigned int Structure::n_bodies() const
-{
-  return load.size() + ghost_list.size();
-}
-
-unsigned int Structure::n_own_dofs() const
-{
-  return 2 * n_own_bodies();
-}
-
-unsigned int Structure::n_dofs() const
-{
-  return 2 * n_bodies();
-}
-
-unsigned int Structure::first_body() const
-{
-  return first;
-}
-
-const std::vector<unsigned int> &Structure::ghosts() const
-{
-  return ghost_list;
-}
-
-const std::vector<Structure::Joint> &Structure::joints() const
-{
-  return joint_list;
-}
-
-const std::vector<dealii::Tensor<1, 2>> &Structure::loads() const
-{
-  return load;
+  Joints &joints = own.joints;
+  joints.list.push_back(joint);
+  std::array<ContactRow, 3> rows;
+  Assert(rows_per_joint <= rows.size(), dealii::ExcInternalError());
+  own.kinematics->find_rows(frame, rows.data());
+  for (unsigned int r = 0; r < rows_per_joint; ++r)
+  {
+    joints.direction.push_back(rows[r].direction);
+    if (unknowns_per_body == 2)
+      continue;
+    joints.turn_minus.push_back(rows[r].turn_minus);
+    joints.turn_plus.push_back(rows[r].turn_plus);
+  }
 }
 
 void Structure::update_ghosts(std::vector<double> &u) const
@@ -84,12 +86,22 @@ void Structure::update_ghosts(std::vector<double> &u) const
       ghosts, requests);
 }
 
+std::vector<double> Structure::jumps(const std::vector<double> &u) const
+{
+  std::vector<double> result(n_all_rows());
+  std::size_t k = 0;
+  for (unsigned int e = 0; e < joints().size(); ++e)
+    for (unsigned int r = 0; r < rows_per_joint; ++r)
+      result[k++] = jump(e, r, u.data());
+  return result;
+}
+
 double Structure::work(const double *u) const
 {
   long double work = 0.;
-  for (unsigned int b = 0; b < n_own_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      work += load[b][i] * u[dof(b, i)];
+  for (unsigned int k = 0; k < own.loads.size(); ++k)
+    work += own.loads[k] * u[k];
   return processes.sum(work);
 }
+
 } // namespace Voussoir

@@ -51,11 +51,10 @@ unsigned int Substructures::n_coupling_bodies(const Structure &structure)
   return coupling_bodies(structure).size();
 }
 
-Substructures::Substructures(const Structure &structure,
-                             const unsigned int n_components)
-    : structure(structure), n_components(n_components),
+Substructures::Substructures(const JointBlocks &blocks)
+    : blocks(blocks), structure(blocks.of()),
       n_bodies(structure.n_own_bodies() + n_earlier_ghosts(structure)),
-      factor(structure, n_components, n_bodies, coupled_bodies(structure))
+      factor(blocks, n_bodies, coupled_bodies(structure))
 {
 }
 
@@ -64,7 +63,7 @@ bool Substructures::is_direct() const
   return true;
 }
 
-bool Substructures::prepare(const std::vector<Structure::Jump> &coefficients,
+bool Substructures::prepare(const std::vector<double> &coefficients,
                             const double shift)
 {
   const Team &team = structure.team();
@@ -80,16 +79,10 @@ bool Substructures::prepare(const std::vector<Structure::Jump> &coefficients,
 void Substructures::number_couplings()
 {
   coupled = factor.last_unknowns();
-  const unsigned int n_own = structure.n_own_bodies();
+  const unsigned int n = blocks.n();
   std::vector<unsigned int> numbers;
   for (const unsigned int unknown : coupled)
-  {
-    const unsigned int b = unknown / n_components;
-    numbers.push_back(n_components * (b < n_own
-                                          ? structure.first_body() + b
-                                          : structure.ghosts()[b - n_own]) +
-                      unknown % n_components);
-  }
+    numbers.push_back(n * structure.number_of(unknown / n) + unknown % n);
   rows = structure.team().gather(numbers);
   std::vector<unsigned int> all;
   for (const auto &of_process : rows)
@@ -152,13 +145,14 @@ bool Substructures::factorise_couplings(
   return true;
 }
 
-std::vector<double> Substructures::solve(const std::vector<double> &r)
+std::vector<double> Substructures::solve(const std::vector<double> &r,
+                                         const unsigned int n_columns)
 {
-  // Own bodies come first, component by component of each.
-  const unsigned int n_columns = 2 / n_components;
-  std::vector<double> all(2 * n_bodies, 0.);
-  std::copy_n(r.begin(), structure.n_own_dofs(), all.begin());
-  std::vector<double> columns = to_columns(all, n_components);
+  // Own bodies come first in each column.
+  const std::size_t n_own = r.size() / n_columns;
+  std::vector<double> columns(factor.n() * n_columns, 0.);
+  for (unsigned int c = 0; c < n_columns; ++c)
+    std::copy_n(r.begin() + c * n_own, n_own, columns.begin() + c * factor.n());
 
   // The forces of the others on the coupled bodies, once they are eliminated.
   const unsigned int n = coupled.size(), first = factor.n() - n;
@@ -175,7 +169,7 @@ std::vector<double> Substructures::solve(const std::vector<double> &r)
       for (unsigned int j = 0; j <= i; ++j)
         right[c * n + i] += block(i, j) * y[c * factor.n() + first + j];
 
-  const std::vector<double> u = solve_couplings(right);
+  const std::vector<double> u = solve_couplings(right, n_columns);
   for (unsigned int c = 0; c < n_columns; ++c)
     for (unsigned int j = 0; j < n; ++j)
     {
@@ -184,19 +178,21 @@ std::vector<double> Substructures::solve(const std::vector<double> &r)
         sum += block(i, j) * u[c * n + i];
       y[c * factor.n() + first + j] = sum;
     }
-  std::vector<double> result = from_columns(
-      n > 0 ? factor.backward(y, n_columns) : factor.solve(columns, n_columns),
-      n_components);
-  result.resize(structure.n_dofs());
+  const std::vector<double> all =
+      n > 0 ? factor.backward(y, n_columns) : factor.solve(columns, n_columns);
+  std::vector<double> result(r.size());
+  for (unsigned int c = 0; c < n_columns; ++c)
+    std::copy_n(all.begin() + c * factor.n(), n_own,
+                result.begin() + c * n_own);
   return result;
 }
 
 /** The displacement of the coupled bodies under the sum of all @p right. */
 std::vector<double>
-Substructures::solve_couplings(const std::vector<double> &right) const
+Substructures::solve_couplings(const std::vector<double> &right,
+                               const unsigned int n_columns) const
 {
   const Team &team = structure.team();
-  const unsigned int n_columns = 2 / n_components;
   std::vector<std::vector<double>> parts = team.gather(right);
   if (team.is_root())
     for (unsigned int c = 0; c < n_columns; ++c)

@@ -166,9 +166,9 @@ double utilisation(const Scene &scene,
                    const InterfaceForces &forces,
                    const unsigned int e)
 {
-  const double q = std::abs(forces.tangential[e]);
-  return q > 0. ? q / (scene.strength[e] * scene.packing.interfaces()[e].length)
-                : 0.;
+  return scene.friction->utilisation(scene.strength[e] *
+                                         scene.packing.interfaces()[e].length,
+                                     forces.normal[e], forces.tangential[e]);
 }
 
 std::vector<double> residual_torques(const Scene &scene,

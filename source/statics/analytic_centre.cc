@@ -6,9 +6,10 @@
 #include <voussoir/statics/settle.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
+#include <algorithm>
+
 namespace Voussoir
 {
-using Jump = Structure::Jump;
 
 namespace
 {
@@ -35,7 +36,7 @@ constexpr unsigned int n_max_fixed_joints_steps = 30;
  *
  * @return nothing if a minimum was not reached.
  */
-std::optional<std::vector<BarrierJoint::Fixed>>
+std::optional<std::vector<signed char>>
 fixed_joints(const DiscreteProblem &problem,
              const BarrierJoint &law,
              const double last_shift,
@@ -43,9 +44,10 @@ fixed_joints(const DiscreteProblem &problem,
              Newton &newton)
 {
   const std::vector<double> origin(problem.n_dofs(), 0.);
-  const unsigned int n_joints = problem.joints().size();
-  std::vector<BarrierJoint::Fixed> fixed(n_joints);
-  std::vector<double> p(n_joints, 1.), slack(n_joints, 1.);
+  const unsigned int n_rows = problem.n_rows();
+  std::vector<signed char> fixed(problem.n_all_rows());
+  // The force of a contact, the slack of friction.
+  std::vector<double> before(problem.n_all_rows(), 1.);
   const auto vanishes = [](double &previous, const double now) {
     const double factor = now / previous;
     previous = now;
@@ -63,14 +65,15 @@ fixed_joints(const DiscreteProblem &problem,
       newton.step(shift, origin);
     } while (!(newton.decrement() <= fixed_joints_decrement));
 
-    for (unsigned int e = 0; e < n_joints; ++e)
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      const Jump &jump = newton.jumps()[e];
-      fixed[e].never_pressed = vanishes(p[e], -newton.forces()[e].normal);
-      fixed[e].sliding = 0;
-      if (problem.joints()[e].strength > 0. &&
-          vanishes(slack[e], law.slack(e, jump)))
-        fixed[e].sliding = jump.tangential > 0. ? 1 : -1;
+      std::size_t k = std::size_t(e) * n_rows;
+      for (unsigned int r = 0; r < problem.n_contacts(); ++r, ++k)
+        fixed[k] = vanishes(before[k], -newton.forces()[k]) ? 1 : 0;
+      const double sliding = newton.jumps()[k];
+      fixed[k] = 0;
+      if (problem.limit(e) > 0. && vanishes(before[k], law.slack(e, sliding)))
+        fixed[k] = sliding > 0. ? 1 : -1;
     }
   }
   return fixed;
@@ -165,10 +168,13 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
   solution.n_evaluations = n_evaluations;
   // The fixed forces of the joints are known only if the rest has a centre.
   if (solution.converged())
-    for (const BarrierJoint::Fixed &fixed : law.fixed)
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      solution.never_pressed.push_back(fixed.never_pressed);
-      solution.always_sliding.push_back(fixed.sliding != 0);
+      const auto friction =
+          law.fixed.begin() + (std::size_t(e) + 1) * problem.n_rows() - 1;
+      solution.never_pressed.push_back(
+          std::count(friction - problem.n_contacts(), friction, 0) == 0);
+      solution.always_sliding.push_back(*friction != 0);
     }
   else if (!solution.mechanism && n_iterations < controls.n_max_iterations)
     solution.stop = Stop::Reason::no_centre;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/barrier_joint.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,7 +9,7 @@ namespace Voussoir
 {
 BarrierJoint::BarrierJoint(const Structure &structure,
                            const BarrierWeights weights)
-    : fixed(structure.joints().size()), structure(&structure), weights(weights)
+    : fixed(structure.n_all_rows(), 0), structure(&structure), weights(weights)
 {
 }
 
@@ -18,49 +19,60 @@ double BarrierJoint::weight(const unsigned int e) const
   return weights == BarrierWeights::equal ? 1. : joint.length * joint.distance;
 }
 
-double BarrierJoint::slack(const unsigned int e, const Jump &jump) const
+double BarrierJoint::contact_weight(const unsigned int e) const
 {
-  const double w = weight(e), b = structure->joints()[e].strength;
-  const double x = b * std::abs(jump.tangential), r = std::hypot(w, x);
+  return weights == BarrierWeights::equal ? 1.
+                                          : weight(e) / structure->n_contacts();
+}
+
+double BarrierJoint::slack(const unsigned int e, const double sliding) const
+{
+  const double w = weight(e), b = structure->limit(e);
+  const double x = b * std::abs(sliding), r = std::hypot(w, x);
   return b * ((w + w * (w / (r + x))) / (w + r));
 }
 
-JointLaw::Jump BarrierJoint::force(const unsigned int e, const Jump &jump) const
+void BarrierJoint::find_forces(const unsigned int e,
+                               const double *jumps,
+                               double *forces) const
 {
-  const double w = weight(e), b = structure->joints()[e].strength;
-  Jump force = {0., 0.};
-  if (!fixed[e].never_pressed)
-    force.normal = jump.normal > 0. ? -w / jump.normal
-                                    : -std::numeric_limits<double>::infinity();
-  if (fixed[e].sliding != 0)
-    force.tangential = fixed[e].sliding * b;
-  else
-    force.tangential =
-        b * (b * jump.tangential / (w + std::hypot(w, b * jump.tangential)));
-  return force;
+  const unsigned int n = structure->n_contacts();
+  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  for (unsigned int r = 0; r < n; ++r)
+    if (is_fixed[r] != 0)
+      forces[r] = 0.;
+    else
+      forces[r] = jumps[r] > 0. ? -contact_weight(e) / jumps[r]
+                                : -std::numeric_limits<double>::infinity();
+  const double w = weight(e), b = structure->limit(e), x = jumps[n];
+  forces[n] = is_fixed[n] != 0 ? is_fixed[n] * b
+                               : b * (b * x / (w + std::hypot(w, b * x)));
 }
 
-JointLaw::Jump BarrierJoint::second_derivative(const unsigned int e,
-                                               const Jump &jump) const
+void BarrierJoint::find_second_derivatives(const unsigned int e,
+                                           const double *jumps,
+                                           double *second) const
 {
-  const double w = weight(e), b = structure->joints()[e].strength;
-  Jump second = {0., 0.};
-  if (!fixed[e].never_pressed)
-    second.normal = w / jump.normal / jump.normal;
-  if (fixed[e].sliding == 0)
-  {
-    const double r = std::hypot(w, b * jump.tangential);
-    second.tangential = b * (w / r) * (b / (w + r));
-  }
-  return second;
+  const unsigned int n = structure->n_contacts();
+  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  for (unsigned int r = 0; r < n; ++r)
+    second[r] = is_fixed[r] != 0 ? 0. : contact_weight(e) / jumps[r] / jumps[r];
+  const double w = weight(e), b = structure->limit(e);
+  const double root = std::hypot(w, b * jumps[n]);
+  second[n] = is_fixed[n] != 0 ? 0. : b * (w / root) * (b / (w + root));
 }
 
 double BarrierJoint::longest_step(const unsigned int e,
-                                  const Jump &jump,
-                                  const Jump &step) const
+                                  const double *jumps,
+                                  const double *steps) const
 {
-  return fixed[e].never_pressed || step.normal >= 0.
-             ? std::numeric_limits<double>::infinity()
-             : -jump.normal / step.normal;
+  const unsigned int n = structure->n_contacts();
+  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  double longest = std::numeric_limits<double>::infinity();
+  for (unsigned int r = 0; r < n; ++r)
+    if (is_fixed[r] == 0 && steps[r] < 0.)
+      longest = std::min(longest, -jumps[r] / steps[r]);
+  return longest;
 }
+
 } // namespace Voussoir

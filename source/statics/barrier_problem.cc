@@ -42,12 +42,10 @@ std::vector<double> start_of_barrier(const SharedProblem &problem,
   double sum_of_weights = 0.;
   for (unsigned int e = 0; e < structure.joints().size(); ++e)
     if (structure.is_own(structure.joints()[e]))
-      sum_of_weights += law.weight(e);
+      sum_of_weights += structure.n_contacts() * law.contact_weight(e);
   double size_of_terms = 0.;
-  for (unsigned int b = 0; b < structure.n_own_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms +=
-          std::abs(structure.loads()[b][i] * u[structure.dof(b, i)]);
+  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+    size_of_terms += std::abs(structure.loads()[k] * u[k]);
   const double resistance = -structure.work(u.data());
   if (resistance > least_resistance * structure.team().sum(size_of_terms))
   {

@@ -19,62 +19,69 @@ DiscreteProblem::DiscreteProblem(const Scene &scene)
 
 DiscreteProblem::DiscreteProblem(const Scene &scene,
                                  const std::vector<bool> &moves)
+    : Structure(*scene.kinematics, *scene.friction)
 {
   choose_scales(scene, moves);
   const Packing &packing = scene.packing;
-
   const double area = packing.area();
   Tensor<1, 2> centroid;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     centroid += packing.area(c) / area * packing.centre(c);
-  centre.reserve(packing.n_cells());
-  load.reserve(packing.n_cells() + 1);
+  own.centres.reserve(packing.n_cells() + 1);
+  own.loads.reserve(n_unknowns() * (packing.n_cells() + 1));
   std::vector<unsigned int> body(packing.n_cells() + 1);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (moves[c])
     {
-      body[c] = centre.size();
-      centre.push_back((packing.centre(c) - centroid) / length_unit);
-      load.push_back(scene.load[c] / (stress_unit * length_unit));
+      body[c] = own.centres.size();
+      own.centres.push_back((packing.centre(c) - centroid) / length_unit);
+      const Tensor<1, 2> load = scene.load[c] / (stress_unit * length_unit);
+      own.loads.insert(own.loads.end(), {load[0], load[1]});
+      own.loads.resize(n_unknowns() * own.centres.size());
     }
+  n_moving_cells = own.centres.size();
   for (unsigned int c = 0; c <= packing.n_cells(); ++c)
     if (c == packing.ground() || !moves[c])
       body[c] = n_cells();
-
-  joint_list.reserve(packing.interfaces().size());
-  bool has_ground = false;
-  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  const std::size_t n_interfaces = packing.interfaces().size();
+  own.joints.list.reserve(n_interfaces);
+  own.joints.direction.reserve(n_rows() * n_interfaces);
+  bool rests_on_ground = false;
+  for (unsigned int e = 0; e < n_interfaces; ++e)
   {
-    add_joint(scene, e, body);
-    has_ground |=
-        !joint_list.empty() && joint_list.back().cell_plus == n_cells();
+    add_interface(scene, e, body);
+    rests_on_ground |=
+        !joints().empty() && joints().back().cell_plus == n_cells();
   }
-  if (has_ground)
-    load.emplace_back();
+  if (rests_on_ground)
+  {
+    own.centres.emplace_back();
+    own.loads.resize(n_unknowns() * own.centres.size());
+  }
   connect_groups();
   balance_loads();
 }
 
 /** Joints with the ground have it as c+; those within it are none. */
-void DiscreteProblem::add_joint(const Scene &scene,
-                                const unsigned int interface,
-                                const std::vector<unsigned int> &body)
+void DiscreteProblem::add_interface(const Scene &scene,
+                                    const unsigned int interface,
+                                    const std::vector<unsigned int> &body)
 {
   const Packing::Interface &i = scene.packing.interfaces()[interface];
   unsigned int minus = body[i.cell_minus], plus = body[i.cell_plus];
-  Tensor<1, 2> normal = i.normal, tangent = i.tangent();
+  JointFrame frame = {i.normal, i.tangent()};
   if (minus == n_cells() && plus == n_cells())
     return;
   if (minus == n_cells())
   {
     std::swap(minus, plus);
-    normal *= -1.;
-    tangent *= -1.;
+    frame.normal *= -1.;
+    frame.tangent *= -1.;
   }
   const double length = i.length / length_unit;
-  joint_list.push_back({minus, plus, normal, tangent, length,
-                        scene.packing.distance(i) / length_unit,
-                        scene.strength[interface] / stress_unit * length});
+  add_joint({minus, plus, length, scene.packing.distance(i) / length_unit,
+             scene.strength[interface] / stress_unit * length},
+            frame);
 }
 
 /** Find the lowest body of each connected group. */
@@ -87,7 +94,7 @@ void DiscreteProblem::connect_groups()
       b = group[b] = group[group[b]];
     return b;
   };
-  for (const Joint &joint : joint_list)
+  for (const Joint &joint : joints())
   {
     const unsigned int a = root_of(joint.cell_minus);
     const unsigned int b = root_of(joint.cell_plus);
@@ -128,56 +135,79 @@ void DiscreteProblem::balance_loads()
 {
   // With many cells the sum of doubles would be off by more than a solver's
   // tolerance.
-  using Sum = std::array<long double, 2>;
-  const bool has_ground = n_bodies() > n_cells();
-  std::vector<Sum> sum(n_bodies(), Sum{{0., 0.}});
+  using Sum = std::array<long double, 3>;
+  const unsigned int n = n_unknowns();
+  std::vector<Sum> sum(n_bodies(), Sum{{0., 0., 0.}});
   std::vector<unsigned int> size(n_bodies(), 0);
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
-    for (unsigned int i = 0; i < 2; ++i)
-      sum[group[b]][i] += load[b][i];
+    for (unsigned int i = 0; i < n; ++i)
+      sum[group[b]][i] += own.loads[dof(b, i)];
     ++size[group[b]];
   }
   for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!has_ground || group[b] != group.back())
-        load[b][i] -= sum[group[b]][i] / size[group[b]];
+    for (unsigned int i = 0; i < n; ++i)
+      if (!has_ground() || group[b] != group.back())
+        own.loads[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
       else if (b == n_cells())
-        load[b][i] = -sum[group[b]][i];
+        own.loads[dof(b, i)] = -sum[group[b]][i];
 }
 
-void DiscreteProblem::remove_translations(std::vector<double> &u) const
+void DiscreteProblem::subtract(const std::vector<Motion> &motion_of_group,
+                               std::vector<double> &u) const
 {
-  const bool has_ground = n_bodies() > n_cells();
-  std::vector<Tensor<1, 2>> sum(n_bodies());
+  std::array<double, 3> unknowns;
+  for (unsigned int b = 0; b < n_bodies(); ++b)
+  {
+    const Motion &motion = motion_of_group[group[b]];
+    for (unsigned int k = 0; k < kinematics().n_rigid_motions(); ++k)
+    {
+      kinematics().find_rigid_motion(k, centres()[b] - motion.about,
+                                     unknowns.data());
+      for (unsigned int i = 0; i < n_unknowns(); ++i)
+        u[dof(b, i)] -= motion.size[k] * unknowns[i];
+    }
+  }
+}
+
+void DiscreteProblem::remove_rigid_motions(std::vector<double> &u) const
+{
+  std::vector<Motion> motion(n_bodies());
   std::vector<unsigned int> size(n_bodies(), 0);
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
-    for (unsigned int i = 0; i < 2; ++i)
-      sum[group[b]][i] += u[dof(b, i)];
+    for (unsigned int i = 0; i < n_unknowns(); ++i)
+      motion[group[b]].size[i] += u[dof(b, i)];
+    motion[group[b]].about += centres()[b];
     ++size[group[b]];
   }
-  if (has_ground)
-  {
-    size[group.back()] = 1;
-    for (unsigned int i = 0; i < 2; ++i)
-      sum[group.back()][i] = u[dof(n_cells(), i)];
-  }
   for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
+    if (size[b] > 0)
+    {
+      motion[b].about /= size[b];
+      for (double &mean : motion[b].size)
+        mean /= size[b];
+    }
+  if (has_ground())
+  {
+    motion[group.back()].about = centres().back();
+    for (unsigned int i = 0; i < n_unknowns(); ++i)
+      motion[group.back()].size[i] = u[dof(n_cells(), i)];
+  }
+  subtract(motion, u);
 }
 
 void DiscreteProblem::hold_bodies(std::vector<double> &u) const
 {
-  std::vector<Tensor<1, 2>> held(n_bodies());
+  std::vector<Motion> motion(n_bodies());
   for (unsigned int b = 0; b < n_bodies(); ++b)
     if (is_held(b))
-      for (unsigned int i = 0; i < 2; ++i)
-        held[group[b]][i] = u[dof(b, i)];
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[dof(b, i)] -= held[group[b]][i];
+    {
+      motion[group[b]].about = centres()[b];
+      for (unsigned int i = 0; i < n_unknowns(); ++i)
+        motion[group[b]].size[i] = u[dof(b, i)];
+    }
+  subtract(motion, u);
 }
 
 std::vector<Tensor<1, 2>>
@@ -191,25 +221,9 @@ DiscreteProblem::displacement_of_cells(const std::vector<double> &u,
   return displacement;
 }
 
-unsigned int DiscreteProblem::n_cells() const
-{
-  return centre.size();
-}
-
-bool DiscreteProblem::is_loaded() const
-{
-  return has_load;
-}
-
-const std::vector<Tensor<1, 2>> &DiscreteProblem::centres() const
-{
-  return centre;
-}
-
 bool DiscreteProblem::is_held(const unsigned int body) const
 {
-  const bool with_ground =
-      n_bodies() > n_cells() && group[body] == group.back();
+  const bool with_ground = has_ground() && group[body] == group.back();
   return with_ground ? body == n_cells() : body == group[body];
 }
 
@@ -217,7 +231,7 @@ DiscreteProblem
 DiscreteProblem::with_strengths_up_to(const double strength) const
 {
   DiscreteProblem problem(*this);
-  for (Joint &joint : problem.joint_list)
+  for (Joint &joint : problem.own.joints.list)
     joint.strength = std::min(joint.strength, strength * joint.length);
   return problem;
 }
@@ -225,22 +239,8 @@ DiscreteProblem::with_strengths_up_to(const double strength) const
 DiscreteProblem DiscreteProblem::without_loads() const
 {
   DiscreteProblem problem(*this);
-  problem.load.assign(n_bodies(), Tensor<1, 2>());
+  problem.own.loads.assign(n_dofs(), 0.);
   return problem;
 }
 
-double DiscreteProblem::length_scale() const
-{
-  return length_unit;
-}
-
-double DiscreteProblem::stress_scale() const
-{
-  return stress_unit;
-}
-
-double DiscreteProblem::rounding_of_coordinates() const
-{
-  return coordinate_rounding;
-}
 } // namespace Voussoir

@@ -22,7 +22,7 @@ std::vector<unsigned int> held_unknowns(const DiscreteProblem &problem)
   std::vector<unsigned int> held;
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     if (problem.is_held(b))
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < problem.n_unknowns(); ++i)
         held.push_back(problem.dof(b, i));
   return held;
 }
@@ -31,13 +31,16 @@ std::vector<unsigned int> held_unknowns(const DiscreteProblem &problem)
 std::vector<unsigned int> loose_unknowns(const DiscreteProblem &problem)
 {
   std::vector<bool> is_loose(problem.n_bodies(), true);
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    if (joint.strength > hardly_any_strength * joint.length)
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const DiscreteProblem::Joint &joint = problem.joints()[e];
+    if (problem.limit(e) > hardly_any_strength * joint.length)
       is_loose[joint.cell_minus] = is_loose[joint.cell_plus] = false;
+  }
   std::vector<unsigned int> loose;
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     if (is_loose[b])
-      for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int i = 0; i < problem.n_unknowns(); ++i)
         loose.push_back(problem.dof(b, i));
   return loose;
 }
@@ -77,6 +80,27 @@ Stop stop_of(const IpoptResult &result)
   }
 }
 } // namespace
+
+void add_jump_entries(const DiscreteProblem &problem,
+                      const unsigned int e,
+                      const unsigned int r,
+                      const double factor,
+                      const unsigned int row,
+                      std::vector<ConvexProgram::Entry> &entries)
+{
+  const ContactRow of = problem.row(e, r);
+  const double turns[] = {-of.turn_minus, of.turn_plus};
+  const DiscreteProblem::Joint &joint = problem.joints()[e];
+  for (const int side : {0, 1})
+  {
+    const unsigned int body = side == 0 ? joint.cell_minus : joint.cell_plus;
+    const double sign = side == 0 ? -factor : factor;
+    for (unsigned int i = 0; i < 2; ++i)
+      entries.push_back({row, problem.dof(body, i), sign * of.direction[i]});
+    if (problem.n_unknowns() > 2)
+      entries.push_back({row, problem.dof(body, 2), factor * turns[side]});
+  }
+}
 
 ProgramResult solve_program(const DiscreteProblem &problem,
                             DisplacementProgram &program,

@@ -104,22 +104,31 @@ ElasticJoint::ElasticJoint(const Structure &structure) : structure(structure)
 {
 }
 
-JointLaw::Jump ElasticJoint::force(const unsigned int e, const Jump &jump) const
+void ElasticJoint::find_forces(const unsigned int e,
+                               const double *jumps,
+                               double *forces) const
 {
   const Joint &joint = structure.joints()[e];
-  const double k = joint.stiffness();
-  return {k * std::min(jump.normal, 0.),
-          std::clamp(k * jump.tangential, -joint.strength, joint.strength)};
+  const unsigned int n = structure.n_contacts();
+  double normal = 0.;
+  for (unsigned int r = 0; r < n; ++r)
+  {
+    forces[r] = structure.contact_stiffness(e) * std::min(jumps[r], 0.);
+    normal += forces[r];
+  }
+  forces[n] = structure.friction().projection(joint.strength, normal,
+                                              joint.stiffness() * jumps[n]);
 }
 
-JointLaw::Jump ElasticJoint::second_derivative(const unsigned int e,
-                                               const Jump &jump) const
+void ElasticJoint::find_second_derivatives(const unsigned int e,
+                                           const double *jumps,
+                                           double *second) const
 {
-  const Joint &joint = structure.joints()[e];
-  const double k = joint.stiffness();
-  const bool touches = jump.normal <= 0.;
-  const bool sticks = k * std::abs(jump.tangential) < joint.strength;
-  return {touches ? k : 0., sticks ? k : 0.};
+  const unsigned int n = structure.n_contacts();
+  for (unsigned int r = 0; r < n; ++r)
+    second[r] = jumps[r] <= 0. ? structure.contact_stiffness(e) : 0.;
+  const double k = structure.joints()[e].stiffness();
+  second[n] = k * std::abs(jumps[n]) < structure.limit(e) ? k : 0.;
 }
 
 Solution minimise_elastic(const SharedProblem &problem,

@@ -10,7 +10,6 @@
 namespace Voussoir
 {
 using Joint = DiscreteProblem::Joint;
-using Jump = DiscreteProblem::Jump;
 
 namespace
 {
@@ -30,57 +29,88 @@ constexpr double largest_shift = 1.;
 
 /** The sum of all forces on each body, n_dofs() numbers. */
 std::vector<double> imbalance(const DiscreteProblem &problem,
-                              const InterfaceForces &forces)
+                              const std::vector<double> &forces)
 {
   std::vector<double> sum(problem.n_dofs());
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    problem.add_jump_gradient(problem.joints()[e],
-                              {-forces.normal[e], -forces.tangential[e]},
-                              sum.data());
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      sum[problem.dof(b, i)] += problem.loads()[b][i];
+  for (std::size_t e = 0; e < problem.joints().size(); ++e)
+    problem.add_jump_gradient(e, &forces[e * problem.n_rows()], sum.data());
+  for (unsigned int k = 0; k < sum.size(); ++k)
+    sum[k] = problem.loads()[k] - sum[k];
   return sum;
 }
 
+/** The forces of one joint beside its limits. */
+struct OfJoint
+{
+  OfJoint(const DiscreteProblem &problem,
+          const unsigned int e,
+          const std::vector<double> &forces)
+      : joint(problem.joints()[e])
+  {
+    const std::size_t first = std::size_t(e) * problem.n_rows();
+    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    {
+      normal += forces[first + r];
+      tension = std::max(tension, forces[first + r]);
+    }
+    tangential = forces[first + problem.n_contacts()];
+  }
+  const Joint &joint;
+  double normal = 0., tension = 0., tangential = 0.;
+};
+
 /** The largest force that is missing to a balance, or beyond its limit. */
-double error(const DiscreteProblem &problem, const InterfaceForces &forces)
+double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 {
   double largest = 0.;
   for (const double component : imbalance(problem, forces))
     largest = std::max(largest, std::abs(component));
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    largest = std::max(
-        {largest, forces.normal[e],
-         std::abs(forces.tangential[e]) - problem.joints()[e].strength});
+  {
+    const OfJoint of(problem, e, forces);
+    largest = std::max({largest, of.tension,
+                        problem.friction().violation(
+                            of.joint.strength, of.normal, of.tangential)});
+  }
   return largest;
 }
 
-void move_into_limits(const DiscreteProblem &problem, InterfaceForces &forces)
+void move_into_limits(const DiscreteProblem &problem,
+                      std::vector<double> &forces)
 {
+  const unsigned int n = problem.n_contacts();
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const double strength = problem.joints()[e].strength;
-    forces.normal[e] = std::min(forces.normal[e], 0.);
-    forces.tangential[e] =
-        std::clamp(forces.tangential[e], -strength, strength);
+    double *of_joint = &forces[std::size_t(e) * problem.n_rows()];
+    for (unsigned int r = 0; r < n; ++r)
+      of_joint[r] = std::min(of_joint[r], 0.);
+    const OfJoint of(problem, e, forces);
+    of_joint[n] = problem.friction().projection(of.joint.strength, of.normal,
+                                                of.tangential);
   }
 }
 
 /** (|e|/d_e) w_e, which turns a jump into a force. */
-std::vector<Jump> weighted_stiffnesses(const DiscreteProblem &problem,
-                                       const InterfaceForces &forces)
+std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
+                                         const std::vector<double> &forces)
 {
-  std::vector<Jump> stiffness(problem.joints().size());
-  for (unsigned int e = 0; e < stiffness.size(); ++e)
+  const unsigned int n = problem.n_contacts();
+  std::vector<double> stiffness(forces.size());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const Joint &joint = problem.joints()[e];
-    const auto weight = [&](const double slack) {
-      return joint.stiffness() *
-             std::min(1., slack / (ample_slack * joint.length));
+    const OfJoint of(problem, e, forces);
+    const std::size_t first = std::size_t(e) * problem.n_rows();
+    const auto weight = [&](const double slack, const double share) {
+      return std::min(1., slack / (ample_slack * of.joint.length * share));
     };
-    stiffness[e] = {weight(-forces.normal[e]),
-                    weight(joint.strength - std::abs(forces.tangential[e]))};
+    for (unsigned int r = 0; r < n; ++r)
+      stiffness[first + r] =
+          problem.contact_stiffness(e) * weight(-forces[first + r], 1. / n);
+    stiffness[first + n] =
+        of.joint.stiffness() *
+        weight(problem.friction().limit(of.joint.strength, -of.normal) -
+                   std::abs(of.tangential),
+               1.);
   }
   return stiffness;
 }
@@ -88,9 +118,9 @@ std::vector<Jump> weighted_stiffnesses(const DiscreteProblem &problem,
 /** Add the smallest correction that balances; false if rounding prevents it. */
 bool correct(const DiscreteProblem &problem,
              JointSystem &system,
-             InterfaceForces &forces)
+             std::vector<double> &forces)
 {
-  const std::vector<Jump> stiffness = weighted_stiffnesses(problem, forces);
+  const std::vector<double> stiffness = weighted_stiffnesses(problem, forces);
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
     if ((shift *= factor_of_shift) > largest_shift)
@@ -99,27 +129,24 @@ bool correct(const DiscreteProblem &problem,
   {
     // Bodies move the way that they are pushed, and joints push back.
     const std::vector<double> u = system.solve(imbalance(problem, forces));
-    for (unsigned int e = 0; e < stiffness.size(); ++e)
-    {
-      const Jump jump = problem.jump(problem.joints()[e], u.data());
-      forces.normal[e] += stiffness[e].normal * jump.normal;
-      forces.tangential[e] += stiffness[e].tangential * jump.tangential;
-    }
+    const std::vector<double> jumps = problem.jumps(u);
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      forces[k] += stiffness[k] * jumps[k];
   }
   return true;
 }
 } // namespace
 
-InterfaceForces equilibrate(const DiscreteProblem &problem,
-                            const InterfaceForces &forces)
+std::vector<double> equilibrate(const DiscreteProblem &problem,
+                                const std::vector<double> &forces)
 {
-  InterfaceForces best = forces;
+  std::vector<double> best = forces;
   double least = error(problem, best);
   if (problem.joints().empty() || !(least > rounding))
     return best;
 
   JointSystem system(problem, LinearSolver::automatic);
-  InterfaceForces trial = forces;
+  std::vector<double> trial = forces;
   double before = std::numeric_limits<double>::infinity();
   for (unsigned int k = 0; k < n_max_rounds && least > rounding; ++k)
   {

@@ -12,7 +12,6 @@ namespace
 {
 using dealii::Tensor;
 using Joint = DiscreteProblem::Joint;
-using Jump = DiscreteProblem::Jump;
 
 /**
  * The cosine of the angle between a support and the way that the ground is
@@ -44,16 +43,26 @@ public:
   {
   }
 
-  Jump force(const unsigned int e, const Jump &jump) const override
+  void find_forces(const unsigned int e,
+                   const double *jumps,
+                   double *forces) const override
   {
-    const Joint &joint = problem.joints()[e];
-    return {joint.stiffness() * std::min(jump.normal - joint.distance, 0.), 0.};
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int r = 0; r < n; ++r)
+      forces[r] = problem.contact_stiffness(e) *
+                  std::min(jumps[r] - problem.joints()[e].distance, 0.);
+    forces[n] = 0.;
   }
-
-  Jump second_derivative(const unsigned int e, const Jump &jump) const override
+  void find_second_derivatives(const unsigned int e,
+                               const double *jumps,
+                               double *second) const override
   {
-    const Joint &joint = problem.joints()[e];
-    return {jump.normal < joint.distance ? joint.stiffness() : 0., 0.};
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int r = 0; r < n; ++r)
+      second[r] = jumps[r] < problem.joints()[e].distance
+                      ? problem.contact_stiffness(e)
+                      : 0.;
+    second[n] = 0.;
   }
 
 private:
@@ -71,15 +80,20 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   Tensor<1, 2> mean_normal, mean_point;
   double length = 0.;
   const auto for_supports = [&](const auto &visit) {
-    for (const Joint &joint : problem.joints())
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    {
+      const Joint &joint = problem.joints()[e];
       if (joint.cell_plus == problem.n_cells())
-        visit(joint, problem.centres()[joint.cell_minus] +
-                         joint.distance * joint.normal);
+        visit(joint.length, problem.normal(e),
+              problem.centres()[joint.cell_minus] +
+                  joint.distance * problem.normal(e));
+    }
   };
-  for_supports([&](const Joint &joint, const Tensor<1, 2> &point) {
-    mean_normal += joint.length * joint.normal;
-    mean_point += joint.length * point;
-    length += joint.length;
+  for_supports([&](const double share, const Tensor<1, 2> &normal,
+                   const Tensor<1, 2> &point) {
+    mean_normal += share * normal;
+    mean_point += share * point;
+    length += share;
   });
   ground = mean_point / length;
   if (!(mean_normal.norm() > least_cosine * length))
@@ -88,13 +102,14 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   const Tensor<1, 2> back = mean_normal / mean_normal.norm();
   double distance = 0.;
   bool all_face_back = true;
-  for_supports([&](const Joint &joint, const Tensor<1, 2> &point) {
-    const double cosine = joint.normal * back;
-    if (cosine > least_cosine)
-      distance = std::max(distance, (point - ground) * joint.normal / cosine);
-    else
-      all_face_back = false;
-  });
+  for_supports(
+      [&](double, const Tensor<1, 2> &normal, const Tensor<1, 2> &point) {
+        const double cosine = normal * back;
+        if (cosine > least_cosine)
+          distance = std::max(distance, (point - ground) * normal / cosine);
+        else
+          all_face_back = false;
+      });
   ground += distance * back;
   return all_face_back;
 }
@@ -112,10 +127,11 @@ std::vector<double> open_along(const DiscreteProblem &problem,
                                std::vector<double> u)
 {
   double length = 0.;
-  for (const Joint &joint : problem.joints())
-    length = std::max(length,
-                      (joint.distance - problem.jump(joint, u.data()).normal) /
-                          problem.jump(joint, ray.data()).normal);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+      length = std::max(length, (problem.joints()[e].distance -
+                                 problem.jump(e, r, u.data())) /
+                                    problem.jump(e, r, ray.data()));
   for (unsigned int k = 0; k < u.size(); ++k)
     u[k] += length * ray[k];
   return u;
@@ -123,21 +139,16 @@ std::vector<double> open_along(const DiscreteProblem &problem,
 
 /** The forces of the springs, mended by equilibrate() if that helps. */
 std::vector<double> self_stress_near(const DiscreteProblem &smooth,
-                                     const std::vector<Jump> &forces)
+                                     const std::vector<double> &forces)
 {
-  std::vector<double> p(forces.size());
-  InterfaceForces pushes;
-  pushes.tangential.resize(forces.size());
-  for (unsigned int e = 0; e < forces.size(); ++e)
-  {
-    p[e] = -forces[e].normal;
-    pushes.normal.push_back(forces[e].normal);
-  }
-  if (is_self_stress(smooth, p))
-    return p;
-  const InterfaceForces balanced = equilibrate(smooth, pushes);
-  for (unsigned int e = 0; e < forces.size(); ++e)
-    p[e] = std::max(-balanced.normal[e], 0.);
+  const auto pushes = [](std::vector<double> f) {
+    for (double &force : f)
+      force = std::max(-force, 0.);
+    return f;
+  };
+  std::vector<double> p = pushes(forces);
+  if (!is_self_stress(smooth, p))
+    p = pushes(equilibrate(smooth, forces));
   return is_self_stress(smooth, p) ? p : std::vector<double>();
 }
 
@@ -158,8 +169,9 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
     const double length = newton.step(shift, before);
     bool all_open = true;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      all_open &= newton.jumps()[e].normal >
-                  least_opening * problem.joints()[e].distance;
+      for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+        all_open &= newton.jumps()[std::size_t(e) * problem.n_rows() + r] >
+                    least_opening * problem.joints()[e].distance;
     if (all_open && opens_all_joints(problem, newton.u()))
       return {newton.u(), {}};
 
@@ -188,11 +200,11 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
 bool opens_all_joints(const DiscreteProblem &problem,
                       const std::vector<double> &u)
 {
-  for (const Joint &joint : problem.joints())
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const Jump jump = problem.jump(joint, u.data());
-    if (!(jump.normal > error_of_normal(problem, joint) *
-                            std::hypot(jump.normal, jump.tangential)))
+    const double opening = problem.opening(e, u.data());
+    if (!(opening > error_of_normal(problem, problem.joints()[e]) *
+                        std::hypot(opening, problem.sliding(e, u.data()))))
       return false;
   }
   return true;
@@ -203,13 +215,16 @@ bool is_self_stress(const DiscreteProblem &problem,
 {
   std::vector<double> sum(problem.n_dofs());
   double rounding = 0.;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  const unsigned int n_rows = problem.n_rows();
+  for (std::size_t e = 0, k = 0; k < p.size(); ++e, k += n_rows)
   {
-    const Joint &joint = problem.joints()[e];
-    if (!(p[e] >= 0.))
-      return false;
-    rounding += p[e] * error_of_normal(problem, joint);
-    problem.add_jump_gradient(joint, {p[e], 0.}, sum.data());
+    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    {
+      if (!(p[k + r] >= 0.))
+        return false;
+      rounding += p[k + r] * error_of_normal(problem, problem.joints()[e]);
+    }
+    problem.add_jump_gradient(e, &p[k], sum.data());
   }
   double left = 0.;
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
@@ -225,7 +240,7 @@ Opening find_opening(const DiscreteProblem &problem)
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
     for (unsigned int i = 0; i < 2; ++i)
       u[problem.dof(c, i)] = problem.centres()[c][i];
-  if (problem.n_bodies() == problem.n_cells())
+  if (!problem.has_ground())
     return {u, {}};
   Tensor<1, 2> ground;
   if (!draw_back_ground(problem, ground))
@@ -238,8 +253,8 @@ Opening find_opening(const DiscreteProblem &problem)
 
 const Opening &opening_of(const DiscreteProblem &problem)
 {
-  if (!problem.opening)
-    problem.opening = find_opening(problem);
-  return *problem.opening;
+  if (!problem.found_opening)
+    problem.found_opening = find_opening(problem);
+  return *problem.found_opening;
 }
 } // namespace Voussoir

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/equilibrate.h>
 #include <voussoir/statics/find_opening.h>
@@ -13,29 +14,16 @@ namespace Voussoir
 namespace
 {
 /** The largest |a - b|, over the largest force of both; zero for no forces. */
-double relative_change(const InterfaceForces &a, const InterfaceForces &b)
+double relative_change(const std::vector<double> &a,
+                       const std::vector<double> &b)
 {
   double change = 0., largest = 0.;
-  const auto compare = [&](const std::vector<double> &x,
-                           const std::vector<double> &y) {
-    for (unsigned int e = 0; e < x.size(); ++e)
-    {
-      change = std::max(change, std::abs(x[e] - y[e]));
-      largest = std::max({largest, std::abs(x[e]), std::abs(y[e])});
-    }
-  };
-  compare(a.normal, b.normal);
-  compare(a.tangential, b.tangential);
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    change = std::max(change, std::abs(a[k] - b[k]));
+    largest = std::max({largest, std::abs(a[k]), std::abs(b[k])});
+  }
   return largest > 0. ? change / largest : 0.;
-}
-
-InterfaceForces times(const double factor, InterfaceForces forces)
-{
-  for (double &f : forces.normal)
-    f *= factor;
-  for (double &f : forces.tangential)
-    f *= factor;
-  return forces;
 }
 
 /** The unit of a force per unit thickness. */
@@ -51,15 +39,27 @@ Solution Formulation::solve(const DiscreteProblem &problem,
 {
   if (!problem.joints().empty() && problem.is_loaded())
   {
-    Solution solution = select(problem, controls, terminal);
+    Solution solution;
+    try
+    {
+      solution = select(problem, controls, terminal);
+    }
+    catch (const NewtonFailure &failure)
+    {
+      const bool too_stiff = failure.cause == NewtonFailure::Cause::stiffness;
+      throw SolverError(failure.what() +
+                        std::string(too_stiff
+                                        ? " Lower 'Friction/Strength', or"
+                                          " take another 'Formulation'."
+                                        : " Take another 'Formulation'."));
+    }
     if (controls.equilibrate && !solution.mechanism)
       equilibrate_solution(problem, solution);
     return solution;
   }
 
   Solution nothing;
-  nothing.forces.normal.resize(problem.joints().size());
-  nothing.forces.tangential.resize(problem.joints().size());
+  nothing.forces.resize(problem.n_all_rows());
   nothing.displacement.resize(problem.n_cells());
   nothing.stop = Stop::Reason::nothing_to_balance;
   return nothing;
@@ -67,7 +67,7 @@ Solution Formulation::solve(const DiscreteProblem &problem,
 
 void equilibrate_solution(const DiscreteProblem &problem, Solution &solution)
 {
-  InterfaceForces balanced = equilibrate(problem, solution.forces);
+  std::vector<double> balanced = equilibrate(problem, solution.forces);
   solution.correction = relative_change(solution.forces, balanced);
   solution.forces = std::move(balanced);
 }
@@ -95,12 +95,27 @@ void require_interior(const DiscreteProblem &problem,
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution)
 {
-  return times(force_scale(problem), solution.forces);
+  const double unit = force_scale(problem);
+  InterfaceForces forces;
+  for (std::size_t k = 0; k < solution.forces.size(); k += problem.n_rows())
+  {
+    forces.normal.push_back(unit * solution.forces[k]);
+    forces.tangential.push_back(unit * solution.forces[k + 1]);
+  }
+  return forces;
 }
 
-InterfaceForces nondimensional_forces(const DiscreteProblem &problem,
-                                      InterfaceForces forces)
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const InterfaceForces &forces)
 {
-  return times(1. / force_scale(problem), std::move(forces));
+  const double factor = 1. / force_scale(problem);
+  std::vector<double> result;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    result.push_back(factor * forces.normal[e]);
+    result.push_back(factor * forces.tangential[e]);
+  }
+  return result;
 }
+
 } // namespace Voussoir

@@ -3,8 +3,10 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/hard_contact.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace Voussoir
 {
@@ -38,9 +40,9 @@ bool converges(Newton &newton, const double tolerance)
 }
 
 /** Go on from the minimum as long as the forces come to balance better. */
-std::vector<JointLaw::Jump> most_balanced(Newton &newton)
+std::vector<double> most_balanced(Newton &newton)
 {
-  std::vector<JointLaw::Jump> forces = newton.forces();
+  std::vector<double> forces = newton.forces();
   double least = newton.imbalance();
   for (unsigned int k = 0; k < n_max_steps && least > rounding; ++k)
   {
@@ -58,33 +60,41 @@ std::vector<JointLaw::Jump> most_balanced(Newton &newton)
 }
 } // namespace
 
-HardJoint::HardJoint(const SmoothedJoint &friction, const double mu)
-    : friction(friction), mu(mu)
+HardJoint::HardJoint(const SmoothedJoint &friction,
+                     const unsigned int n_contacts,
+                     const double mu)
+    : friction(friction), n_contacts(n_contacts), mu(mu)
 {
 }
 
-JointLaw::Jump HardJoint::force(const unsigned int e, const Jump &jump) const
+void HardJoint::find_forces(const unsigned int e,
+                            const double *jumps,
+                            double *forces) const
 {
-  Jump force = friction.force(e, jump);
-  force.normal = jump.normal > 0. ? -mu / jump.normal
-                                  : -std::numeric_limits<double>::infinity();
-  return force;
+  friction.find_forces(e, jumps, forces);
+  for (unsigned int r = 0; r < n_contacts; ++r)
+    forces[r] = jumps[r] > 0. ? -mu / jumps[r]
+                              : -std::numeric_limits<double>::infinity();
 }
 
-JointLaw::Jump HardJoint::second_derivative(const unsigned int e,
-                                            const Jump &jump) const
+void HardJoint::find_second_derivatives(const unsigned int e,
+                                        const double *jumps,
+                                        double *second) const
 {
-  Jump second = friction.second_derivative(e, jump);
-  second.normal = mu / jump.normal / jump.normal;
-  return second;
+  friction.find_second_derivatives(e, jumps, second);
+  for (unsigned int r = 0; r < n_contacts; ++r)
+    second[r] = mu / jumps[r] / jumps[r];
 }
 
 double HardJoint::longest_step(const unsigned int /*e*/,
-                               const Jump &jump,
-                               const Jump &step) const
+                               const double *jumps,
+                               const double *steps) const
 {
-  return step.normal >= 0. ? std::numeric_limits<double>::infinity()
-                           : -jump.normal / step.normal;
+  double longest = std::numeric_limits<double>::infinity();
+  for (unsigned int r = 0; r < n_contacts; ++r)
+    if (steps[r] < 0.)
+      longest = std::min(longest, -jumps[r] / steps[r]);
+  return longest;
 }
 
 void refine_hard_contact(const DiscreteProblem &problem,
@@ -93,12 +103,12 @@ void refine_hard_contact(const DiscreteProblem &problem,
                          const double tolerance,
                          Solution &solution)
 {
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    if (!(problem.jump(joint, u.data()).normal > 0.))
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    if (!(problem.opening(e, u.data()) > 0.))
       return; // by rounding; the energy has no value there
   JointSystem system(problem, LinearSolver::automatic);
   Newton newton(problem, law, system, u);
-  std::vector<JointLaw::Jump> forces;
+  std::vector<double> forces;
   try
   {
     if (!converges(newton, tolerance))
@@ -109,11 +119,7 @@ void refine_hard_contact(const DiscreteProblem &problem,
   {
     return; // Ipopt's forces stand
   }
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    solution.forces.normal[e] = forces[e].normal;
-    solution.forces.tangential[e] = forces[e].tangential;
-  }
+  solution.forces = std::move(forces);
   solution.n_iterations += newton.n_iterations();
   solution.n_evaluations += newton.n_evaluations();
   u = newton.u();

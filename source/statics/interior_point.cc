@@ -9,7 +9,6 @@
 namespace Voussoir
 {
 using Joint = Structure::Joint;
-using Jump = Structure::Jump;
 
 namespace
 {
@@ -55,9 +54,8 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
                              const std::vector<JointCost> &costs,
                              const Aim aim)
     : problem(problem), aim(aim), system(problem, LinearSolver::automatic),
-      displacement(problem.n_dofs(), 0.),
-      alpha(aim == Aim::load_factor ? 0. : 1.),
-      stiffness(problem.joints().size())
+      n_contacts(problem.n_contacts()), displacement(problem.n_dofs(), 0.),
+      alpha(aim == Aim::load_factor ? 0. : 1.), stiffness(problem.n_all_rows())
 {
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
@@ -69,8 +67,10 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
          aim == Aim::load_factor
              ? compliance_of_rigid_joints / joint.stiffness()
              : 0.,
-         weight, joint.length, joint.distance,
-         FrictionCone(joint.strength, costs[e].smoothing, weight)});
+         weight, FrictionCone(problem.limit(e), costs[e].smoothing, weight)});
+    for (unsigned int r = 0; r < n_contacts; ++r)
+      contacts.push_back(
+          {weight / n_contacts, joint.length / n_contacts, joint.distance});
   }
 }
 
@@ -99,13 +99,14 @@ bool InteriorPoint::step()
 /** The forces that are missing to the balance of each body. */
 std::vector<double> InteriorPoint::missing_forces() const
 {
-  std::vector<double> missing(problem.n_dofs(), 0.);
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      missing[problem.dof(b, i)] = alpha * problem.loads()[b][i];
+  std::vector<double> missing(problem.loads());
+  for (double &load : missing)
+    load *= alpha;
+  std::vector<double> pushes = forces();
+  for (double &force : pushes)
+    force = -force;
   for (unsigned int e = 0; e < states.size(); ++e)
-    problem.add_jump_gradient(problem.joints()[e],
-                              {states[e].p, -states[e].friction.force()},
+    problem.add_jump_gradient(e, &pushes[std::size_t(e) * problem.n_rows()],
                               missing.data());
   return missing;
 }
@@ -115,10 +116,13 @@ void InteriorPoint::find_shortages()
   for (unsigned int e = 0; e < states.size(); ++e)
   {
     State &state = states[e];
-    const Jump jump = problem.jump(problem.joints()[e], displacement.data());
-    state.short_z =
-        jump.normal + state.cost.normal_compliance * state.p - state.z;
-    state.short_v = jump.tangential -
+    for (unsigned int r = 0; r < n_contacts; ++r)
+    {
+      Contact &contact = contacts[e * n_contacts + r];
+      contact.short_z = problem.jump(e, r, displacement.data()) +
+                        state.cost.normal_compliance * contact.p - contact.z;
+    }
+    state.short_v = problem.sliding(e, displacement.data()) -
                     state.cost.tangential_compliance * state.friction.force() -
                     state.friction.sliding();
   }
@@ -127,39 +131,34 @@ void InteriorPoint::find_shortages()
 /** Linearise, and prepare the linear system. */
 bool InteriorPoint::prepare()
 {
-  for (unsigned int e = 0; e < states.size(); ++e)
+  for (unsigned int e = 0, k = 0; e < states.size(); ++e)
   {
     State &state = states[e];
-    stiffness[e].normal =
-        state.p /
-        (state.z +
-         (state.cost.normal_compliance + state.extra_compliance) * state.p);
-    stiffness[e].tangential = 0.;
-    if (!state.friction.exists())
-      continue;
-    state.friction.linearise();
-    stiffness[e].tangential =
-        1. / (state.friction.compliance() + state.cost.tangential_compliance +
-              state.extra_compliance);
+    for (unsigned int r = 0; r < n_contacts; ++r, ++k)
+    {
+      const Contact &contact = contacts[e * n_contacts + r];
+      stiffness[k] =
+          contact.p / (contact.z + state.normal_compliance() * contact.p);
+    }
+    stiffness[k] = 0.;
+    if (state.friction.exists())
+    {
+      state.friction.linearise();
+      stiffness[k] =
+          1. / (state.friction.compliance() + state.cost.tangential_compliance +
+                state.extra_compliance);
+    }
+    ++k;
   }
-  const bool finite =
-      std::all_of(stiffness.begin(), stiffness.end(), [](const Jump &k) {
-        return std::isfinite(k.normal) && std::isfinite(k.tangential);
-      });
-  if (!finite)
+  if (!std::all_of(stiffness.begin(), stiffness.end(),
+                   [](const double k) { return std::isfinite(k); }))
     return false;
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
     if ((shift *= factor_of_shift) > largest_shift)
       return false;
   if (aim == Aim::load_factor)
-  {
-    std::vector<double> loads(problem.n_dofs(), 0.);
-    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-      for (unsigned int i = 0; i < 2; ++i)
-        loads[problem.dof(b, i)] = problem.loads()[b][i];
-    u_of_load = solve(loads);
-  }
+    u_of_load = solve(problem.loads());
   return true;
 }
 
@@ -176,7 +175,7 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
   for (unsigned int k = 0; k < n_gradients && least > enough; ++k)
   {
     std::vector<double> z = system.solve(left);
-    problem.remove_translations(z);
+    problem.remove_rigid_motions(z);
     const double now = dot(left, z);
     for (unsigned int i = 0; i < d.size(); ++i)
       d[i] = z[i] + now / previous * d[i];
@@ -184,15 +183,14 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
 
     std::vector<double> force(right.size(), 0.);
     long double energy = 0.;
-    for (unsigned int e = 0; e < states.size(); ++e)
+    std::vector<double> f = problem.jumps(d);
+    for (std::size_t k = 0; k < f.size(); ++k)
     {
-      const Joint &joint = problem.joints()[e];
-      const Jump jump = problem.jump(joint, d.data());
-      const Jump f = {stiffness[e].normal * jump.normal,
-                      stiffness[e].tangential * jump.tangential};
-      problem.add_jump_gradient(joint, f, force.data());
-      energy += f.normal * jump.normal + f.tangential * jump.tangential;
+      energy += stiffness[k] * f[k] * f[k];
+      f[k] *= stiffness[k];
     }
+    for (std::size_t e = 0; e < states.size(); ++e)
+      problem.add_jump_gradient(e, &f[e * problem.n_rows()], force.data());
     const double length = now / energy;
     if (!(now > 0.) || !std::isfinite(length))
       break;
@@ -214,25 +212,31 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
 /** Newton's step to where all products are @p target times their weights. */
 InteriorPoint::Step InteriorPoint::direction(const double target)
 {
-  // The changes of p and q are those below less stiffness times [du].
-  std::vector<Jump> constant(states.size());
+  const std::size_t n_rows = problem.n_rows();
+  // The changes of -p and q are those below plus stiffness times [du].
+  std::vector<double> constant(stiffness.size(), 0.);
   std::vector<double> right = missing_forces();
-  for (unsigned int e = 0; e < states.size(); ++e)
+  for (std::size_t e = 0, k = 0; e < states.size(); ++e, k += n_rows)
   {
     const State &state = states[e];
-    const double aim_at = target * state.weight;
-    constant[e] = {
-        stiffness[e].normal * (aim_at / state.p - state.z - state.short_z), 0.};
+    for (unsigned int r = 0; r < n_contacts; ++r)
+    {
+      const Contact &contact = contacts[e * n_contacts + r];
+      constant[k + r] =
+          -stiffness[k + r] *
+          (target * contact.weight / contact.p - contact.z - contact.short_z);
+    }
     if (state.friction.exists())
-      constant[e].tangential =
-          stiffness[e].tangential *
-          (state.short_v - state.friction.constant(aim_at));
-    problem.add_jump_gradient(problem.joints()[e],
-                              {constant[e].normal, -constant[e].tangential},
-                              right.data());
+      constant[k + n_contacts] =
+          -stiffness[k + n_contacts] *
+          (state.short_v - state.friction.constant(target * state.weight));
   }
-
-  Step step = {solve(right), {}, 0.};
+  std::vector<double> pushes(constant);
+  for (double &force : pushes)
+    force = -force;
+  for (std::size_t e = 0; e < states.size(); ++e)
+    problem.add_jump_gradient(e, &pushes[e * n_rows], right.data());
+  Step step = {solve(right), {}, {}, 0.};
   if (aim == Aim::load_factor)
   {
     // The loads, at a factor of one, do the work one.
@@ -242,22 +246,25 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
     for (unsigned int i = 0; i < step.u.size(); ++i)
       step.u[i] += step.load_factor * u_of_load[i];
   }
-
-  step.joints.reserve(states.size());
-  for (unsigned int e = 0; e < states.size(); ++e)
+  const std::vector<double> jumps = problem.jumps(step.u);
+  step.contacts.reserve(contacts.size());
+  step.frictions.reserve(states.size());
+  for (std::size_t e = 0, k = 0; e < states.size(); ++e, k += n_rows)
   {
     const State &state = states[e];
-    const Jump jump = problem.jump(problem.joints()[e], step.u.data());
-    const double dp = constant[e].normal - stiffness[e].normal * jump.normal;
-    const double dz =
-        jump.normal + state.short_z +
-        (state.cost.normal_compliance + state.extra_compliance) * dp;
-    FrictionCone::Step friction = {0., 0., 0., 0.};
-    if (state.friction.exists())
-      friction = state.friction.step(
-          target * state.weight,
-          constant[e].tangential + stiffness[e].tangential * jump.tangential);
-    step.joints.push_back({dp, dz, friction});
+    for (unsigned int r = 0; r < n_contacts; ++r)
+    {
+      const double dp = -constant[k + r] - stiffness[k + r] * jumps[k + r];
+      step.contacts.push_back({dp, jumps[k + r] +
+                                       contacts[e * n_contacts + r].short_z +
+                                       state.normal_compliance() * dp});
+    }
+    const std::size_t t = k + n_contacts;
+    step.frictions.push_back(
+        state.friction.exists()
+            ? state.friction.step(target * state.weight,
+                                  constant[t] + stiffness[t] * jumps[t])
+            : FrictionCone::Step{0., 0., 0., 0.});
   }
   return step;
 }
@@ -269,44 +276,45 @@ InteriorPoint::Parts InteriorPoint::longest(const Step &step,
   const auto to_zero = [](const double x, const double dx) {
     return dx < 0. ? -x / dx : std::numeric_limits<double>::infinity();
   };
-  Parts parts = {1. / fraction, 1. / fraction};
-  for (unsigned int e = 0; e < states.size(); ++e)
+  double of_forces = 1. / fraction, of_displacements = 1. / fraction;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
   {
-    const State &state = states[e];
-    const StateStep &d = step.joints[e];
-    parts.of_forces = std::min(parts.of_forces, to_zero(state.p, d.p));
-    parts.of_displacements =
-        std::min(parts.of_displacements, to_zero(state.z, d.z));
-    if (!state.friction.exists())
-      continue;
-    parts.of_forces =
-        std::min(parts.of_forces, state.friction.longest_of_force(d.friction));
-    parts.of_displacements = std::min(
-        parts.of_displacements, state.friction.longest_of_sliding(d.friction));
+    of_forces = std::min(of_forces, to_zero(contacts[k].p, step.contacts[k].p));
+    of_displacements =
+        std::min(of_displacements, to_zero(contacts[k].z, step.contacts[k].z));
   }
-  parts.of_forces = fraction * parts.of_forces;
-  parts.of_displacements = fraction * parts.of_displacements;
+  for (unsigned int e = 0; e < states.size(); ++e)
+    if (states[e].friction.exists())
+    {
+      const FrictionCone &friction = states[e].friction;
+      of_forces =
+          std::min(of_forces, friction.longest_of_force(step.frictions[e]));
+      of_displacements = std::min(
+          of_displacements, friction.longest_of_sliding(step.frictions[e]));
+    }
   // A compliance ties displacements to forces.
   if (aim == Aim::least_cost)
-    parts.of_forces = parts.of_displacements =
-        std::min(parts.of_forces, parts.of_displacements);
-  return parts;
+    of_forces = of_displacements = std::min(of_forces, of_displacements);
+  return {fraction * of_forces, fraction * of_displacements};
 }
 
 /** Take parts of a step, unless rounding has made it no number. */
 bool InteriorPoint::take(const Step &step, const Parts &parts)
 {
-  const std::vector<State> before = states;
-  for (unsigned int e = 0; e < states.size(); ++e)
+  const std::vector<State> states_before = states;
+  const std::vector<Contact> contacts_before = contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
   {
-    states[e].p += parts.of_forces * step.joints[e].p;
-    states[e].z += parts.of_displacements * step.joints[e].z;
-    states[e].friction.take(step.joints[e].friction, parts.of_forces,
-                            parts.of_displacements);
+    contacts[k].p += parts.of_forces * step.contacts[k].p;
+    contacts[k].z += parts.of_displacements * step.contacts[k].z;
   }
+  for (unsigned int e = 0; e < states.size(); ++e)
+    states[e].friction.take(step.frictions[e], parts.of_forces,
+                            parts.of_displacements);
   if (!std::isfinite(product()) || !std::isfinite(step.load_factor))
   {
-    states = before;
+    states = states_before;
+    contacts = contacts_before;
     return false;
   }
   for (unsigned int i = 0; i < displacement.size(); ++i)
@@ -320,13 +328,15 @@ const std::vector<double> &InteriorPoint::u() const
   return displacement;
 }
 
-InterfaceForces InteriorPoint::forces() const
+std::vector<double> InteriorPoint::forces() const
 {
-  InterfaceForces forces;
-  for (const State &state : states)
+  std::vector<double> forces;
+  forces.reserve(stiffness.size());
+  for (unsigned int e = 0; e < states.size(); ++e)
   {
-    forces.normal.push_back(-state.p);
-    forces.tangential.push_back(state.friction.force());
+    for (unsigned int r = 0; r < n_contacts; ++r)
+      forces.push_back(-contacts[e * n_contacts + r].p);
+    forces.push_back(states[e].friction.force());
   }
   return forces;
 }
@@ -344,15 +354,15 @@ double InteriorPoint::imbalance() const
 double InteriorPoint::product() const
 {
   double sum = 0.;
-  unsigned int n = states.size();
+  unsigned int n = contacts.size();
+  for (const Contact &contact : contacts)
+    sum += contact.p * contact.z / contact.weight;
   for (const State &state : states)
-  {
-    sum += state.p * state.z / state.weight;
-    if (!state.friction.exists())
-      continue;
-    sum += state.friction.product() / state.weight;
-    ++n;
-  }
+    if (state.friction.exists())
+    {
+      sum += state.friction.product() / state.weight;
+      ++n;
+    }
   return sum / n;
 }
 

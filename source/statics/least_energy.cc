@@ -13,7 +13,6 @@ namespace Voussoir
 {
 namespace
 {
-using Joint = Structure::Joint;
 
 /** The cells per process below which communication outweighs computation. */
 constexpr unsigned int least_cells_per_process = 500;
@@ -89,8 +88,9 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
   const Solution solution =
       minimise_together(&problem, order, displacement_unit, team, terminal);
   std::vector<JointCost> costs;
-  for (const Joint &joint : problem.joints())
-    costs.push_back({1. / joint.stiffness(), 1. / joint.stiffness(), 0.});
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    costs.push_back({1. / problem.contact_stiffness(e),
+                     1. / problem.joints()[e].stiffness(), 0.});
   return settle(problem, costs, controls, displacement_unit, solution,
                 terminal);
 }

@@ -12,12 +12,11 @@ namespace Voussoir
 {
 namespace
 {
-using Joint = DiscreteProblem::Joint;
 
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
- * the constraints are [u]_e . n_e of all joints, then v_e - [u]_e . t_e and
- * v_e + [u]_e . t_e of each with a strength.
+ * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
+ * v_e + [u]_e . t_e of each joint with a strength.
  */
 class Program : public DisplacementProgram
 {
@@ -25,7 +24,7 @@ public:
   explicit Program(const DiscreteProblem &problem) : problem(problem)
   {
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      if (problem.joints()[e].strength > 0.)
+      if (problem.limit(e) > 0.)
         rough.push_back(e);
   }
 
@@ -35,11 +34,8 @@ public:
     std::vector<double> x = opening_of(problem).displacement;
     x.resize(n_unknowns());
     for (unsigned int k = 0; k < rough.size(); ++k)
-    {
-      const Joint &joint = problem.joints()[rough[k]];
-      x[problem.n_dofs() + k] =
-          joint.distance + std::abs(problem.jump(joint, x.data()).tangential);
-    }
+      x[problem.n_dofs() + k] = problem.joints()[rough[k]].distance +
+                                std::abs(problem.sliding(rough[k], x.data()));
     return x;
   }
 
@@ -47,18 +43,17 @@ public:
   {
     long double sum = -problem.work(x);
     for (unsigned int k = 0; k < rough.size(); ++k)
-      sum += problem.joints()[rough[k]].strength * x[problem.n_dofs() + k];
+      sum += problem.limit(rough[k]) * x[problem.n_dofs() + k];
     return sum;
   }
 
   std::vector<double> gradient(const double * /*x*/) override
   {
     std::vector<double> g(n_unknowns());
-    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-      for (unsigned int i = 0; i < 2; ++i)
-        g[problem.dof(b, i)] = -problem.loads()[b][i];
+    for (unsigned int k = 0; k < problem.n_dofs(); ++k)
+      g[k] = -problem.loads()[k];
     for (unsigned int k = 0; k < rough.size(); ++k)
-      g[problem.n_dofs() + k] = problem.joints()[rough[k]].strength;
+      g[problem.n_dofs() + k] = problem.limit(rough[k]);
     return g;
   }
 
@@ -69,48 +64,39 @@ public:
 
   unsigned int n_constraints() const override
   {
-    return problem.joints().size() + 2 * rough.size();
+    return n_contacts() + 2 * rough.size();
   }
 
   std::vector<Entry> constraints() const override
   {
     std::vector<Entry> entries;
-    const auto add_jump = [&](const unsigned int row, const Joint &joint,
-                              const dealii::Tensor<1, 2> &direction) {
-      for (unsigned int i = 0; i < 2; ++i)
-      {
-        entries.push_back(
-            {row, problem.dof(joint.cell_minus, i), -direction[i]});
-        entries.push_back({row, problem.dof(joint.cell_plus, i), direction[i]});
-      }
-    };
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      add_jump(e, problem.joints()[e], problem.joints()[e].normal);
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int k = 0; k < n_contacts(); ++k)
+      add_jump_entries(problem, k / n, k % n, 1., k, entries);
     for (unsigned int k = 0; k < rough.size(); ++k)
-    {
-      const Joint &joint = problem.joints()[rough[k]];
-      add_jump(forward_row(k), joint, -joint.tangent);
-      add_jump(forward_row(k) + 1, joint, joint.tangent);
-      for (const unsigned int row : {forward_row(k), forward_row(k) + 1})
+      for (const int sign : {-1, 1})
+      {
+        const unsigned int row = forward_row(k) + (sign > 0 ? 1 : 0);
+        add_jump_entries(problem, rough[k], n, sign, row, entries);
         entries.push_back({row, problem.n_dofs() + k, 1.});
-    }
+      }
     return entries;
   }
-
-  /** f_e^n and f_e^t from the multipliers, which are not positive. */
-  InterfaceForces forces(const std::vector<double> &multipliers) const
+  /** Of each row of each joint, from the multipliers, which are not positive.
+   */
+  std::vector<double> forces(const std::vector<double> &multipliers) const
   {
-    InterfaceForces forces;
-    const unsigned int n_joints = problem.joints().size();
-    forces.normal.assign(multipliers.begin(), multipliers.begin() + n_joints);
-    forces.tangential.resize(n_joints);
+    std::vector<double> forces(problem.n_all_rows());
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int k = 0; k < n_contacts(); ++k)
+      forces[k / n * problem.n_rows() + k % n] = multipliers[k];
     for (unsigned int k = 0; k < rough.size(); ++k)
     {
-      // The two multipliers add up to minus the strength, but for rounding.
-      const double strength = problem.joints()[rough[k]].strength;
-      forces.tangential[rough[k]] = std::clamp(multipliers[forward_row(k) + 1] -
-                                                   multipliers[forward_row(k)],
-                                               -strength, strength);
+      // The two multipliers add up to minus the limit, but for rounding.
+      const double limit = problem.limit(rough[k]);
+      forces[rough[k] * problem.n_rows() + n] = std::clamp(
+          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)], -limit,
+          limit);
     }
     return forces;
   }
@@ -121,10 +107,14 @@ private:
     return problem.n_dofs() + rough.size();
   }
 
+  unsigned int n_contacts() const
+  {
+    return problem.joints().size() * problem.n_contacts();
+  }
   /** The row of v_e >= [u]_e . t_e; that of v_e >= -[u]_e . t_e is next. */
   unsigned int forward_row(const unsigned int k) const
   {
-    return problem.joints().size() + 2 * k;
+    return n_contacts() + 2 * k;
   }
 
   const DiscreteProblem &problem;

@@ -52,17 +52,18 @@ double largest_closing(const DiscreteProblem &problem,
                        const std::vector<double> &v)
 {
   double closing = 0.;
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    closing = std::max(closing, -problem.jump(joint, v.data()).normal);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    closing = std::max(closing, -problem.opening(e, v.data()));
   return closing;
 }
 
-/** Work of the load less dissipation of friction. */
-double gain(const DiscreteProblem &problem, const std::vector<double> &v)
+/** The dissipation of friction. */
+double dissipation(const DiscreteProblem &problem, const std::vector<double> &v)
 {
-  double sum = problem.work(v.data());
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    sum -= joint.strength * std::abs(problem.jump(joint, v.data()).tangential);
+  double sum = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    sum += problem.friction().dissipation(problem.joints()[e].strength,
+                                          problem.sliding(e, v.data()));
   return sum;
 }
 
@@ -76,21 +77,23 @@ double gain(const DiscreteProblem &problem, const std::vector<double> &v)
 bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
 {
   if (largest_closing(problem, v) > closing_to_correct ||
-      !(gain(problem, v) > 0.))
+      !(problem.work(v.data()) > dissipation(problem, v)))
     return false;
-  std::vector<DiscreteProblem::Jump> springs(problem.joints().size(), {0., 0.});
+  const unsigned int n_rows = problem.n_rows();
+  std::vector<double> springs(problem.n_all_rows(), 0.);
   JointSystem system(problem, LinearSolver::automatic);
   for (unsigned int round = 0; round < n_rounds; ++round)
   {
     std::vector<double> right(problem.n_dofs(), 0.);
-    for (unsigned int e = 0; e < springs.size(); ++e)
+    std::vector<double> forces = problem.jumps(v);
+    for (std::size_t e = 0, k = 0; k < forces.size(); ++e, k += n_rows)
     {
-      const DiscreteProblem::Joint &joint = problem.joints()[e];
-      const double closing = -problem.jump(joint, v.data()).normal;
-      if (closing > rounding_of_closing)
-        springs[e].normal = joint.stiffness();
-      problem.add_jump_gradient(joint, {springs[e].normal * closing, 0.},
-                                right.data());
+      for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+        if (forces[k + r] < -rounding_of_closing)
+          springs[k + r] = problem.contact_stiffness(e);
+      for (unsigned int r = 0; r < n_rows; ++r)
+        forces[k + r] *= -springs[k + r];
+      problem.add_jump_gradient(e, &forces[k], right.data());
     }
     if (!system.prepare(springs, holding_shift))
       return false;
@@ -120,9 +123,10 @@ double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
                : std::numeric_limits<double>::infinity();
 
   double share = 0.;
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    share = std::max(share, -problem.jump(joint, v.data()).normal /
-                                problem.jump(joint, opening.data()).normal);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+      share = std::max(share, -problem.jump(e, r, v.data()) /
+                                  problem.jump(e, r, opening.data()));
   for (unsigned int k = 0; k < v.size(); ++k)
     v[k] += share * opening[k];
   return share;
@@ -133,13 +137,13 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
                                         const std::vector<double> &u)
 {
   std::vector<double> v = u;
-  problem.remove_translations(v);
+  problem.remove_rigid_motions(v);
   if (!divide(v, largest_component(v)) || problem.joints().empty())
     return {};
   const double opening = open_joints(problem, v);
   if (!std::isfinite(opening))
     return {};
-  problem.remove_translations(v);
+  problem.remove_rigid_motions(v);
 
   // A motion that the opening all but undoes is lost in rounding.
   const double remainder = largest_component(v) / (1. + opening);
@@ -148,15 +152,10 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
 
   Mechanism mechanism;
   mechanism.work = problem.work(v.data());
-  mechanism.dissipation = 0.;
-  for (const DiscreteProblem::Joint &joint : problem.joints())
-    mechanism.dissipation +=
-        joint.strength * std::abs(problem.jump(joint, v.data()).tangential);
-
+  mechanism.dissipation = dissipation(problem, v);
   double size_of_terms = mechanism.dissipation;
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-    for (unsigned int i = 0; i < 2; ++i)
-      size_of_terms += std::abs(problem.loads()[b][i] * v[problem.dof(b, i)]);
+  for (unsigned int k = 0; k < problem.n_dofs(); ++k)
+    size_of_terms += std::abs(problem.loads()[k] * v[k]);
   if (!(mechanism.work - mechanism.dissipation >
         rounding_margin / remainder * size_of_terms))
     return {};

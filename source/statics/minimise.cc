@@ -14,7 +14,7 @@ Solution minimise(const SharedProblem &problem,
 {
   Solution solution;
   std::vector<double> best_u;
-  std::vector<Newton::Jump> best_forces;
+  std::vector<double> best_forces;
   double least = std::numeric_limits<double>::infinity();
   unsigned int best = 0;
   bool has_best = false; // an imbalance may be no number

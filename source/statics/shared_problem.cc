@@ -10,13 +10,13 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace Voussoir
 {
 using dealii::Tensor;
 using Joint = Structure::Joint;
-using Jump = Structure::Jump;
 
 namespace
 {
@@ -58,6 +58,29 @@ void bisect(const std::vector<Tensor<1, 2>> &centres,
   bisect(centres, begin, middle, first_part, n_first, part);
   bisect(centres, middle, end, first_part + n_first, n_parts - n_first, part);
 }
+/** Send all that a part has by @p pass, or receive it. */
+template <typename Part, typename Pass>
+void transfer(Part &part, const Pass &pass)
+{
+  const auto name_of = [&](const auto &law) {
+    const std::string name = law.name();
+    std::vector<char> letters(name.begin(), name.end());
+    pass(letters);
+    return std::string(letters.begin(), letters.end());
+  };
+  part.kinematics = &kinematics_of(name_of(*part.kinematics));
+  part.friction = &friction_law_of(name_of(*part.friction));
+  std::vector<unsigned int> first = {part.first};
+  pass(first);
+  part.first = first.front();
+  pass(part.ghosts);
+  pass(part.joints.list);
+  pass(part.joints.direction);
+  pass(part.joints.turn_minus);
+  pass(part.joints.turn_plus);
+  pass(part.loads);
+  pass(part.centres);
+}
 } // namespace
 
 SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole)
@@ -78,21 +101,14 @@ SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
     {
       own = make_part(r);
       if (r > 0)
-      {
-        team.send(std::vector<unsigned int>{own.first}, r);
-        team.send(own.ghosts, r);
-        team.send(own.joints, r);
-        team.send(own.loads, r);
-      }
+        transfer(own, [&](const auto &values) { team.send(values, r); });
     }
   }
   else
-  {
-    own.first = team.receive<unsigned int>(0).front();
-    own.ghosts = team.receive<unsigned int>(0);
-    own.joints = team.receive<Joint>(0);
-    own.loads = team.receive<Tensor<1, 2>>(0);
-  }
+    transfer(own, [&](auto &values) {
+      values = team.receive<
+          typename std::remove_reference_t<decltype(values)>::value_type>(0);
+    });
   part = std::make_unique<const Structure>(team, std::move(own));
 }
 
@@ -135,9 +151,15 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
     return begin <= k && k < end;
   };
   Structure::Part result;
+  result.kinematics = &whole->kinematics();
+  result.friction = &whole->friction();
   result.first = begin;
   for (unsigned int k = begin; k < end; ++k)
-    result.loads.push_back(whole->loads()[bodies[k]]);
+  {
+    for (unsigned int i = 0; i < whole->n_unknowns(); ++i)
+      result.loads.push_back(whole->loads()[whole->dof(bodies[k], i)]);
+    result.centres.push_back(whole->centres()[bodies[k]]);
+  }
   const std::vector<unsigned int> &joints = joints_of[process];
   for (const unsigned int e : joints)
     for (const unsigned int b :
@@ -157,13 +179,13 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
                                                 result.ghosts.end(), k) -
                                result.ghosts.begin());
   };
-  result.joints.reserve(joints.size());
+  result.joints.list.reserve(joints.size());
+  result.joints.direction.reserve(joints.size() * whole->n_rows());
   for (const unsigned int e : joints)
   {
-    Joint joint = whole->joints()[e];
-    joint.cell_minus = local(joint.cell_minus);
-    joint.cell_plus = local(joint.cell_plus);
-    result.joints.push_back(joint);
+    const Joint &joint = whole->joints()[e];
+    result.joints.add(*whole, e, local(joint.cell_minus),
+                      local(joint.cell_plus));
   }
   return result;
 }
@@ -218,7 +240,7 @@ SharedProblem::find_mechanism(const std::vector<double> &u) const
 }
 
 void SharedProblem::collect(const std::vector<double> &u,
-                            const std::vector<Jump> &forces,
+                            const std::vector<double> &forces,
                             const double displacement_unit,
                             Solution &solution) const
 {
@@ -226,17 +248,15 @@ void SharedProblem::collect(const std::vector<double> &u,
   const auto parts = team.gather(forces);
   if (whole == nullptr)
     return;
-  InterfaceForces &result = solution.forces;
-  result.normal.resize(whole->joints().size());
-  result.tangential.resize(whole->joints().size());
+  const unsigned int n_rows = whole->n_rows();
+  solution.forces.resize(whole->n_all_rows());
   for (unsigned int r = 0; r < parts.size(); ++r)
-    for (unsigned int k = 0; k < parts[r].size(); ++k)
+    for (std::size_t k = 0; k < parts[r].size(); ++k)
     {
-      const unsigned int e = part ? joints_of[r][k] : k;
-      result.normal[e] = parts[r][k].normal;
-      result.tangential[e] = parts[r][k].tangential;
+      const std::size_t e = part ? joints_of[r][k / n_rows] : k / n_rows;
+      solution.forces[e * n_rows + k % n_rows] = parts[r][k];
     }
-  whole->remove_translations(all);
+  whole->remove_rigid_motions(all);
   solution.displacement = whole->displacement_of_cells(all, displacement_unit);
 }
 
@@ -247,10 +267,11 @@ std::vector<double> SharedProblem::gather(const std::vector<double> &u) const
     return u;
   const auto parts = team.gather(
       std::vector<double>(u.begin(), u.begin() + part->n_own_dofs()));
-  std::vector<double> all(2 * bodies.size());
+  const unsigned int n = part->n_unknowns();
+  std::vector<double> all(n * bodies.size());
   for (unsigned int r = 0; r < parts.size(); ++r)
-    for (unsigned int k = 0; k < parts[r].size(); ++k)
-      all[Structure::dof(bodies[first_body[r] + k / 2], k % 2)] = parts[r][k];
+    for (std::size_t k = 0; k < parts[r].size(); ++k)
+      all[part->dof(bodies[first_body[r] + k / n], k % n)] = parts[r][k];
   return all;
 }
 
@@ -260,8 +281,8 @@ std::vector<double> SharedProblem::scatter(const std::vector<double> &u) const
   std::vector<std::vector<double>> parts(team.is_root() ? team.size() : 0);
   for (unsigned int r = 0; r < parts.size(); ++r)
     for (unsigned int k = first_body[r]; k < first_body[r + 1]; ++k)
-      for (unsigned int i = 0; i < 2; ++i)
-        parts[r].push_back(u[Structure::dof(bodies[k], i)]);
+      for (unsigned int i = 0; i < part->n_unknowns(); ++i)
+        parts[r].push_back(u[part->dof(bodies[k], i)]);
   std::vector<double> result = team.scatter(parts);
   result.resize(part->n_dofs());
   part->update_ghosts(result);

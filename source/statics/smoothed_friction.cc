@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_opening.h>
@@ -8,6 +9,7 @@
 #include <voussoir/statics/smoothed_joint.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -19,8 +21,6 @@ using dealii::Tensor;
 
 namespace
 {
-using Joint = DiscreteProblem::Joint;
-using Jump = DiscreteProblem::Jump;
 
 /**
  * With compliant contact the balance of all cells decides when to stop. Ipopt
@@ -52,9 +52,9 @@ public:
           const SolverControls &controls,
           const double barrier_parameter,
           Terminal &terminal)
-      : problem(problem), contact(contact), law(problem, contact),
-        controls(controls), barrier_parameter(barrier_parameter),
-        terminal(terminal)
+      : problem(problem), of_joints(problem, false), contact(contact),
+        law(problem, contact), controls(controls),
+        barrier_parameter(barrier_parameter), terminal(terminal)
   {
   }
 
@@ -70,86 +70,81 @@ public:
     // Close to the minimum the line search compares energies that differ by
     // rounding alone; a longer sum keeps it from cutting good steps.
     long double sum = -problem.work(x);
+    std::array<double, 3> jumps;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      sum += law.energy(e, problem.jump(problem.joints()[e], x));
+      sum += law.energy(e, find_jumps(e, x, jumps));
     return sum;
   }
 
   std::vector<double> gradient(const double *x) override
   {
     std::vector<double> g(problem.n_dofs());
-    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-      for (unsigned int i = 0; i < 2; ++i)
-        g[problem.dof(b, i)] = -problem.loads()[b][i];
+    for (unsigned int k = 0; k < g.size(); ++k)
+      g[k] = -problem.loads()[k];
+    std::array<double, 3> jumps, forces;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      const Joint &joint = problem.joints()[e];
-      problem.add_jump_gradient(joint, law.force(e, problem.jump(joint, x)),
-                                g.data());
+      law.find_forces(e, find_jumps(e, x, jumps), forces.data());
+      problem.add_jump_gradient(e, forces.data(), g.data());
     }
     if (contact == Contact::compliant)
       keep_if_better(x, g);
     return g;
   }
 
-  // First the three entries of each body's diagonal block, then the four of
-  // each joint's block (c+, c-); c- < c+.
+  // First the lower triangle of each body's diagonal block, then the block of
+  // each joint with the rows of the higher body; c- < c+.
   std::vector<Entry> hessian(const double *x) const override
   {
-    const unsigned int n_bodies = problem.n_bodies();
+    const unsigned int n = problem.n_unknowns(), n_entries = n * (n + 1) / 2;
     std::vector<Entry> entries;
-    entries.reserve(3 * n_bodies + 4 * problem.joints().size());
-    for (unsigned int b = 0; b < n_bodies; ++b)
-      for (unsigned int i = 0; i < 2; ++i)
+    entries.reserve(n_entries * problem.n_bodies() +
+                    n * n * problem.joints().size());
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+      for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j <= i; ++j)
           entries.push_back({problem.dof(b, i), problem.dof(b, j), 0.});
-
+    std::vector<double> second(problem.n_all_rows());
+    std::array<double, 3> jumps;
+    JointBlocks::Blocks blocks;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      const Joint &joint = problem.joints()[e];
-      const Jump second = law.second_derivative(e, problem.jump(joint, x));
+      law.find_second_derivatives(e, find_jumps(e, x, jumps),
+                                  &second[std::size_t(e) * problem.n_rows()]);
+      of_joints.find(e, second.data(), blocks);
+      const DiscreteProblem::Joint &joint = problem.joints()[e];
       unsigned int k = 0;
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
         {
-          const double block =
-              second.normal * joint.normal[i] * joint.normal[j] +
-              second.tangential * joint.tangent[i] * joint.tangent[j];
           entries.push_back({problem.dof(joint.cell_plus, i),
-                             problem.dof(joint.cell_minus, j), -block});
-          if (j <= i)
-          {
-            entries[3 * joint.cell_minus + k].value += block;
-            entries[3 * joint.cell_plus + k].value += block;
-            ++k;
-          }
+                             problem.dof(joint.cell_minus, j),
+                             blocks.mixed[i * n + j]});
+          if (j > i)
+            continue;
+          entries[n_entries * joint.cell_minus + k].value +=
+              blocks.minus[i * n + j];
+          entries[n_entries * joint.cell_plus + k].value +=
+              blocks.plus[i * n + j];
+          ++k;
         }
     }
     return entries;
   }
-
   unsigned int n_constraints() const override
   {
-    return contact == Contact::hard ? problem.joints().size() : 0;
+    return contact == Contact::hard
+               ? problem.joints().size() * problem.n_contacts()
+               : 0;
   }
-
   std::vector<Entry> constraints() const override
   {
     std::vector<Entry> entries;
-    for (unsigned int e = 0; e < n_constraints(); ++e)
-    {
-      const Joint &joint = problem.joints()[e];
-      for (unsigned int i = 0; i < 2; ++i)
-      {
-        entries.push_back(
-            {e, problem.dof(joint.cell_minus, i), -joint.normal[i]});
-        entries.push_back(
-            {e, problem.dof(joint.cell_plus, i), joint.normal[i]});
-      }
-    }
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int k = 0; k < n_constraints(); ++k)
+      add_jump_entries(problem, k / n, k % n, 1., k, entries);
     return entries;
   }
-
   Stop verdict(const unsigned int iteration) override
   {
     if (contact == Contact::hard)
@@ -189,13 +184,22 @@ public:
   }
 
 private:
+  const double *find_jumps(const unsigned int e,
+                           const double *x,
+                           std::array<double, 3> &jumps) const
+  {
+    for (unsigned int r = 0; r < problem.n_rows(); ++r)
+      jumps[r] = problem.jump(e, r, x);
+    return jumps.data();
+  }
   /** settle(), with compliant contact by the same state. */
   void ask_interior_point(Solution before)
   {
     std::vector<JointCost> costs;
     if (contact == Contact::compliant)
-      for (const Joint &joint : problem.joints())
-        costs.push_back({1. / joint.stiffness(), 0., law.smoothing(joint)});
+      for (unsigned int e = 0; e < problem.joints().size(); ++e)
+        costs.push_back(
+            {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
     interior = settle(problem, costs, controls, 1. / law.displacement_unit(),
                       std::move(before), terminal);
   }
@@ -213,19 +217,19 @@ private:
     Solution solution = std::move(result.solution);
     if (solution.mechanism)
       return solution;
+    const unsigned int n = problem.n_contacts(), n_rows = problem.n_rows();
+    solution.forces.resize(problem.n_all_rows());
+    std::array<double, 3> jumps;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    {
-      const Jump force =
-          law.force(e, problem.jump(problem.joints()[e], x.data()));
-      // Ipopt's multiplier of y_e >= 0 is -p_e, which is f_e^n.
-      solution.forces.normal.push_back(contact == Contact::hard ? multipliers[e]
-                                                                : force.normal);
-      solution.forces.tangential.push_back(force.tangential);
-    }
+      law.find_forces(e, find_jumps(e, x.data(), jumps),
+                      &solution.forces[std::size_t(e) * n_rows]);
+    // Ipopt's multiplier of y_e >= 0 is -p_e.
+    for (unsigned int k = 0; k < n_constraints(); ++k)
+      solution.forces[k / n * n_rows + k % n] = multipliers[k];
     if (contact == Contact::hard)
-      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
+      refine_hard_contact(problem, HardJoint(law, n, barrier_parameter), x,
                           controls.tolerance, solution);
-    problem.remove_translations(x);
+    problem.remove_rigid_motions(x);
     solution.displacement =
         problem.displacement_of_cells(x, 1. / law.displacement_unit());
     return solution;
@@ -245,6 +249,7 @@ private:
   }
 
   const DiscreteProblem &problem;
+  const JointBlocks of_joints;
   const Contact contact;
   const SmoothedJoint law;
   const SolverControls &controls;

@@ -6,7 +6,6 @@
 
 namespace Voussoir
 {
-using Joint = DiscreteProblem::Joint;
 
 SmoothedJoint::SmoothedJoint(const DiscreteProblem &problem,
                              const Contact contact)
@@ -14,16 +13,17 @@ SmoothedJoint::SmoothedJoint(const DiscreteProblem &problem,
 {
   // For hard contact any common smoothing length gives the same forces. The
   // larger of one and the strongest stress keeps displacements of order one.
-  for (const Joint &joint : problem.joints())
-    common_smoothing =
-        std::max(common_smoothing, joint.strength / joint.length);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    common_smoothing = std::max(common_smoothing,
+                                problem.limit(e) / problem.joints()[e].length);
 }
 
-double SmoothedJoint::smoothing(const Joint &joint) const
+double SmoothedJoint::smoothing(const unsigned int e) const
 {
+  const double b = problem.limit(e);
   if (contact == Contact::hard)
-    return joint.strength > 0. ? common_smoothing : 0.;
-  return joint.strength / joint.length * joint.distance;
+    return b > 0. ? common_smoothing : 0.;
+  return b / problem.joints()[e].length * problem.joints()[e].distance;
 }
 
 double SmoothedJoint::displacement_unit() const
@@ -31,44 +31,45 @@ double SmoothedJoint::displacement_unit() const
   return contact == Contact::hard ? common_smoothing : 1.;
 }
 
-double SmoothedJoint::energy(const unsigned int e, const Jump &jump) const
+double SmoothedJoint::energy(const unsigned int e, const double *jumps) const
 {
-  const Joint &joint = problem.joints()[e];
+  const unsigned int n = problem.n_contacts();
   double energy = 0.;
-  const double eps = smoothing(joint), x = jump.tangential;
+  const double eps = smoothing(e), x = jumps[n];
   if (eps > 0.) // sqrt(x^2 + eps^2) - eps without its cancellation
-    energy += joint.strength * x * (x / (std::hypot(x, eps) + eps));
-  if (contact == Contact::compliant && jump.normal < 0.)
-    energy += 0.5 * joint.stiffness() * jump.normal * jump.normal;
+    energy += problem.limit(e) * x * (x / (std::hypot(x, eps) + eps));
+  if (contact == Contact::compliant)
+    for (unsigned int r = 0; r < n; ++r)
+      if (jumps[r] < 0.)
+        energy += 0.5 * problem.contact_stiffness(e) * jumps[r] * jumps[r];
   return energy;
 }
 
-JointLaw::Jump SmoothedJoint::force(const unsigned int e,
-                                    const Jump &jump) const
+void SmoothedJoint::find_forces(const unsigned int e,
+                                const double *jumps,
+                                double *forces) const
 {
-  const Joint &joint = problem.joints()[e];
-  Jump force = {0., 0.};
-  const double eps = smoothing(joint), x = jump.tangential;
-  if (eps > 0.)
-    force.tangential = joint.strength * (x / std::hypot(x, eps));
-  if (contact == Contact::compliant)
-    force.normal = joint.stiffness() * std::min(jump.normal, 0.);
-  return force;
+  const unsigned int n = problem.n_contacts();
+  const double eps = smoothing(e), x = jumps[n];
+  for (unsigned int r = 0; r < n; ++r)
+    forces[r] = contact == Contact::compliant
+                    ? problem.contact_stiffness(e) * std::min(jumps[r], 0.)
+                    : 0.;
+  forces[n] = eps > 0. ? problem.limit(e) * (x / std::hypot(x, eps)) : 0.;
 }
 
-JointLaw::Jump SmoothedJoint::second_derivative(const unsigned int e,
-                                                const Jump &jump) const
+void SmoothedJoint::find_second_derivatives(const unsigned int e,
+                                            const double *jumps,
+                                            double *second) const
 {
-  const Joint &joint = problem.joints()[e];
-  Jump second = {0., 0.};
-  const double eps = smoothing(joint);
-  if (eps > 0.)
-  {
-    const double r = std::hypot(jump.tangential, eps);
-    second.tangential = joint.strength / r * (eps / r) * (eps / r);
-  }
-  if (contact == Contact::compliant && jump.normal <= 0.)
-    second.normal = joint.stiffness();
-  return second;
+  const unsigned int n = problem.n_contacts();
+  for (unsigned int r = 0; r < n; ++r)
+    second[r] = contact == Contact::compliant && jumps[r] <= 0.
+                    ? problem.contact_stiffness(e)
+                    : 0.;
+  const double eps = smoothing(e), root = std::hypot(jumps[n], eps);
+  second[n] =
+      eps > 0. ? problem.limit(e) / root * (eps / root) * (eps / root) : 0.;
 }
+
 } // namespace Voussoir

@@ -65,7 +65,7 @@ bool opens(const DiscreteProblem &problem)
   const std::vector<double> &u = opening_of(problem).displacement;
   bool all_open = u.size() == problem.n_dofs();
   for (unsigned int e = 0; all_open && e < problem.joints().size(); ++e)
-    all_open = problem.jump(problem.joints()[e], u.data()).normal > 0.;
+    all_open = problem.opening(e, u.data()) > 0.;
   return all_open;
 }
 
@@ -73,19 +73,20 @@ bool opens(const DiscreteProblem &problem)
 double imbalance_of_self_stress(const Scene &scene,
                                 const DiscreteProblem &problem)
 {
-  const std::vector<double> &p = opening_of(problem).self_stress;
-  if (p.size() != scene.packing.interfaces().size())
+  const std::vector<double> &rows = opening_of(problem).self_stress;
+  if (rows.size() != 2 * scene.packing.interfaces().size())
     return 1e300;
   std::vector<Tensor<1, 2>> sum(scene.packing.n_cells() + 1);
   double size = 0.;
-  for (unsigned int e = 0; e < p.size(); ++e)
+  for (unsigned int e = 0; e < rows.size() / 2; ++e)
   {
     const Packing::Interface &i = scene.packing.interfaces()[e];
-    if (!(p[e] >= 0.))
+    const double p = rows[2 * e];
+    if (!(p >= 0.))
       return 1e300;
-    sum[i.cell_minus] += p[e] * i.normal;
-    sum[i.cell_plus] -= p[e] * i.normal;
-    size += p[e];
+    sum[i.cell_minus] += p * i.normal;
+    sum[i.cell_plus] -= p * i.normal;
+    size += p;
   }
   double left = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)

@@ -7,8 +7,26 @@
 #include <voussoir/statics/smoothed_joint.h>
 
 #include "tests.h"
+#include <array>
 
 using namespace Voussoir;
+
+/** Of a joint with one contact: normal, and tangential. */
+using Pair = std::array<double, 2>;
+
+Pair force_of(const SmoothedJoint &law, const Pair &jumps)
+{
+  Pair forces;
+  law.find_forces(0, jumps.data(), forces.data());
+  return forces;
+}
+
+Pair curvature_of(const SmoothedJoint &law, const Pair &jumps)
+{
+  Pair second;
+  law.find_second_derivatives(0, jumps.data(), second.data());
+  return second;
+}
 
 int main()
 {
@@ -26,29 +44,28 @@ int main()
     for (const double x : {-30., -1., -0.1, 0., 0.3, 2., 1e3})
       for (const double y : {-3., -0.2, 0.1, 5.})
       {
-        const auto force = law.force(0, {y, x});
-        const auto curvature = law.second_derivative(0, {y, x});
         const auto difference = [&](const auto &f, const double dy,
                                     const double dx) {
           return (f({y + dy, x + dx}) - f({y - dy, x - dx})) / (2. * h);
         };
-        const auto energy = [&](const DiscreteProblem::Jump &jump) {
-          return law.energy(0, jump);
+        const auto energy = [&](const Pair &jumps) {
+          return law.energy(0, jumps.data());
         };
-        const auto normal = [&](const DiscreteProblem::Jump &jump) {
-          return law.force(0, jump).normal;
+        const auto normal = [&](const Pair &jumps) {
+          return force_of(law, jumps)[0];
         };
-        const auto tangential = [&](const DiscreteProblem::Jump &jump) {
-          return law.force(0, jump).tangential;
+        const auto tangential = [&](const Pair &jumps) {
+          return force_of(law, jumps)[1];
         };
-        first =
-            std::max({first, std::abs(difference(energy, h, 0.) - force.normal),
-                      std::abs(difference(energy, 0., h) - force.tangential)});
+        const Pair force = force_of(law, {y, x});
+        const Pair curvature = curvature_of(law, {y, x});
+        first = std::max({first, std::abs(difference(energy, h, 0.) - force[0]),
+                          std::abs(difference(energy, 0., h) - force[1])});
         second = std::max(
-            {second, std::abs(difference(normal, h, 0.) - curvature.normal),
-             std::abs(difference(tangential, 0., h) - curvature.tangential)});
-        above = std::max(
-            {above, force.normal, std::abs(force.tangential) - joint.strength});
+            {second, std::abs(difference(normal, h, 0.) - curvature[0]),
+             std::abs(difference(tangential, 0., h) - curvature[1])});
+        above =
+            std::max({above, force[0], std::abs(force[1]) - joint.strength});
       }
     check_error("  first derivatives", first, 1e-6);
     check_error("  second derivatives", second, 1e-6);
@@ -56,17 +73,16 @@ int main()
 
     // h(x) = x^2 / (2 eps) for small x, with the curvature s_e |e| / eps.
     const double small = 1e-9;
-    const double eps =
-        joint.strength / law.second_derivative(0, {1., 0.}).tangential;
+    const double eps = joint.strength / curvature_of(law, {1., 0.})[1];
     check_error("  energy of a tiny slip, relative",
-                std::abs(law.energy(0, {1., small}) * 2. * eps /
+                std::abs(law.energy(0, Pair{1., small}.data()) * 2. * eps /
                              (joint.strength * small * small) -
                          1.),
                 1e-12);
-    check_error(
-        "  energy of a large slip, relative",
-        std::abs(law.energy(0, {1., 1e12}) / (joint.strength * (1e12 - eps)) -
-                 1.),
-        1e-12);
+    check_error("  energy of a large slip, relative",
+                std::abs(law.energy(0, Pair{1., 1e12}.data()) /
+                             (joint.strength * (1e12 - eps)) -
+                         1.),
+                1e-12);
   }
 }

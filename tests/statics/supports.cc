@@ -215,8 +215,8 @@ int main()
   const DiscreteProblem arch_problem(arch);
   const std::vector<double> opening = opening_of(arch_problem).displacement;
   bool opens = !opening.empty();
-  for (const auto &joint : arch_problem.joints())
-    opens &= arch_problem.jump(joint, opening.data()).normal > 0.;
+  for (unsigned int e = 0; e < arch_problem.joints().size(); ++e)
+    opens &= arch_problem.opening(e, opening.data()) > 0.;
   check("flat arch: a motion opens every joint", opens);
   for (const Way &way : all_ways)
     check_certificate("flat arch, " + way.name, arch, Solver(way).forces(arch));

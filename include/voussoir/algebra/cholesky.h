@@ -11,19 +11,15 @@ namespace Voussoir
 class Cholesky : public LinearMethod
 {
 public:
-  /**
-   * @param structure must outlive this object, and be that of one process.
-   * @param n_components of the system, one or two; see LinearMethod.
-   */
-  Cholesky(const Structure &structure, unsigned int n_components);
+  /** @param blocks of the matrix, of a structure of one process. */
+  explicit Cholesky(const JointBlocks &blocks);
 
-  bool prepare(const std::vector<Structure::Jump> &coefficients,
-               double shift) override;
-  std::vector<double> solve(const std::vector<double> &r) override;
+  bool prepare(const std::vector<double> &coefficients, double shift) override;
+  std::vector<double> solve(const std::vector<double> &r,
+                            unsigned int n_columns) override;
   bool is_direct() const override;
 
 private:
-  const unsigned int n_components;
   SparseFactor factor;
 };
 } // namespace Voussoir

@@ -3,10 +3,10 @@
 #define voussoir_algebra_joint_system_h
 
 #include <voussoir/algebra/linear_method.h>
+#include <voussoir/algebra/structure.h>
 
 #include <deal.II/base/timer.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -35,12 +35,12 @@ enum class LinearSolver
 /**
  * The linear systems of Newton's method: find u with
  *
- *     sum_e B_e^T (a_e^n n_e n_e^T + a_e^t t_e t_e^T) B_e u + shift u = r,
+ *     (sum_e B_e^T diag(a_e) B_e + shift) u = r,
  *
- * where B_e u is the jump [u]_e, a_e^n and a_e^t are coefficients of the joints
- * that are not negative, and the shift is positive, so that the matrix is
- * symmetric and positive definite. If a_e^n = a_e^t in every joint, the two
- * components of u come apart, and one matrix of half the size serves both.
+ * where B_e u are the jumps in the rows of joint e, a_e are coefficients of the
+ * rows that are not negative, and the shift is positive, so that the matrix is
+ * symmetric and positive definite. If bodies do not turn and both coefficients
+ * are the same in every joint, Componentwise takes half of the matrix.
  *
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see
@@ -56,12 +56,12 @@ public:
   JointSystem(const Structure &structure, LinearSolver kind);
 
   /**
-   * Prepare to solve with the given coefficients, one pair for each joint.
+   * Prepare to solve with the given coefficients, one for each row.
    *
    * @return false if a factorisation found that rounding has cost the matrix
    *   its positive definiteness; a larger shift helps then.
    */
-  bool prepare(const std::vector<Structure::Jump> &coefficients, double shift);
+  bool prepare(const std::vector<double> &coefficients, double shift);
 
   /**
    * The solution for the right-hand side @p r, of which that of own bodies
@@ -76,12 +76,14 @@ public:
   double seconds() const;
 
 private:
-  std::unique_ptr<LinearMethod> make(unsigned int n_components) const;
+  std::unique_ptr<LinearMethod> make(bool apart) const;
 
   const Structure &structure;
   const LinearSolver kind;
-  /** For systems of one component and of two; made when first needed. */
-  std::array<std::unique_ptr<LinearMethod>, 2> methods;
+  /** @{ */
+  /** Made when first needed. */
+  std::unique_ptr<LinearMethod> componentwise, coupled;
+  /** @} */
   LinearMethod *current = nullptr;
   dealii::Timer timer;
 };

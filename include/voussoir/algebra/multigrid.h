@@ -2,6 +2,7 @@
 #ifndef voussoir_algebra_multigrid_h
 #define voussoir_algebra_multigrid_h
 
+#include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/algebra/linear_method.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -14,23 +15,20 @@ namespace Voussoir
 class Multigrid : public LinearMethod
 {
 public:
-  /**
-   * @param structure must outlive this object.
-   * @param n_components of the system, one or two; see LinearMethod.
-   */
-  Multigrid(const Structure &structure, unsigned int n_components);
+  /** @param blocks of the matrix. */
+  explicit Multigrid(const JointBlocks &blocks);
 
-  bool prepare(const std::vector<Structure::Jump> &coefficients,
-               double shift) override;
-  std::vector<double> solve(const std::vector<double> &r) override;
+  bool prepare(const std::vector<double> &coefficients, double shift) override;
+  std::vector<double> solve(const std::vector<double> &r,
+                            unsigned int n_columns) override;
   bool is_direct() const override;
 
 private:
   dealii::types::global_dof_index row(unsigned int body, unsigned int i) const;
-  void assemble(const std::vector<Structure::Jump> &coefficients, double shift);
+  void assemble(const std::vector<double> &coefficients, double shift);
 
+  const JointBlocks blocks;
   const Structure &structure;
-  const unsigned int n_components;
   dealii::TrilinosWrappers::SparseMatrix matrix;
   dealii::TrilinosWrappers::PreconditionAMG preconditioner;
   dealii::TrilinosWrappers::MPI::Vector right, solution;

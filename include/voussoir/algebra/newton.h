@@ -4,11 +4,38 @@
 
 #include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/joint_system.h>
+#include <voussoir/base/exceptions.h>
 
 #include <vector>
 
 namespace Voussoir
 {
+/** Newton's method has no next step. */
+class NewtonFailure : public SolverError
+{
+public:
+  /** The reason. */
+  enum class Cause
+  {
+    /** A second derivative of the energy is no number. */
+    stiffness,
+    /** The linear system has no solution that leads downhill. */
+    linear_system
+  };
+  explicit NewtonFailure(const Cause cause)
+      : SolverError(cause == Cause::stiffness
+                        ? "The stiffness of a joint is beyond all numbers: its "
+                          "strength is too far above the load."
+                        : "A linear system of Newton's method cannot be "
+                          "solved: the strengths or the sizes of the "
+                          "interfaces differ by too much."),
+        cause(cause)
+  {
+  }
+  /** The reason. */
+  const Cause cause;
+};
+
 /**
  * Newton's method for the displacement, step by step.
  *
@@ -30,9 +57,6 @@ namespace Voussoir
 class Newton
 {
 public:
-  /** Of displacements or forces; see Structure::Jump. */
-  using Jump = Structure::Jump;
-
   /**
    * The references must outlive this object.
    *
@@ -51,7 +75,7 @@ public:
    * Take one step.
    *
    * @return the length of the step, in units of Newton's own.
-   * @throws SolverError if the linear system cannot be solved.
+   * @throws NewtonFailure if the linear system cannot be solved.
    */
   double step(double shift, const std::vector<double> &centre);
 
@@ -60,18 +84,25 @@ public:
    * of the energy's domain: close to the minimum, where rounding decides what a
    * line search finds.
    *
-   * @throws SolverError if the linear system cannot be solved.
+   * @throws NewtonFailure if the linear system cannot be solved.
    */
   void full_step();
 
   /** The displacement: n_dofs() numbers, with the ghosts. */
-  const std::vector<double> &u() const;
-
-  /** [u]_e of each joint of this process. */
-  const std::vector<Jump> &jumps() const;
-
-  /** f_e^n and f_e^t of each joint of this process. */
-  const std::vector<Jump> &forces() const;
+  const std::vector<double> &u() const
+  {
+    return present.u;
+  }
+  /** Of each row of each joint of this process. */
+  const std::vector<double> &jumps() const
+  {
+    return present.jumps;
+  }
+  /** Of each row of each joint of this process. */
+  const std::vector<double> &forces() const
+  {
+    return present.forces;
+  }
   /** The largest component of the sum of all forces on a cell. */
   double imbalance() const;
   /** The same with the force -shift (u - centre) of the proximal term. */
@@ -81,17 +112,30 @@ public:
    *
    * It is (r . A^{-1} r)^(1/2), where r is what the step had to balance.
    */
-  double decrement() const;
+  double decrement() const
+  {
+    return last_decrement;
+  }
   /** The largest change of a force in the last step. */
-  double force_change() const;
-
+  double force_change() const
+  {
+    return last_force_change;
+  }
   /** The number of steps taken. */
-  unsigned int n_iterations() const;
-
+  unsigned int n_iterations() const
+  {
+    return iterations;
+  }
   /** The number of evaluations of the forces. */
-  unsigned int n_evaluations() const;
+  unsigned int n_evaluations() const
+  {
+    return evaluations;
+  }
   /** The time of the linear systems so far, in seconds; see JointSystem. */
-  double seconds_of_systems() const;
+  double seconds_of_systems() const
+  {
+    return system.seconds();
+  }
 
 private:
   /** A displacement and what follows from it. */
@@ -102,28 +146,37 @@ private:
      * Those of u, but summed up from those of the steps: differences of u
      * itself would lose, in a stiff joint, the digits of its force.
      */
-    std::vector<Jump> jumps;
-    std::vector<Jump> forces;
+    std::vector<double> jumps;
+    std::vector<double> forces;
     /** Minus the sum of all forces on each cell. */
     std::vector<double> gradient;
   };
 
-  std::vector<Jump> jumps_of(const std::vector<double> &u) const;
+  /** A step from the present state. */
+  struct Direction
+  {
+    std::vector<double> u;
+    /** The jumps of u. */
+    std::vector<double> jumps;
+    /** The longest multiple with finite energy, with a margin. */
+    double longest;
+  };
+  /** The slope of the energy along a step, as a function of its length. */
+  class Slope;
+
   /** Find forces and gradient from the jumps. */
   void evaluate(State &state);
-  std::vector<double> direction(double shift,
-                                const std::vector<double> &centre);
-  void refine(const std::vector<Jump> &second,
+  /** The second derivatives of the energy. */
+  std::vector<double> stiffnesses() const;
+  Direction direction(double shift, const std::vector<double> &centre);
+  std::vector<double> solve(double shift, const std::vector<double> &right);
+  void refine(const std::vector<double> &second,
               const std::vector<double> &right,
               std::vector<double> &d);
-  double longest_step(const std::vector<Jump> &step_jumps) const;
   /** Find @p trial at @p t steps in a direction. */
-  void go(const std::vector<double> &direction,
-          const std::vector<Jump> &step_jumps,
-          double t,
-          State &trial);
+  void go(const Direction &direction, double t, State &trial);
   void accept(State trial);
-  double search(const std::vector<double> &direction,
+  double search(const Direction &direction,
                 double shift,
                 const std::vector<double> &centre);
 

@@ -2,7 +2,7 @@
 #ifndef voussoir_algebra_sparse_factor_h
 #define voussoir_algebra_sparse_factor_h
 
-#include <voussoir/algebra/structure.h>
+#include <voussoir/algebra/joint_blocks.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -18,9 +18,7 @@ namespace Voussoir
 {
 /**
  * The matrix of a system of JointSystem, of the first bodies of a structure and
- * the joints between them, with its sparse Cholesky factors by CHOLMOD.
- *
- * The system is of one component, a_e in place of the blocks, or of two. The
+ * the joints between them, with its sparse Cholesky factors by CHOLMOD. The
  * lower triangle is stored by columns; where the entries of each joint go is
  * found once.
  */
@@ -30,14 +28,12 @@ public:
   /**
    * Find the pattern of the matrix.
    *
-   * @param structure has the joints; it must outlive this object.
-   * @param n_components of the system, one or two.
+   * @param blocks of the matrix.
    * @param n_bodies the number of bodies that count; not fewer than are own.
    * @param last bodies to be eliminated after all others, ascending.
    * @throws std::bad_alloc if there is not enough memory.
    */
-  SparseFactor(const Structure &structure,
-               unsigned int n_components,
+  SparseFactor(const JointBlocks &blocks,
                unsigned int n_bodies,
                const std::vector<unsigned int> &last = {});
   ~SparseFactor();
@@ -53,10 +49,9 @@ public:
    * @throws std::bad_alloc if there is not enough memory, and where CHOLMOD's
    *   integers are too small.
    */
-  bool factorise(const std::vector<Structure::Jump> &coefficients,
-                 double shift);
+  bool factorise(const std::vector<double> &coefficients, double shift);
 
-  /** The number of unknowns: n_components times n_bodies. */
+  /** The number of unknowns: JointBlocks::n() times n_bodies. */
   unsigned int n() const;
 
   /** The number of them that belong to the last bodies. */
@@ -91,16 +86,18 @@ public:
   std::vector<double> added() const;
 
 private:
+  /** The joints below each body: those to bodies of higher numbers. */
+  struct Below;
   void make_pattern();
-  void fill(const std::vector<Structure::Jump> &coefficients, double shift);
+  void fill(const std::vector<double> &coefficients, double shift);
   void analyse();
   void extract_last_block();
   std::vector<double> solve(std::initializer_list<int> systems,
                             const std::vector<double> &r,
                             unsigned int n_columns);
 
+  const JointBlocks blocks;
   const Structure &structure;
-  const unsigned int n_components;
   const unsigned int n_bodies;
   const std::vector<unsigned int> last;
   std::unique_ptr<cholmod_common_struct> common;

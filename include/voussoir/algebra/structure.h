@@ -2,11 +2,15 @@
 #ifndef voussoir_algebra_structure_h
 #define voussoir_algebra_structure_h
 
+#include <voussoir/algebra/friction_law.h>
+#include <voussoir/algebra/kinematics.h>
 #include <voussoir/parallel/team.h>
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -18,8 +22,10 @@ namespace Voussoir
  * own bodies, the joints that touch them, and behind its own the ghosts, bodies
  * of other processes at the far ends of these joints.
  *
- * Vectors of unknowns are ordered body by body, component by component; see
- * dof(). Sums over the joints of a body are complete for own bodies only.
+ * Vectors of unknowns are ordered body by body, see dof(); what has a number
+ * for each contact row, as jumps and forces have, joint by joint, n_rows() for
+ * each: first the normal ones, n_contacts() of them, at last the tangential
+ * one. Sums over the joints of a body are complete for own bodies only.
  */
 class Structure
 {
@@ -31,17 +37,12 @@ public:
     unsigned int cell_minus;
     /** c+, the number of a body here; possibly the ground. */
     unsigned int cell_plus;
-    /** n_e, from c- to c+. */
-    dealii::Tensor<1, 2> normal;
-    /** t_e = R(pi/2) n_e. */
-    dealii::Tensor<1, 2> tangent;
     /** The length |e|. */
     double length;
     /** d_e, which is positive; see Packing::distance(). */
     double distance;
-    /** s_e |e|, the largest tangential force. */
+    /** s_e |e|, the strength; see FrictionLaw. */
     double strength;
-
     /** k_e = |e| / d_e, of a joint with modulus one. */
     double stiffness() const
     {
@@ -49,21 +50,31 @@ public:
     }
   };
 
-  /**
-   * The jump [u]_e in the frame of its joint; or a pair of this kind, the
-   * forces f_e^n and f_e^t.
-   */
-  struct Jump
+  /** All joints with their rows; see ContactRow. */
+  struct Joints
   {
-    /** Along n_e: the opening, negative where bodies interpenetrate. */
-    double normal;
-    /** Along t_e: the sliding. */
-    double tangential;
+    /** The joints. */
+    std::vector<Joint> list;
+    /** ContactRow::direction of each row. */
+    std::vector<dealii::Tensor<1, 2>> direction;
+    /** @{ */
+    /** Of each row; empty where bodies have two unknowns. */
+    std::vector<double> turn_minus, turn_plus;
+    /** @} */
+    /** Add joint @p e of @p other, with its rows, between other bodies. */
+    void add(const Structure &other,
+             unsigned int e,
+             unsigned int minus,
+             unsigned int plus);
   };
 
   /** The part that one process gets of a structure that several share. */
   struct Part
   {
+    /** The motions of its bodies. */
+    const Kinematics *kinematics = &translations();
+    /** The law of friction of its joints. */
+    const FrictionLaw *friction = &tresca();
     /**
      * The number of its first own body; those of a process follow each other,
      * in the order of the processes.
@@ -72,53 +83,148 @@ public:
     /** The numbers of its ghosts, ascending. */
     std::vector<unsigned int> ghosts;
     /** Between own bodies 0, 1, ... and ghosts behind them. */
-    std::vector<Joint> joints;
-    /** F_c on its own bodies. */
-    std::vector<dealii::Tensor<1, 2>> loads;
+    Joints joints;
+    /** The result of loads(). */
+    std::vector<double> loads;
+    /** The result of centres(). */
+    std::vector<dealii::Tensor<1, 2>> centres;
   };
 
   /** The part of this process of what @p team shares. */
   Structure(const Team &team, Part part);
 
   /** The processes that share the structure. */
-  const Team &team() const;
-
+  const Team &team() const
+  {
+    return processes;
+  }
+  /** The motions of the bodies. */
+  const Kinematics &kinematics() const
+  {
+    return *own.kinematics;
+  }
+  /** The law of friction of the joints. */
+  const FrictionLaw &friction() const
+  {
+    return *own.friction;
+  }
+  /** The largest tangential force of joint @p e without compression. */
+  double limit(const unsigned int e) const
+  {
+    return own.friction->limit(own.joints.list[e].strength, 0.);
+  }
+  /** The share of one contact in the stiffness of joint @p e. */
+  double contact_stiffness(const unsigned int e) const
+  {
+    return own.joints.list[e].stiffness() / n_contacts();
+  }
+  /** Kinematics::n_unknowns(). */
+  unsigned int n_unknowns() const
+  {
+    return unknowns_per_body;
+  }
+  /** Kinematics::n_contacts(). */
+  unsigned int n_contacts() const
+  {
+    return rows_per_joint - 1;
+  }
+  /** Kinematics::n_rows(). */
+  unsigned int n_rows() const
+  {
+    return rows_per_joint;
+  }
   /** The number of bodies of this process, with the ground if it has it. */
-  unsigned int n_own_bodies() const;
-
+  unsigned int n_own_bodies() const
+  {
+    return own.loads.size() / unknowns_per_body;
+  }
   /** The number of own bodies and ghosts. */
-  unsigned int n_bodies() const;
-
-  /** Twice n_own_bodies(). */
-  unsigned int n_own_dofs() const;
-
-  /** Twice n_bodies(): the size of a vector of unknowns. */
-  unsigned int n_dofs() const;
+  unsigned int n_bodies() const
+  {
+    return n_own_bodies() + own.ghosts.size();
+  }
+  /** The number of unknowns of own bodies. */
+  unsigned int n_own_dofs() const
+  {
+    return own.loads.size();
+  }
+  /** The number of unknowns of all bodies: the size of a vector of them. */
+  unsigned int n_dofs() const
+  {
+    return unknowns_per_body * n_bodies();
+  }
   /** The number of the first own body among those of all processes. */
-  unsigned int first_body() const;
+  unsigned int first_body() const
+  {
+    return own.first;
+  }
   /** The numbers of the ghosts, ascending. */
-  const std::vector<unsigned int> &ghosts() const;
-
+  const std::vector<unsigned int> &ghosts() const
+  {
+    return own.ghosts;
+  }
+  /** The number of @p body among those of all processes. */
+  unsigned int number_of(const unsigned int body) const
+  {
+    return body < n_own_bodies() ? own.first + body
+                                 : own.ghosts[body - n_own_bodies()];
+  }
   /** All joints that touch an own body. */
-  const std::vector<Joint> &joints() const;
+  const std::vector<Joint> &joints() const
+  {
+    return own.joints.list;
+  }
+  /** The number of all their rows. */
+  std::size_t n_all_rows() const
+  {
+    return own.joints.direction.size();
+  }
+  /** Row @p r of joint @p e. */
+  ContactRow row(unsigned int e, unsigned int r) const;
+  /** n_e, the direction of the first row of joint @p e. */
+  const dealii::Tensor<1, 2> &normal(const unsigned int e) const
+  {
+    return own.joints.direction[std::size_t(e) * rows_per_joint];
+  }
   /** True if this process counts the joint; the others that have it do not. */
-  bool is_own(const Joint &joint) const;
-  /** F_c of each own body. */
-  const std::vector<dealii::Tensor<1, 2>> &loads() const;
-
+  bool is_own(const Joint &joint) const
+  {
+    return joint.cell_minus < n_own_bodies();
+  }
+  /** The load on each own unknown: F_c for the displacement. */
+  const std::vector<double> &loads() const
+  {
+    return own.loads;
+  }
+  /** x_c of each own body; that of the ground is zero. */
+  const std::vector<dealii::Tensor<1, 2>> &centres() const
+  {
+    return own.centres;
+  }
   /** Let the ghosts in @p u (n_dofs() numbers) have what their owners have. */
   void update_ghosts(std::vector<double> &u) const;
-
-  /** The unknown of component @p i of the displacement of @p body. */
-  static unsigned int dof(unsigned int body, unsigned int i);
-
-  /** The jump of the displacement @p u (n_dofs() numbers) across a joint. */
-  static Jump jump(const Joint &joint, const double *u);
-
-  /** Add f times the derivative of jump() to @p gradient (n_dofs() numbers). */
-  static void
-  add_jump_gradient(const Joint &joint, const Jump &f, double *gradient);
-
+  /** Unknown @p i of @p body. */
+  unsigned int dof(const unsigned int body, const unsigned int i) const
+  {
+    return unknowns_per_body * body + i;
+  }
+  /**
+   * The jump of @p u (n_dofs() numbers) in row @p r of joint @p e: the opening,
+   * negative where bodies interpenetrate, or in the last row the sliding.
+   */
+  double jump(unsigned int e, unsigned int r, const double *u) const;
+  /** The same of its contact that opens least. */
+  double opening(unsigned int e, const double *u) const;
+  /** The same of its tangential row. */
+  double sliding(unsigned int e, const double *u) const;
+  /** The jumps in all rows of all joints. */
+  std::vector<double> jumps(const std::vector<double> &u) const;
+  /**
+   * Add to @p gradient (n_dofs() numbers) the derivative of the jumps of joint
+   * @p e times its forces @p f, n_rows() numbers.
+   */
+  void
+  add_jump_gradient(unsigned int e, const double *f, double *gradient) const;
   /**
    * The work of the loads along @p u (n_dofs() numbers); collective.
    *
@@ -128,58 +234,89 @@ public:
 
 protected:
   /** A whole structure, to be filled by a derived class. */
-  Structure() = default;
+  Structure(const Kinematics &kinematics, const FrictionLaw &friction);
+  /** Add a joint with its rows. */
+  void add_joint(const Joint &joint, const JointFrame &frame);
 
-  /** The result of joints(). */
-  std::vector<Joint> joint_list;
-  /** The result of loads(); it has an element for each own body. */
-  std::vector<dealii::Tensor<1, 2>> load;
+  /** The structure itself. */
+  Part own;
 
 private:
   Team processes;
-  unsigned int first = 0;
-  std::vector<unsigned int> ghost_list;
+  unsigned int unknowns_per_body;
+  unsigned int rows_per_joint;
   /** The exchange of the unknowns of ghosts; null if there are none. */
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> exchange;
 };
 
 // ------------------------------------------------------------------- inline
 
-inline unsigned int Structure::dof(const unsigned int body,
-                                   const unsigned int i)
+inline ContactRow Structure::row(const unsigned int e,
+                                 const unsigned int r) const
 {
-  return 2 * body + i;
+  const std::size_t k = std::size_t(e) * rows_per_joint + r;
+  const Joints &joints = own.joints;
+  if (joints.turn_plus.empty())
+    return {joints.direction[k], 0., 0.};
+  return {joints.direction[k], joints.turn_minus[k], joints.turn_plus[k]};
 }
 
-inline bool Structure::is_own(const Joint &joint) const
+inline double Structure::jump(const unsigned int e,
+                              const unsigned int r,
+                              const double *u) const
 {
-  return joint.cell_minus < load.size();
-}
-
-inline Structure::Jump Structure::jump(const Joint &joint, const double *u)
-{
-  // The two products may cancel all but the last digits, and in a stiff joint
+  // The products may cancel all but the last digits, and in a stiff joint
   // these are forces.
-  const long double x = static_cast<long double>(u[dof(joint.cell_plus, 0)]) -
-                        u[dof(joint.cell_minus, 0)];
-  const long double y = static_cast<long double>(u[dof(joint.cell_plus, 1)]) -
-                        u[dof(joint.cell_minus, 1)];
-  return {static_cast<double>(x * joint.normal[0] + y * joint.normal[1]),
-          static_cast<double>(x * joint.tangent[0] + y * joint.tangent[1])};
+  const double *plus = u + dof(own.joints.list[e].cell_plus, 0);
+  const double *minus = u + dof(own.joints.list[e].cell_minus, 0);
+  const long double x = static_cast<long double>(plus[0]) - minus[0];
+  const long double y = static_cast<long double>(plus[1]) - minus[1];
+  const std::size_t k = std::size_t(e) * rows_per_joint + r;
+  const dealii::Tensor<1, 2> &direction = own.joints.direction[k];
+  long double jump = x * direction[0] + y * direction[1];
+  if (!own.joints.turn_plus.empty())
+    jump += static_cast<long double>(own.joints.turn_plus[k]) * plus[2] -
+            static_cast<long double>(own.joints.turn_minus[k]) * minus[2];
+  return static_cast<double>(jump);
 }
 
-inline void Structure::add_jump_gradient(const Joint &joint,
-                                         const Jump &f,
-                                         double *gradient)
+inline double Structure::opening(const unsigned int e, const double *u) const
 {
+  double least = jump(e, 0, u);
+  for (unsigned int r = 1; r < n_contacts(); ++r)
+    least = std::min(least, jump(e, r, u));
+  return least;
+}
+
+inline double Structure::sliding(const unsigned int e, const double *u) const
+{
+  return jump(e, n_contacts(), u);
+}
+
+inline void Structure::add_jump_gradient(const unsigned int e,
+                                         const double *f,
+                                         double *gradient) const
+{
+  double *plus = gradient + dof(own.joints.list[e].cell_plus, 0);
+  double *minus = gradient + dof(own.joints.list[e].cell_minus, 0);
+  const std::size_t first = std::size_t(e) * rows_per_joint;
   for (unsigned int i = 0; i < 2; ++i)
   {
-    const double component =
-        f.normal * joint.normal[i] + f.tangential * joint.tangent[i];
-    gradient[dof(joint.cell_plus, i)] += component;
-    gradient[dof(joint.cell_minus, i)] -= component;
+    double component = 0.;
+    for (unsigned int r = 0; r < rows_per_joint; ++r)
+      component += f[r] * own.joints.direction[first + r][i];
+    plus[i] += component;
+    minus[i] -= component;
+  }
+  if (own.joints.turn_plus.empty())
+    return;
+  for (unsigned int r = 0; r < rows_per_joint; ++r)
+  {
+    plus[2] += f[r] * own.joints.turn_plus[first + r];
+    minus[2] -= f[r] * own.joints.turn_minus[first + r];
   }
 }
+
 } // namespace Voussoir
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef voussoir_algebra_substructures_h
 #define voussoir_algebra_substructures_h
 
+#include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/algebra/linear_method.h>
 #include <voussoir/algebra/sparse_factor.h>
 
@@ -26,28 +27,26 @@ namespace Voussoir
 class Substructures : public LinearMethod
 {
 public:
-  /**
-   * @param structure must outlive this object.
-   * @param n_components of the system, one or two; see LinearMethod.
-   */
-  Substructures(const Structure &structure, unsigned int n_components);
+  /** @param blocks of the matrix. */
+  explicit Substructures(const JointBlocks &blocks);
 
   /** The number of own bodies of this process that couple. */
   static unsigned int n_coupling_bodies(const Structure &structure);
 
-  bool prepare(const std::vector<Structure::Jump> &coefficients,
-               double shift) override;
-  std::vector<double> solve(const std::vector<double> &r) override;
+  bool prepare(const std::vector<double> &coefficients, double shift) override;
+  std::vector<double> solve(const std::vector<double> &r,
+                            unsigned int n_columns) override;
   bool is_direct() const override;
 
 private:
   void number_couplings();
   std::vector<double> schur_complement() const;
   bool factorise_couplings(const std::vector<std::vector<double>> &parts);
-  std::vector<double> solve_couplings(const std::vector<double> &right) const;
+  std::vector<double> solve_couplings(const std::vector<double> &right,
+                                      unsigned int n_columns) const;
 
+  const JointBlocks blocks;
   const Structure &structure;
-  const unsigned int n_components;
   /** Own bodies and the ghosts of earlier processes. */
   const unsigned int n_bodies;
   SparseFactor factor;

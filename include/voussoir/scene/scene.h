@@ -2,6 +2,8 @@
 #ifndef voussoir_scene_scene_h
 #define voussoir_scene_scene_h
 
+#include <voussoir/algebra/friction_law.h>
+#include <voussoir/algebra/kinematics.h>
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/loads.h>
 
@@ -31,6 +33,10 @@ struct Scene
   Packing packing;
   /** s_e of each interface, not negative; S. */
   std::vector<double> strength;
+  /** The forces that interfaces of a strength admit. */
+  const FrictionLaw *friction = &tresca();
+  /** The motions of the blocks. */
+  const Kinematics *kinematics = &translations();
   /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
   /** EdgeTractions::first_moment of it on each boundary edge; S L^2. */
@@ -76,10 +82,7 @@ struct InterfaceForces
                                      unsigned int e) const;
 };
 
-/**
- * The part of its strength that an interface uses: |f_e^t| / (s_e |e|), and
- * zero where there is no tangential force.
- */
+/** FrictionLaw::utilisation() of an interface. */
 double
 utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);
 

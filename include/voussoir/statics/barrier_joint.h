@@ -25,48 +25,48 @@ enum class BarrierWeights
  *     minimise sum_e s_e |e| v_e - sum_c F_c . u_c
  *     subject to y_e >= 0 and v_e >= |x_e|,
  *
- * with y and x the normal and the tangential jump. Each inequality has the
- * barrier -w_e log(.); v_e is eliminated, which leaves, with b = s_e |e| and
- * r = sqrt(w_e^2 + b^2 x^2),
+ * with y the jump of a contact and x the tangential one. Each inequality has
+ * the barrier -w_e log(.); v_e is eliminated, which leaves, with b = s_e |e|
+ * and r = sqrt(w_e^2 + b^2 x^2),
  *
  *     -w_e log y + r - w_e log(w_e + r),
  *
  * and the forces p = w_e / y and q = b^2 x / (w_e + r), inside the admissible
  * ones. The weights w_e are one (`equal`) or |e| d_e (`edge area`, twice the
- * area between the joint and the two centres).
+ * area between the joint and the two centres), which the contacts of a joint
+ * share.
  */
 class BarrierJoint : public JointLaw
 {
 public:
-  /**
-   * The forces that all admissible and balanced states have in common at a
-   * joint.
-   */
-  struct Fixed
-  {
-    /** p = 0: the joint has no barrier for it. */
-    bool never_pressed = false;
-    /** +1 or -1 where q = +b or q = -b. */
-    int sliding = 0;
-  };
-
   /** @param structure has the joints; it must outlive this object. */
   BarrierJoint(const Structure &structure, BarrierWeights weights);
 
-  Jump force(unsigned int e, const Jump &jump) const override;
-  Jump second_derivative(unsigned int e, const Jump &jump) const override;
+  void find_forces(unsigned int e,
+                   const double *jumps,
+                   double *forces) const override;
+  void find_second_derivatives(unsigned int e,
+                               const double *jumps,
+                               double *second) const override;
   double longest_step(unsigned int e,
-                      const Jump &jump,
-                      const Jump &step) const override;
+                      const double *jumps,
+                      const double *steps) const override;
 
-  /** The weight w_e, nondimensional. */
+  /** The weight w_e of the friction, nondimensional. */
   double weight(unsigned int e) const;
+  /** The weight of each contact. */
+  double contact_weight(unsigned int e) const;
 
   /** The rest of the strength, s_e |e| - |q_e|, without cancellation. */
-  double slack(unsigned int e, const Jump &jump) const;
+  double slack(unsigned int e, double sliding) const;
 
-  /** One entry per joint; at first nothing is fixed. */
-  std::vector<Fixed> fixed;
+  /**
+   * The forces that all admissible and balanced states have in common, for each
+   * row of each joint: zero where there is none, and else one of a contact that
+   * is never pressed, p = 0, and +1 or -1 where q = +b or q = -b. At first
+   * nothing is fixed.
+   */
+  std::vector<signed char> fixed;
 
 private:
   const Structure *structure;

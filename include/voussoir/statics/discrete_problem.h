@@ -6,6 +6,7 @@
 #include <voussoir/scene/scene.h>
 #include <voussoir/statics/opening.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,7 @@ namespace Voussoir
  *
  * The ground, where there are supports, is one more body behind the cells. The
  * load on it is minus all others in its connected group, so that in every group
- * the loads add up to zero and a translation does no work.
+ * the loads add up to zero and a rigid motion does no work.
  */
 class DiscreteProblem : public Structure
 {
@@ -49,14 +50,20 @@ public:
   DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
 
   /** The bodies but for the ground, which is there if there are supports. */
-  unsigned int n_cells() const;
+  unsigned int n_cells() const
+  {
+    return n_moving_cells;
+  }
+  /** True if there are supports, and the ground is the last body. */
+  bool has_ground() const
+  {
+    return n_bodies() > n_moving_cells;
+  }
   /** True if there is any load at all. */
-  bool is_loaded() const;
-  /**
-   * x_c of each cell; nondimensional, from the area-weighted mean of the
-   * centres.
-   */
-  const std::vector<dealii::Tensor<1, 2>> &centres() const;
+  bool is_loaded() const
+  {
+    return has_load;
+  }
   /**
    * True if @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
@@ -64,14 +71,14 @@ public:
   bool is_held(unsigned int body) const;
 
   /**
-   * Subtract from @p u (n_dofs() numbers) in each connected group the
-   * displacement of the ground, or else the mean.
+   * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
+   * motion of the ground, or else the mean one.
    */
-  void remove_translations(std::vector<double> &u) const;
+  void remove_rigid_motions(std::vector<double> &u) const;
 
   /**
-   * Subtract from @p u (n_dofs() numbers) in each connected group the
-   * displacement of the body that is_held().
+   * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
+   * motion of the body that is_held().
    */
   void hold_bodies(std::vector<double> &u) const;
 
@@ -92,30 +99,49 @@ public:
   DiscreteProblem without_loads() const;
 
   /** The unit of length, in the user's; L. */
-  double length_scale() const;
+  double length_scale() const
+  {
+    return length_unit;
+  }
   /** The unit of stress, in the user's; S. One if there is no load. */
-  double stress_scale() const;
+  double stress_scale() const
+  {
+    return stress_unit;
+  }
   /** The rounding of the largest of the user's coordinates; nondimensional. */
-  double rounding_of_coordinates() const;
+  double rounding_of_coordinates() const
+  {
+    return coordinate_rounding;
+  }
 
 private:
   void choose_scales(const Scene &scene, const std::vector<bool> &moves);
-  void add_joint(const Scene &scene,
-                 unsigned int interface,
-                 const std::vector<unsigned int> &body);
+  void add_interface(const Scene &scene,
+                     unsigned int interface,
+                     const std::vector<unsigned int> &body);
   void connect_groups();
   void balance_loads();
+  /** The rigid motion of a connected group. */
+  struct Motion
+  {
+    /** The place about which it turns. */
+    dealii::Tensor<1, 2> about;
+    /** The size of each rigid motion of Kinematics. */
+    std::array<double, 3> size = {{0., 0., 0.}};
+  };
+  void subtract(const std::vector<Motion> &motion_of_group,
+                std::vector<double> &u) const;
 
   double length_unit = 1.;
   double stress_unit = 1.;
   bool has_load = false;
   double coordinate_rounding = 0.;
-  std::vector<dealii::Tensor<1, 2>> centre;
+  unsigned int n_moving_cells = 0;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
   friend const Opening &opening_of(const DiscreteProblem &problem);
   /** See opening_of(). */
-  mutable std::optional<Opening> opening;
+  mutable std::optional<Opening> found_opening;
 };
 } // namespace Voussoir
 

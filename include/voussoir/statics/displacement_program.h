@@ -26,6 +26,17 @@ public:
   }
 };
 
+/**
+ * Add row @p row of constraints: @p factor times the jump in row @p r of joint
+ * @p e.
+ */
+void add_jump_entries(const DiscreteProblem &problem,
+                      unsigned int e,
+                      unsigned int r,
+                      double factor,
+                      unsigned int row,
+                      std::vector<ConvexProgram::Entry> &entries);
+
 /** The result of solve_program(). */
 struct ProgramResult
 {

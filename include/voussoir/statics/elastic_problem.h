@@ -15,13 +15,13 @@ namespace Voussoir
 /**
  * The law of elastic joints that open and slide.
  *
- * Their stiffness is k_e = |e| / d_e:
+ * Their stiffness is k_e = |e| / d_e, which the n contacts share:
  *
- *     energy = k_e min(y, 0)^2 / 2 + Huber(x),
+ *     energy = sum (k_e / n) min(y, 0)^2 / 2 + Huber(x),
  *
- * where y and x are the normal and the tangential jump and Huber's function is
- * k_e x^2 / 2 up to the slope s_e |e| and continues with that slope. The forces
- * are admissible for any jump.
+ * where y are the normal jumps and x the tangential one, and Huber's function
+ * is k_e x^2 / 2 up to the slope s_e |e| and continues with that slope. The
+ * forces are admissible for any jump.
  */
 class ElasticJoint : public JointLaw
 {
@@ -29,8 +29,12 @@ public:
   /** @param structure has the joints; it must outlive this object. */
   explicit ElasticJoint(const Structure &structure);
 
-  Jump force(unsigned int e, const Jump &jump) const override;
-  Jump second_derivative(unsigned int e, const Jump &jump) const override;
+  void find_forces(unsigned int e,
+                   const double *jumps,
+                   double *forces) const override;
+  void find_second_derivatives(unsigned int e,
+                               const double *jumps,
+                               double *second) const override;
 
 private:
   const Structure &structure;

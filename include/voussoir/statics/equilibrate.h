@@ -7,9 +7,10 @@
 namespace Voussoir
 {
 /**
- * Forces near @p forces (nondimensional) that balance every cell and are
- * admissible, both to rounding if that can be reached: the forces are moved
- * into their limits, and then by the smallest correction df that balances,
+ * Forces near @p forces (of each row of each joint, nondimensional) that
+ * balance every cell and are admissible, both to rounding if that can be
+ * reached: the forces are moved into their limits, and then by the smallest
+ * correction df that balances,
  *
  *     minimise  sum_e (d_e/|e|) ((df_e^n)^2 / w_e^n + (df_e^t)^2 / w_e^t).
  *
@@ -20,8 +21,8 @@ namespace Voussoir
  * @return the best forces met, by the larger of imbalance and violation; those
  *   given, if none are better.
  */
-InterfaceForces equilibrate(const DiscreteProblem &problem,
-                            const InterfaceForces &forces);
+std::vector<double> equilibrate(const DiscreteProblem &problem,
+                                const std::vector<double> &forces);
 } // namespace Voussoir
 
 #endif

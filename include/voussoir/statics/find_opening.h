@@ -34,9 +34,9 @@ bool opens_all_joints(const DiscreteProblem &problem,
 
 /**
  * True if no motion opens every joint by more than that, since the normal
- * forces @p p, one for each joint, balance by themselves: if every |u_c| <= 1,
- * then the least [u]_e . n_e is at most the sum of what is left on the cells
- * over the sum of p.
+ * forces @p p, of each row of each joint and zero in tangential ones, balance
+ * by themselves: if every |u_c| <= 1, then the least [u]_e . n_e is at most the
+ * sum of what is left on the cells over the sum of p.
  */
 bool is_self_stress(const DiscreteProblem &problem,
                     const std::vector<double> &p);

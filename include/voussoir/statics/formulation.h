@@ -75,8 +75,8 @@ void equilibrate_solution(const DiscreteProblem &problem, Solution &solution);
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution);
 /** The other way round. */
-InterfaceForces nondimensional_forces(const DiscreteProblem &problem,
-                                      InterfaceForces forces);
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const InterfaceForces &forces);
 } // namespace Voussoir
 
 #endif

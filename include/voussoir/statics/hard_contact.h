@@ -13,9 +13,9 @@ namespace Voussoir
  * The energy of one joint with smoothed friction and hard contact at a given
  * point of the central path,
  *
- *     s_e |e| h(x) - mu log y,
+ *     s_e |e| h(x) - sum mu log y,
  *
- * with x, y and h as in SmoothedJoint. The normal force is f_e^n = -mu / y. All
+ * with x, y and h as in SmoothedJoint. The force of a contact is -mu / y. All
  * nondimensional.
  */
 class HardJoint : public JointLaw
@@ -23,18 +23,24 @@ class HardJoint : public JointLaw
 public:
   /**
    * @param friction for hard contact; it must outlive this object.
+   * @param n_contacts of a joint.
    * @param mu the barrier parameter, positive.
    */
-  HardJoint(const SmoothedJoint &friction, double mu);
+  HardJoint(const SmoothedJoint &friction, unsigned int n_contacts, double mu);
 
-  Jump force(unsigned int e, const Jump &jump) const override;
-  Jump second_derivative(unsigned int e, const Jump &jump) const override;
+  void find_forces(unsigned int e,
+                   const double *jumps,
+                   double *forces) const override;
+  void find_second_derivatives(unsigned int e,
+                               const double *jumps,
+                               double *second) const override;
   double longest_step(unsigned int e,
-                      const Jump &jump,
-                      const Jump &step) const override;
+                      const double *jumps,
+                      const double *steps) const override;
 
 private:
   const SmoothedJoint &friction;
+  const unsigned int n_contacts;
   const double mu;
 };
 

@@ -13,7 +13,7 @@ namespace Voussoir
 /** The cost of the forces of one joint; nondimensional. See InteriorPoint. */
 struct JointCost
 {
-  /** c^n, not negative. */
+  /** c^n of each contact, not negative. */
   double normal_compliance = 0.;
   /** c^t, not negative. */
   double tangential_compliance = 0.;
@@ -28,10 +28,11 @@ struct JointCost
  *
  *     sum_e (c_e^n p_e^2 / 2 + c_e^t q_e^2 / 2 - eps_e (b_e^2 - q_e^2)^(1/2)),
  *
- * b_e = s_e |e|: with c^n = c^t = d_e/|e| and eps = 0 least energy, with c^n =
- * d_e/|e|, c^t = 0 and eps = s_e d_e smoothed friction with compliant contact.
- * Or, where nothing has a cost, for the load factor: the largest alpha for
- * which the load alpha F is carried. Displacements are the multipliers of the
+ * with the forces p_e >= 0 of each contact and b_e = s_e |e|: with c^n = n
+ * d_e/|e| for n contacts, c^t = d_e/|e| and eps = 0 least energy, with that
+ * c^n, c^t = 0 and eps = s_e d_e smoothed friction with compliant contact. Or,
+ * where nothing has a cost, for the load factor: the largest alpha for which
+ * the load alpha F is carried. Displacements are the multipliers of the
  * balance. p_e has the multiplier z_e >= 0, which is [u]_e . n_e + c_e^n p_e in
  * the end; friction is a FrictionCone, whose sliding is [u]_e . t_e - c_e^t q_e
  * in the end. All p_e z_e and s_e . lambda_e go to zero, in proportion to |e|
@@ -46,9 +47,6 @@ struct JointCost
 class InteriorPoint
 {
 public:
-  /** Of displacements or forces; see Structure::Jump. */
-  using Jump = Structure::Jump;
-
   /** The optimum that is looked for. */
   enum class Aim
   {
@@ -75,8 +73,8 @@ public:
 
   /** The displacement: n_dofs() numbers. */
   const std::vector<double> &u() const;
-  /** f_e^n and f_e^t of each joint. */
-  InterfaceForces forces() const;
+  /** Of each row of each joint, as in Structure. */
+  std::vector<double> forces() const;
   /** The factor of the loads; one unless it is looked for. */
   double load_factor() const;
   /** The largest component of the sum of all forces on a body. */
@@ -89,7 +87,16 @@ public:
   double seconds_of_systems() const;
 
 private:
-  /** One joint. */
+  /** One contact. */
+  struct Contact
+  {
+    /** The share in |e| d_e of its joint. */
+    double weight;
+    double p, z;
+    /** The shortfall of z. */
+    double short_z = 0.;
+  };
+  /** One joint, but for its contacts. */
   struct State
   {
     JointCost cost;
@@ -99,22 +106,24 @@ private:
     double extra_compliance;
     /** |e| d_e. */
     double weight;
-    double p, z;
     FrictionCone friction;
-    /** @{ */
-    /** The shortfall of z and of the sliding. */
-    double short_z = 0., short_v = 0.;
-    /** @} */
+    /** The shortfall of the sliding. */
+    double short_v = 0.;
+    /** The compliance of a contact in a step. */
+    double normal_compliance() const
+    {
+      return cost.normal_compliance + extra_compliance;
+    }
   };
-  struct StateStep
+  struct ContactStep
   {
     double p, z;
-    FrictionCone::Step friction;
   };
   struct Step
   {
     std::vector<double> u;
-    std::vector<StateStep> joints;
+    std::vector<ContactStep> contacts;
+    std::vector<FrictionCone::Step> frictions;
     double load_factor;
   };
   /** Parts of a step. */
@@ -134,11 +143,15 @@ private:
   const DiscreteProblem &problem;
   const Aim aim;
   JointSystem system;
+  /** Of a joint. */
+  const unsigned int n_contacts;
   std::vector<State> states;
+  /** Joint by joint. */
+  std::vector<Contact> contacts;
   std::vector<double> displacement;
   double alpha;
   /** The coefficients of the linear system. */
-  std::vector<Jump> stiffness;
+  std::vector<double> stiffness;
   /** Its solution for the loads. */
   std::vector<double> u_of_load;
   unsigned int iterations = 0;

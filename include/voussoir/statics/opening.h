@@ -21,7 +21,9 @@ struct Opening
 {
   /** u, n_dofs() numbers; see opening_of(). */
   std::vector<double> displacement;
-  /** p_e of each joint, of any size: normal forces that balance by themselves.
+  /**
+   * Of each row of each joint, of any size: normal forces p that balance by
+   * themselves.
    */
   std::vector<double> self_stress;
 };

@@ -54,14 +54,14 @@ public:
    * nothing on the others; collective.
    *
    * @param u the displacement, n_dofs() numbers of structure().
-   * @param forces f_e^n and f_e^t of each joint of structure().
+   * @param forces of each row of each joint of structure().
    * @param displacement_unit of the nondimensional displacement, in the
    *   user's; zero to report none.
    * @param solution takes forces, nondimensional, and displacement, in the
    *   user's unit.
    */
   void collect(const std::vector<double> &u,
-               const std::vector<Structure::Jump> &forces,
+               const std::vector<double> &forces,
                double displacement_unit,
                Solution &solution) const;
 

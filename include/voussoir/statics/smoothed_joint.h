@@ -18,10 +18,10 @@ enum class Contact
 
 /**
  * The energy of one joint, and its derivatives, with smoothed friction. With
- * x = [u]_e . t_e and y = [u]_e . n_e it is
+ * x = [u]_e . t_e and y = [u]_e . n_e at each of n contacts it is
  *
- *     compliant:  s_e |e| h(x) + k_e min(y, 0)^2 / 2,   k_e = |e| / d_e,
- *                 with eps_e = s_e d_e;
+ *     compliant:  s_e |e| h(x) + sum (k_e / n) min(y, 0)^2 / 2,
+ *                 k_e = |e| / d_e, with eps_e = s_e d_e;
  *     hard:       s_e |e| h(x), with one eps for all joints (the paper's own
  *                 form; contact is a constraint then),
  *
@@ -36,12 +36,16 @@ public:
   SmoothedJoint(const DiscreteProblem &problem, Contact contact);
 
   /** The energy of joint @p e. */
-  double energy(unsigned int e, const Jump &jump) const;
-  Jump force(unsigned int e, const Jump &jump) const override;
-  Jump second_derivative(unsigned int e, const Jump &jump) const override;
+  double energy(unsigned int e, const double *jumps) const;
+  void find_forces(unsigned int e,
+                   const double *jumps,
+                   double *forces) const override;
+  void find_second_derivatives(unsigned int e,
+                               const double *jumps,
+                               double *second) const override;
 
   /** eps_e; zero only where the joint has no strength. */
-  double smoothing(const DiscreteProblem::Joint &joint) const;
+  double smoothing(unsigned int e) const;
 
   /** The displacement that stands for one smoothing length of the user. */
   double displacement_unit() const;

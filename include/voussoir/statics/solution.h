@@ -15,9 +15,11 @@ namespace Voussoir
 /** The result of a formulation. */
 struct Solution
 {
-  /** f_e^n and f_e^t of each joint; nondimensional, see dimensional_forces().
+  /**
+   * Of each row of each joint, as in Structure; nondimensional, see
+   * dimensional_forces().
    */
-  InterfaceForces forces;
+  std::vector<double> forces;
   /**
    * The largest change of a force by equilibrate(), over the largest force
    * before or after.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_algebra_componentwise_h
+#define voussoir_algebra_componentwise_h
+
+#include <voussoir/algebra/linear_method.h>
+#include <voussoir/algebra/structure.h>
+
+#include <memory>
+
+namespace Voussoir
+{
+
+/**
+ * The systems in which the two components of the displacement come apart: no
+ * body turns, and both coefficients of each joint are the same, so that
+ * a (n n^T + t t^T) is a times the identity. One matrix of half the size serves
+ * both components.
+ */
+class Componentwise : public LinearMethod
+{
+public:
+  /** @param one the method for the matrix of one component. */
+  explicit Componentwise(std::unique_ptr<LinearMethod> one);
+  /** True if the system with these coefficients is one of them; collective. */
+  static bool serves(const Structure &structure,
+                     const std::vector<double> &coefficients);
+  bool prepare(const std::vector<double> &coefficients, double shift) override;
+  std::vector<double> solve(const std::vector<double> &r,
+                            unsigned int n_columns) override;
+  bool is_direct() const override;
+
+private:
+  std::unique_ptr<LinearMethod> one;
+};
+
+} // namespace Voussoir
+
+#endif

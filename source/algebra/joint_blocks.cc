@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_blocks.h>
+
+namespace Voussoir
+{
+
+void JointBlocks::find(const unsigned int e,
+                       const double *coefficients,
+                       Blocks &blocks) const
+{
+  const unsigned int n_rows = structure->n_rows();
+  const double *a = coefficients + std::size_t(e) * n_rows;
+  if (unknowns == 1)
+  {
+    blocks.minus[0] = blocks.plus[0] = a[0];
+    blocks.mixed[0] = -a[0];
+    return;
+  }
+  blocks = {};
+  for (unsigned int r = 0; r < n_rows; ++r)
+  {
+    const ContactRow row = structure->row(e, r);
+    const dealii::Tensor<1, 2> &d = row.direction;
+    const double plus[] = {d[0], d[1], row.turn_plus};
+    const double minus[] = {-d[0], -d[1], -row.turn_minus};
+    for (unsigned int i = 0; i < unknowns; ++i)
+      for (unsigned int j = 0; j < unknowns; ++j)
+      {
+        const unsigned int k = i * unknowns + j;
+        blocks.minus[k] += a[r] * minus[i] * minus[j];
+        blocks.plus[k] += a[r] * plus[i] * plus[j];
+        blocks.mixed[k] += a[r] * plus[i] * minus[j];
+      }
+  }
+}
+
+} // namespace Voussoir
