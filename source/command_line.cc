@@ -41,26 +41,30 @@ struct Arguments
   bool version = false;
 };
 
-po::options_description visible_options()
+/** The options that are shown to a user, which set @p arguments. */
+po::options_description visible_options(Arguments &arguments)
 {
   po::options_description options("Options");
   options.add_options()(
-      "set", po::value<std::vector<std::string>>()->value_name("ENTRY"),
+      "set", po::value(&arguments.assignments)->value_name("ENTRY"),
       "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
-      "print-parameters",
+      "print-parameters", po::bool_switch(&arguments.print_parameters),
       "print every parameter with its value and documentation, as .prm")(
-      "print-reference",
+      "print-reference", po::bool_switch(&arguments.print_reference),
       "print the manual's page on all parameters, as Markdown")(
-      "quiet", "print warnings and errors only")("help", "print this help")(
-      "version", "print the version");
+      "quiet", po::bool_switch(&arguments.quiet),
+      "print warnings and errors only")(
+      "help", po::bool_switch(&arguments.help), "print this help")(
+      "version", po::bool_switch(&arguments.version), "print the version");
   return options;
 }
 
 Arguments parse(const std::vector<std::string> &words)
 {
-  po::options_description all;
-  all.add(visible_options())
-      .add_options()("file", po::value<std::vector<std::string>>());
+  Arguments arguments;
+  std::vector<std::string> files;
+  po::options_description all = visible_options(arguments);
+  all.add_options()("file", po::value(&files));
   po::positional_options_description positional;
   positional.add("file", -1);
 
@@ -76,6 +80,7 @@ Arguments parse(const std::vector<std::string> &words)
                   .style(style)
                   .run(),
               values);
+    po::notify(values);
   }
   catch (const po::error &error)
   {
@@ -83,33 +88,22 @@ Arguments parse(const std::vector<std::string> &words)
                      error.what() + ". See 'voussoir --help'.");
   }
 
-  Arguments arguments;
-  if (values.count("file"))
-  {
-    const auto files = values["file"].as<std::vector<std::string>>();
-    if (files.size() > 1)
-      throw InputError("One .prm file is expected, but '" + files[0] +
-                       "' and '" + files[1] +
-                       "' are given. See 'voussoir --help'.");
+  if (files.size() > 1)
+    throw InputError("One .prm file is expected, but '" + files[0] + "' and '" +
+                     files[1] + "' are given. See 'voussoir --help'.");
+  if (!files.empty())
     arguments.file = files[0];
-  }
-  if (values.count("set"))
-    arguments.assignments = values["set"].as<std::vector<std::string>>();
-  arguments.print_parameters = values.count("print-parameters") > 0;
-  arguments.print_reference = values.count("print-reference") > 0;
-  arguments.quiet = values.count("quiet") > 0;
-  arguments.help = values.count("help") > 0;
-  arguments.version = values.count("version") > 0;
   return arguments;
 }
 
 std::string help()
 {
+  Arguments none;
   std::ostringstream text;
   text << "Usage: voussoir FILE.prm [options]\n\n"
           "Computes the contact forces between, and the stresses inside, "
           "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
-       << visible_options()
+       << visible_options(none)
        << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
           "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
           "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "

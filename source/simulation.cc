@@ -27,13 +27,23 @@ namespace Voussoir
 {
 namespace
 {
-/**
- * Write results.pvd, a collection of @p grids that ParaView opens as one file.
- */
+const std::string parameters_prm = "parameters.prm";
+
+/** Every file that any run may write. */
+FilesOfRuns all_files()
+{
+  return {{interfaces_csv, cells_csv, blocks_vtu, interfaces_vtu, stress_vtu,
+           stress_pvtu, mechanism_csv, mechanism_joints_csv, mechanism_vtu,
+           results_pvd, parameters_prm, summary_json},
+          {packing_wkt, packing_off, packing_centres},
+          is_stress_piece};
+}
+
+/** Write a collection of @p grids, which ParaView opens as one file. */
 void write_collection(ResultDirectory &files,
                       const std::vector<std::string> &grids)
 {
-  files.write("results.pvd", [&](std::ostream &out) { write_pvd(out, grids); });
+  files.write(results_pvd, [&](std::ostream &out) { write_pvd(out, grids); });
 }
 } // namespace
 
@@ -81,22 +91,24 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
        {ResultFiles::csv, "csv",
-        "interfaces.csv and cells.csv, or those of the mechanism."},
+        interfaces_csv + " and " + cells_csv + ", or those of the mechanism."},
        {ResultFiles::vtu, "vtu",
-        "blocks.vtu, interfaces.vtu and, unless 'Accuracy = draft', "
-        "stress.vtu, or that of the mechanism; and results.pvd."},
+        blocks_vtu + ", " + interfaces_vtu +
+            " and, unless 'Accuracy = draft', " + stress_vtu +
+            ", or that of the mechanism; and " + results_pvd + "."},
        {ResultFiles::none, "none", "neither."}},
-      "Which results are written besides summary.json and parameters.prm. A "
-      "stress that is not written is not reconstructed.");
+      "Which results are written besides " + summary_json + " and " +
+          parameters_prm +
+          ". A stress that is not written is not reconstructed.");
   add_choice<PackingFile>(
       prm, "Packing", packing_file,
       {{PackingFile::none, "none", "nothing."},
        {PackingFile::wkt, "WKT",
-        "packing.wkt, one POLYGON a line with the name of its group."},
-       {PackingFile::off, "OFF", "packing.off, without names."}},
+        packing_wkt + ", one POLYGON a line with the name of its group."},
+       {PackingFile::off, "OFF", packing_off + ", without names."}},
       "What to write for another program, or to be edited and read again by "
-      "the generator 'polygons': the cells, and with them their centres in "
-      "packing_centres.txt.");
+      "the generator 'polygons': the cells, and with them their centres in " +
+          packing_centres + ".");
   prm.leave_subsection();
 }
 
@@ -106,7 +118,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   terminal.set_verbosity(verbosity);
   for (const std::string &warning : unused_settings(prm))
     terminal.warning(warning);
-  ResultDirectory files(output_directory, terminal);
+  ResultDirectory files(output_directory, all_files(), terminal);
   for (const std::filesystem::path &file : packing.input_files(directory))
     files.spare(file);
   std::optional<EarlierRun> earlier;
@@ -211,17 +223,17 @@ void Simulation::write(ResultDirectory &files,
   };
   if (writes(ResultFiles::csv))
   {
-    add("interfaces.csv", write_interfaces_csv);
-    add("cells.csv", write_cells_csv);
+    add(interfaces_csv, write_interfaces_csv);
+    add(cells_csv, write_cells_csv);
   }
   if (writes(ResultFiles::vtu))
   {
     // In the order of display, later grids over earlier ones.
-    std::vector<std::string> grids = {"blocks.vtu", "interfaces.vtu"};
-    add("blocks.vtu", write_blocks_vtu);
+    std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
+    add(blocks_vtu, write_blocks_vtu);
     if (stress.reconstruct())
       grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
-    add("interfaces.vtu", write_interfaces_vtu);
+    add(interfaces_vtu, write_interfaces_vtu);
     write_collection(files, grids);
   }
   publish(files, results, prm);
@@ -265,13 +277,13 @@ Simulation::write_stress(ResultDirectory &files,
   if (own_part)
   {
     write_stress_pieces(files, *own_part, team);
-    return "stress.pvtu";
+    return stress_pvtu;
   }
-  files.write("stress.vtu", [&](std::ostream &out) {
+  files.write(stress_vtu, [&](std::ostream &out) {
     write_stress_vtu(
         out, {results.scene.packing, results.stress, results.displacement});
   });
-  return "stress.vtu";
+  return stress_vtu;
 }
 
 void Simulation::write(ResultDirectory &files,
@@ -286,15 +298,15 @@ void Simulation::write(ResultDirectory &files,
   std::vector<std::string> to_look_at;
   if (writes(ResultFiles::vtu))
   {
-    add("mechanism.vtu", write_mechanism_vtu);
-    write_collection(files, {"mechanism.vtu"});
-    to_look_at.push_back("results.pvd");
+    add(mechanism_vtu, write_mechanism_vtu);
+    write_collection(files, {mechanism_vtu});
+    to_look_at.push_back(results_pvd);
   }
   if (writes(ResultFiles::csv))
   {
-    add("mechanism.csv", write_mechanism_csv);
-    add("mechanism_joints.csv", write_mechanism_joints_csv);
-    to_look_at.push_back("mechanism_joints.csv");
+    add(mechanism_csv, write_mechanism_csv);
+    add(mechanism_joints_csv, write_mechanism_joints_csv);
+    to_look_at.push_back(mechanism_joints_csv);
   }
   publish(files, collapse, prm);
   terminal.status(Status{Status::Kind::collapse, 0.}.word(), false);
@@ -309,28 +321,28 @@ void Simulation::publish(ResultDirectory &files,
 {
   const Packing &cells = found.scene.packing;
   if (packing_file == PackingFile::wkt)
-    files.write("packing.wkt",
+    files.write(packing_wkt,
                 [&](std::ostream &out) { write_packing_wkt(out, cells); });
   if (packing_file == PackingFile::off)
-    files.write("packing.off",
+    files.write(packing_off,
                 [&](std::ostream &out) { write_packing_off(out, cells); });
   if (packing_file != PackingFile::none)
-    files.write("packing_centres.txt",
+    files.write(packing_centres,
                 [&](std::ostream &out) { write_centres(out, cells); });
-  files.write("parameters.prm", [&](std::ostream &out) {
+  files.write(parameters_prm, [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
   });
   timer.leave_subsection();
   found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
-  files.write("summary.json", [&](std::ostream &out) {
+  files.write(summary_json, [&](std::ostream &out) {
     write_summary_json(out, found); // last: it marks a complete set
   });
   files.publish();
   terminal.stage("Output",
                  "written to " + output_directory +
                      (writes(ResultFiles::vtu)
-                          ? "; results.pvd opens all of it in ParaView"
+                          ? "; " + results_pvd + " opens all of it in ParaView"
                           : ""));
 }
 } // namespace Voussoir

@@ -1,44 +1,32 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters.h>
 #include <voussoir/unused_settings.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <nlohmann/json.hpp>
 
+#include <map>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
 using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
 
-/** Entries that only one value of another entry of their section uses. */
-struct Use
+bool is_entry(const Json &node)
 {
-  std::vector<std::string> section;
-  std::string choice;
-  std::string value;
-  std::vector<std::string> entries;
-};
-
-const std::vector<Use> uses = {
-    {{"Loads"}, "Boundary load", "traction", {"Traction"}},
-    {{"Loads"}, "Boundary load", "uniform stress", {"Stress"}},
-    {{"Packing", "Voronoi"}, "Points", "file", {"Points file"}},
-    {{"Packing", "Voronoi"}, "Points", "random", {"Number of points", "Seed"}},
-    {{"Packing", "Voronoi"},
-     "Domain",
-     "rectangle",
-     {"Lower left", "Upper right"}},
-    {{"Packing", "Voronoi"}, "Domain", "polygon", {"Polygon"}},
-    {{"Packing", "arch"}, "Shape", "circular", {"Mean radius", "Embrace"}},
-    {{"Packing", "arch"}, "Shape", "pointed", {"Span", "Radius over span"}},
-    {{"Packing", "wall"}, "Lintels", "true", {"Lintel bearing"}}};
+  return node.contains("pattern_description");
+}
 
 bool is_changed(const Json &entry)
 {
-  const std::string value = entry["value"], fallback = entry["default_value"];
+  const std::string value = entry.at("value");
+  const std::string fallback = entry.at("default_value");
   if (value == fallback)
     return false;
   double a, b;
@@ -46,36 +34,84 @@ bool is_changed(const Json &entry)
            boost::conversion::try_lexical_convert(fallback, b) && a == b);
 }
 
-/** The names of the entries of a section that have not their default. */
-std::vector<std::string> changed_entries(const Json &section)
+/** The names, in quotes, of the entries of a section without their default. */
+Names changed_entries(const Json &section)
 {
-  std::vector<std::string> names;
-  if (section.is_object())
+  Names names;
+  if (section.is_object()) // boost writes a section without entries as ""
     for (const auto &[name, entry] : section.items())
-      if (entry.contains("value") && is_changed(entry))
+      if (is_entry(entry) && is_changed(entry))
         names.push_back("'" + name + "'");
   return names;
 }
 
-/** Those of @p entries that have not their default. */
-std::vector<std::string> changed_among(const Json &section,
-                                       const std::vector<std::string> &entries)
+/**
+ * The search for unused settings, in sections with paths such as
+ * "/Packing/wall". It is an exception if what is declared as used is not there.
+ */
+struct Search
 {
-  std::vector<std::string> names;
-  for (const std::string &name : entries)
-    if (is_changed(section[name]))
-      names.push_back("'" + name + "'");
-  return names;
+  /** Look beside the entries of a section, and into those that are used. */
+  void look_into(const std::string &path);
+  /** Look at what the entry @p choice of the section @p path does not use. */
+  void look_beside(const std::string &path,
+                   const std::string &choice,
+                   const Uses &uses);
+  const Json &at(const std::string &path) const
+  {
+    return all.at(Json::json_pointer(path));
+  }
+
+  const Json all;
+  std::set<std::string> unused_sections;
+  /** Found, those on whole sections first, by the outermost section. */
+  std::multimap<std::pair<bool, std::string>, std::string> sentences;
+};
+
+void Search::look_into(const std::string &path)
+{
+  const Json &section = at(path);
+  for (const auto &[name, node] : section.items())
+    if (is_entry(node))
+      look_beside(path, name, uses_in(node.at("pattern_description")));
+  for (const auto &[name, node] : section.items())
+    if (node.is_object() && !is_entry(node) &&
+        unused_sections.count(path + "/" + name) == 0)
+      look_into(path + "/" + name);
 }
 
-std::string sentence(const std::vector<std::string> &entries,
-                     const std::string &section,
-                     const std::string &choice,
-                     const std::string &chosen)
+void Search::look_beside(const std::string &path,
+                         const std::string &choice,
+                         const Uses &uses)
 {
-  return boost::algorithm::join(entries, ", ") + " in '" + section +
-         (entries.size() == 1 ? "' has" : "' have") + " no effect, since '" +
-         choice + "' is '" + chosen + "'.";
+  const std::string chosen = at(path + "/" + choice).at("value");
+  const auto add = [&](const bool single, const std::string &section,
+                       const Names &entries) {
+    if (!entries.empty())
+      sentences.emplace(
+          std::pair(single, section.substr(0, section.find('/', 1))),
+          boost::algorithm::join(entries, ", ") + " in '" + section.substr(1) +
+              (entries.size() == 1 ? "' has" : "' have") +
+              " no effect, since '" + (path + "/" + choice).substr(1) +
+              "' is '" + chosen + "'.");
+  };
+  Names entries;
+  for (const auto &[value, names] : uses)
+    for (const std::string &name : names)
+    {
+      const std::string used = path + "/" + name;
+      const Json &node = at(used);
+      if (value == chosen)
+        continue;
+      if (!is_entry(node))
+      {
+        unused_sections.insert(used);
+        add(false, used, changed_entries(node));
+      }
+      else if (is_changed(node))
+        entries.push_back("'" + name + "'");
+    }
+  add(true, path, entries);
 }
 } // namespace
 
@@ -85,47 +121,22 @@ std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm)
   prm.print_parameters(text,
                        dealii::ParameterHandler::JSON |
                            dealii::ParameterHandler::KeepDeclarationOrder);
-  const Json all = Json::parse(text);
-
-  std::vector<std::string> sentences;
-  const auto add = [&](const std::vector<std::string> &entries,
-                       const std::string &section, const std::string &choice,
-                       const std::string &chosen) {
-    if (!entries.empty())
-      sentences.push_back(sentence(entries, section, choice, chosen));
-  };
-  // Sections that are named as what can be chosen: all but the chosen one.
-  const auto look_beside = [&](const std::string &parent,
-                               const std::string &choice,
-                               const std::string &chosen) {
-    for (const auto &[name, section] : all[parent].items())
-      if (name != chosen)
-        add(changed_entries(section), parent + "/" + name, choice, chosen);
-  };
-  const std::string generator = all["Packing"]["Generator"]["value"];
-  look_beside("Packing", "Packing/Generator", generator);
+  Search search{Json::parse(text), {}, {}};
+  search.look_into("");
+  search.look_beside("", "Accuracy", {{"fine", {"Stress"}}});
   // With the forces of an earlier run no formulation is used at all, and the
   // file is that of the earlier run.
-  if (all["Forces from"]["value"] == "")
-    look_beside("Solver", "Formulation", all["Formulation"]["value"]);
-
-  const std::string accuracy = all["Accuracy"]["value"];
-  if (accuracy != "fine")
-    add(changed_entries(all["Stress"]), "Stress", "Accuracy", accuracy);
-
-  for (const Use &use : uses)
+  if (search.at("/Forces from/value") == "")
   {
-    if (use.section.size() > 1 && use.section[1] != generator)
-      continue;
-    const Json *section = &all;
-    for (const std::string &name : use.section)
-      section = &(*section)[name];
-    const std::string path = boost::algorithm::join(use.section, "/");
-    const std::string chosen = (*section)[use.choice]["value"];
-    if (chosen != use.value)
-      add(changed_among(*section, use.entries), path, path + "/" + use.choice,
-          chosen);
+    Uses uses;
+    for (const auto &[name, node] : search.at("/Solver").items())
+      if (!is_entry(node))
+        uses.push_back({name, {"Solver/" + name}});
+    search.look_beside("", "Formulation", uses);
   }
+  Names sentences;
+  for (const auto &[place, sentence] : search.sentences)
+    sentences.push_back(sentence);
   return sentences;
 }
 } // namespace Voussoir

@@ -3,6 +3,8 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/reference.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -55,10 +57,8 @@ std::string in_plain_words(const std::string &message)
   {
     const std::string rest = message.substr(message.rfind(named));
     const auto name = between(rest, named, pattern);
-    std::string description = rest.substr(rest.find('['));
-    description.erase(description.rfind(']') + 1);
     return "'" + *name + "' is '" + *value + "', but must be " +
-           text_of_pattern(description) + ".";
+           text_of_pattern(rest.substr(rest.find('['))) + ".";
   }
   if (const auto name = between(message, "No entry with name <",
                                 "> was declared in the current subsection"))
@@ -123,7 +123,57 @@ void parse(dealii::ParameterHandler &prm,
                      how_to_list_parameters);
   }
 }
+
+/** See with_uses(). */
+class PatternWithUses : public dealii::Patterns::PatternBase
+{
+public:
+  PatternWithUses(const PatternBase &accepted, const std::string &uses)
+      : accepted(accepted.clone()), uses(uses)
+  {
+  }
+
+  bool match(const std::string &value) const override
+  {
+    return accepted->match(value);
+  }
+
+  std::string description(const OutputStyle style) const override
+  {
+    return accepted->description(style) + (style == Machine ? uses : "");
+  }
+
+  std::unique_ptr<PatternBase> clone() const override
+  {
+    return std::make_unique<PatternWithUses>(*accepted, uses);
+  }
+
+private:
+  const std::unique_ptr<PatternBase> accepted;
+  const std::string uses;
+};
 } // namespace
+
+std::unique_ptr<dealii::Patterns::PatternBase>
+with_uses(const dealii::Patterns::PatternBase &accepted,
+          const std::string &uses)
+{
+  return std::make_unique<PatternWithUses>(accepted, uses);
+}
+
+Uses uses_in(const std::string &description)
+{
+  using dealii::Utilities::split_string_list;
+  Uses uses;
+  for (const std::string &of_value :
+       split_string_list(description.substr(description.rfind(']') + 1), ';'))
+  {
+    const auto value_and_names = split_string_list(of_value, ':');
+    uses.emplace_back(value_and_names.at(0),
+                      split_string_list(value_and_names.at(1), ','));
+  }
+  return uses;
+}
 
 const std::string how_to_list_parameters =
     "Run 'voussoir --print-parameters' to see every parameter and what it "

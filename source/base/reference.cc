@@ -89,8 +89,9 @@ void write_section(std::ostream &out,
 }
 } // namespace
 
-std::string text_of_pattern(const std::string &description)
+std::string text_of_pattern(const std::string &text)
 {
+  const std::string description = text.substr(0, text.rfind(']') + 1);
   std::smatch found;
   const auto is = [&](const char *pattern) {
     return std::regex_match(description, found, std::regex(pattern));

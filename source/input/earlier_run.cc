@@ -2,6 +2,8 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/input/earlier_run.h>
+#include <voussoir/output/csv.h>
+#include <voussoir/output/summary.h>
 
 #include <nlohmann/json.hpp>
 
@@ -91,7 +93,7 @@ std::string from_to(const Point<2> &start, const Point<2> &end)
 
 EarlierRun::EarlierRun(fs::path directory_in)
     : directory(std::move(directory_in)), origin(read_summary()),
-      interfaces(open("interfaces.csv")), cells(open("cells.csv")),
+      interfaces(open(interfaces_csv)), cells(open(cells_csv)),
       marked(interfaces.has_column("never_pressed"))
 {
   interfaces.choose({"cell_minus", "cell_plus", "x0", "y0", "x1", "y1",
@@ -114,15 +116,15 @@ EarlierRun::Origin EarlierRun::read_summary() const
 {
   if (!fs::is_directory(directory))
     refuse("there is no such directory.");
-  const fs::path file = directory / "summary.json";
+  const fs::path file = directory / summary_json;
   std::ifstream in(file);
   if (!in || fs::is_directory(file))
-    refuse("there is no summary.json.");
+    refuse("there is no " + summary_json + ".");
   Origin found;
   try
   {
     const nlohmann::json summary = nlohmann::json::parse(in);
-    if (summary.at("status") == "collapse")
+    if (summary.at("status") == Status{Status::Kind::collapse, 0.}.word())
       refuse("that run found that the load is not carried, so that there are "
              "no forces.");
     summary.at("packing").at("cells").get_to(found.n_cells);
@@ -141,7 +143,7 @@ EarlierRun::Origin EarlierRun::read_summary() const
   }
   catch (const nlohmann::json::exception &error)
   {
-    refuse(std::string("its summary.json is not the summary of a run (") +
+    refuse("its " + summary_json + " is not the summary of a run (" +
            error.what() + ").");
   }
   return found;
@@ -191,8 +193,8 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
   for (unsigned int e = 0; e < origin.n_interfaces; ++e)
   {
     if (!interfaces.next())
-      refuse(text("its interfaces.csv ends after ", counted(e, "interface"),
-                  " of ", origin.n_interfaces, "."));
+      refuse(text("its ", interfaces_csv, " ends after ",
+                  counted(e, "interface"), " of ", origin.n_interfaces, "."));
     const Packing::Interface &i = scene.packing.interfaces()[e];
     const double plus =
         i.cell_plus == scene.packing.ground() ? -1. : i.cell_plus;
@@ -226,7 +228,7 @@ void EarlierRun::read_cells(const Packing &packing, Carried &found)
   for (unsigned int c = 0; c < origin.n_cells; ++c)
   {
     if (!cells.next())
-      refuse(text("its cells.csv ends after ", counted(c, "cell"), " of ",
+      refuse(text("its ", cells_csv, " ends after ", counted(c, "cell"), " of ",
                   origin.n_cells, "."));
     const Point<2> centre(cells[1], cells[2]);
     if (cells[0] != c || !comparison.same(centre, packing.centre(c)))

@@ -3,12 +3,13 @@
 #include <voussoir/output/result_directory.h>
 #include <voussoir/terminal/interruption.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <regex>
 #include <system_error>
 #include <utility>
 
@@ -18,25 +19,17 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/** Every file that any run may write: its results, and the packing. */
-const std::vector<std::string> all_result_files = {
-    "interfaces.csv",       "cells.csv",      "blocks.vtu",
-    "interfaces.vtu",       "stress.vtu",     "stress.pvtu",
-    "mechanism.csv",        "mechanism.vtu",  "results.pvd",
-    "mechanism_joints.csv", "parameters.prm", "summary.json"};
-const std::vector<std::string> all_packing_files = {
-    "packing.wkt", "packing.off", "packing_centres.txt"};
-
-/** True if a file is the part of the stress that a process has written. */
-bool is_piece(const std::string &name)
+bool contains(const std::vector<std::string> &names, const std::string &name)
 {
-  static const std::regex pattern("stress_[0-9]+\\.vtu");
-  return std::regex_match(name, pattern);
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 } // namespace
 
-ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
-    : directory(std::move(directory_in)), terminal(terminal)
+ResultDirectory::ResultDirectory(fs::path directory_in,
+                                 FilesOfRuns all_files_in,
+                                 Terminal &terminal)
+    : directory(std::move(directory_in)), all_files(std::move(all_files_in)),
+      terminal(terminal)
 {
   if (directory.empty())
     throw InputError("'Output directory' is empty; name a directory.");
@@ -56,7 +49,7 @@ ResultDirectory::ResultDirectory(fs::path directory_in, Terminal &terminal)
 void ResultDirectory::spare(const fs::path &input) const
 {
   std::error_code ignored;
-  for (const auto *names : {&all_result_files, &all_packing_files})
+  for (const auto *names : {&all_files.results, &all_files.packings})
     for (const std::string &name : *names)
       if (fs::equivalent(input, directory / name, ignored))
         throw InputError("The results may overwrite '" + input.string() +
@@ -71,6 +64,12 @@ ResultDirectory::~ResultDirectory()
   Uninterrupted whole;
   discard();
   whole.on_interruption({});
+}
+
+bool ResultDirectory::is_result(const std::string &name) const
+{
+  return contains(all_files.results, name) ||
+         (all_files.is_piece && all_files.is_piece(name));
 }
 
 void ResultDirectory::make_staging(Uninterrupted &whole)
@@ -111,6 +110,8 @@ void ResultDirectory::discard()
 void ResultDirectory::write(const std::string &name,
                             const std::function<void(std::ostream &)> &writer)
 {
+  Assert(is_result(name) || contains(all_files.packings, name),
+         dealii::ExcInternalError());
   std::ofstream out;
   {
     // No file may appear where an interruption is removing all of them.
@@ -131,6 +132,7 @@ void ResultDirectory::write(const std::string &name,
 
 fs::path ResultDirectory::place_for(const std::string &name)
 {
+  Assert(is_result(name), dealii::ExcInternalError());
   Uninterrupted whole;
   if (staging.empty())
     make_staging(whole);
@@ -151,14 +153,15 @@ void ResultDirectory::publish()
     if (error)
       refuse(error.message());
   }
-  std::vector<std::string> earlier = all_result_files;
-  for (const fs::directory_entry &entry :
-       fs::directory_iterator(directory, error))
-    if (is_piece(entry.path().filename().string()))
-      earlier.push_back(entry.path().filename().string());
-  for (const std::string &name : earlier)
-    if (std::find(written.begin(), written.end(), name) == written.end())
-      fs::remove(directory / name, error);
+  std::vector<fs::path> outdated;
+  for (const auto &entry : fs::directory_iterator(directory, error))
+  {
+    const std::string name = entry.path().filename();
+    if (is_result(name) && !contains(written, name))
+      outdated.push_back(entry);
+  }
+  for (const fs::path &path : outdated)
+    fs::remove(path, error);
   written.clear();
   created.clear();
   discard();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/text.h>
 #include <voussoir/output/stress_pieces.h>
 #include <voussoir/output/stress_vtu.h>
 
@@ -23,6 +22,11 @@ StressedCells shown(const StressPart &part)
   return {part.packing, part.stress, part.displacement, part.first_cell};
 }
 
+std::string name_of_piece(const std::string &process)
+{
+  return "stress_" + process + ".vtu";
+}
+
 /** @return why that failed; empty if it did not. */
 std::string write(const StressPart &part, const std::string &path)
 {
@@ -44,7 +48,7 @@ void write_stress_pieces(ResultDirectory &files,
   std::vector<std::vector<char>> paths;
   for (unsigned int r = 0; r < team.size(); ++r)
   {
-    names.push_back(text("stress_", r, ".vtu"));
+    names.push_back(name_of_piece(std::to_string(r)));
     paths.push_back(characters(files.place_for(names.back()).string()));
   }
   team.call(writing_task);
@@ -58,9 +62,18 @@ void write_stress_pieces(ResultDirectory &files,
       files.refuse(
           "process " + std::to_string(r) + " writing " + names[r] +
           " failed: " + std::string(failures[r].begin(), failures[r].end()));
-  files.write("stress.pvtu", [&](std::ostream &out) {
+  files.write(stress_pvtu, [&](std::ostream &out) {
     write_stress_pvtu(out, shown(part), names);
   });
+}
+
+bool is_stress_piece(const std::string &name)
+{
+  const std::size_t begin = name.find('_') + 1;
+  const std::string process = name.substr(begin, name.find('.') - begin);
+  return !process.empty() &&
+         process.find_first_not_of("0123456789") == std::string::npos &&
+         name == name_of_piece(process);
 }
 
 void write_stress_piece(const StressPart &part, const Team &team)

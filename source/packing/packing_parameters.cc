@@ -28,7 +28,8 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   std::vector<Choice<unsigned int>> choices;
   for (unsigned int i = 0; i < generators.size(); ++i)
-    choices.push_back({i, generators[i]->name(), generators[i]->meaning()});
+    choices.push_back({i, generators[i]->name(), generators[i]->meaning(),
+                       generators[i]->name()});
 
   prm.enter_subsection("Packing");
   add_choice(prm, "Generator", chosen, choices,

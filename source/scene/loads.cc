@@ -115,12 +115,12 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   prm.enter_subsection("Loads");
-  add_choice<Kind>(
-      prm, "Boundary load", kind,
-      {{Kind::traction, "traction", "the expressions in 'Traction'."},
-       {Kind::uniform_stress, "uniform stress",
-        "g = S n with the tensor S in 'Stress'."}},
-      "What acts on the boundary.");
+  add_choice<Kind>(prm, "Boundary load", kind,
+                   {{Kind::traction, "traction",
+                     "the expressions in 'Traction'.", "Traction"},
+                    {Kind::uniform_stress, "uniform stress",
+                     "g = S n with the tensor S in 'Stress'.", "Stress"}},
+                   "What acts on the boundary.");
   prm.add_parameter("Traction", traction,
                     "The components \"g_x; g_y\" of the traction on the "
                     "boundary; stresses, tension positive. Expressions in x, "

@@ -11,6 +11,8 @@
 namespace fs = std::filesystem;
 using Voussoir::ResultDirectory;
 
+const Voussoir::FilesOfRuns all_files = {{"stress.vtu", "summary.json"}};
+
 void show(const std::string &when)
 {
   std::vector<std::string> names;
@@ -38,7 +40,7 @@ int main()
     };
   };
   {
-    ResultDirectory files("results");
+    ResultDirectory files("results", all_files);
     show("nothing yet");
     files.write("stress.vtu", writer("first"));
     files.write("summary.json", writer("first"));
@@ -48,7 +50,7 @@ int main()
   std::ofstream("results/notes.txt") << "the user's own\n";
   try
   {
-    ResultDirectory files("results");
+    ResultDirectory files("results", all_files);
     files.write("summary.json", writer("second"));
     throw std::runtime_error("the run fails");
   }
@@ -57,20 +59,20 @@ int main()
   }
   show("after a failure");
   show_refusal([&] {
-    ResultDirectory files("results");
+    ResultDirectory files("results", all_files);
     files.write("summary.json",
                 [](std::ostream &out) { out.setstate(std::ios::badbit); });
   });
   show("after a failing disk");
   {
-    ResultDirectory files("results");
+    ResultDirectory files("results", all_files);
     files.write("summary.json", writer("third"));
     files.publish();
   }
   show("a run without stress.vtu");
 
   show_refusal([] {
-    ResultDirectory files("new/below");
+    ResultDirectory files("new/below", all_files);
     files.write("summary.json",
                 [](std::ostream &out) { out.setstate(std::ios::badbit); });
   });
@@ -78,14 +80,15 @@ int main()
         !fs::exists("new"));
 
   // Before anything is solved: a name that no file system takes.
-  show_refusal([] { ResultDirectory("new/" + std::string(300, 'x')); });
-  const ResultDirectory trial("new/below");
+  show_refusal(
+      [] { ResultDirectory("new/" + std::string(300, 'x'), all_files); });
+  const ResultDirectory trial("new/below", all_files);
   check("nothing stays of a trial", !fs::exists("new"));
 
   std::ofstream("file") << "in the way\n";
   try
   {
-    ResultDirectory files("file/below");
+    ResultDirectory files("file/below", all_files);
     std::cout << "FAILED" << std::endl;
   }
   catch (const Voussoir::InputError &error)

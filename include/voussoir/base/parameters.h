@@ -5,7 +5,9 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -23,7 +25,28 @@ struct Choice
   std::string name;
   /** Its documentation, behind its name and a colon. */
   std::string meaning;
+  /** What no other value uses; see with_uses(). */
+  std::string uses = {};
 };
+
+/**
+ * The pattern of an entry that decides which others a run looks at.
+ *
+ * @param accepted the pattern of what the entry accepts.
+ * @param uses of each value the entries and sections beside the entry that no
+ *   other value uses, as in "file: Points file; random: Number of points,
+ *   Seed". They are added to the description, of which a ParameterHandler
+ *   tells, and shown to no user.
+ */
+std::unique_ptr<dealii::Patterns::PatternBase>
+with_uses(const dealii::Patterns::PatternBase &accepted,
+          const std::string &uses);
+
+/** Values, and the names of what no other value uses. */
+using Uses = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/** What was given to with_uses(), from the description of any pattern. */
+Uses uses_in(const std::string &description);
 
 /**
  * Declare an entry that accepts exactly the names in @p choices, and bind it to
@@ -72,15 +95,18 @@ void add_choice(dealii::ParameterHandler &prm,
                 const std::vector<Choice<Enum>> &choices,
                 const std::string &documentation)
 {
-  std::string names, meanings, default_name;
+  std::string names, meanings, uses, default_name;
   for (const Choice<Enum> &choice : choices)
   {
     names += (names.empty() ? "" : "|") + choice.name;
     meanings += " '" + choice.name + "': " + choice.meaning;
     if (choice.value == value)
       default_name = choice.name;
+    if (!choice.uses.empty())
+      uses += choice.name + ": " + choice.uses + "; ";
   }
-  prm.declare_entry(entry, default_name, dealii::Patterns::Selection(names),
+  prm.declare_entry(entry, default_name,
+                    *with_uses(dealii::Patterns::Selection(names), uses),
                     documentation + meanings);
   prm.add_action(entry, [&value, choices](const std::string &name) {
     for (const Choice<Enum> &choice : choices)

@@ -5,9 +5,16 @@
 #include <voussoir/output/results.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
+/** @{ */
+/** The name of a file, written by the function that is named like it. */
+inline const std::string blocks_vtu = "blocks.vtu";
+inline const std::string mechanism_vtu = "mechanism.vtu";
+/** @} */
+
 /**
  * The blocks as a VTK unstructured grid of polygons, one for each cell, that
  * share no points. Cell data are cell, group (its number in summary.json), load

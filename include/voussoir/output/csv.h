@@ -5,10 +5,19 @@
 #include <voussoir/output/results.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
 // The tables. Numbers are read back as the same doubles; see TextLines.
+
+/** @{ */
+/** The name of a file, written by the function that is named like it. */
+inline const std::string interfaces_csv = "interfaces.csv";
+inline const std::string cells_csv = "cells.csv";
+inline const std::string mechanism_csv = "mechanism.csv";
+inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
+/** @} */
 
 /**
  * One line per interface, in the order of Packing::interfaces().

@@ -5,9 +5,13 @@
 #include <voussoir/output/results.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
+/** The name of the file. */
+inline const std::string interfaces_vtu = "interfaces.vtu";
+
 /**
  * The interfaces as a VTK unstructured grid of lines. Cell data are force, the
  * vector f_e^n n_e + f_e^t t_e on c-, normal_force and tangential_force, its

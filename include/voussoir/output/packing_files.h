@@ -5,9 +5,17 @@
 #include <voussoir/packing/packing.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
+/** @{ */
+/** The name of a file, written by the function that is named like it. */
+inline const std::string packing_wkt = "packing.wkt";
+inline const std::string packing_off = "packing.off";
+inline const std::string packing_centres = "packing_centres.txt";
+/** @} */
+
 /**
  * @name Files of a packing
  * From them the generator "polygons" makes the same packing again: the same

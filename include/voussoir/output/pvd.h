@@ -8,6 +8,9 @@
 
 namespace Voussoir
 {
+/** The name of the file. */
+inline const std::string results_pvd = "results.pvd";
+
 /**
  * The .pvd that makes one data set of @p files beside it, for ParaView, each
  * named as its file is up to the dot. Later files cover earlier ones in the

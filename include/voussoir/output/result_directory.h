@@ -13,6 +13,17 @@
 
 namespace Voussoir
 {
+/** The files that any run may write, by their names. */
+struct FilesOfRuns
+{
+  /** Those that a later run replaces or removes. */
+  std::vector<std::string> results;
+  /** Packings, which are there to be edited: they are removed by no run. */
+  std::vector<std::string> packings = {};
+  /** True for further results, of which there may be any number. */
+  std::function<bool(const std::string &)> is_piece = {};
+};
+
 /**
  * The directory that takes the results of a run, complete or not at all: files
  * are written into a hidden directory beside their final place, and publish()
@@ -28,10 +39,12 @@ public:
    * out at its end that this cannot be.
    *
    * @throws InputError if it cannot.
+   * @param all_files those of every run, not only of this one.
    * @param terminal is told which file is being written.
    */
-  explicit ResultDirectory(std::filesystem::path directory,
-                           Terminal &terminal = Terminal::silent());
+  ResultDirectory(std::filesystem::path directory,
+                  FilesOfRuns all_files,
+                  Terminal &terminal = Terminal::silent());
   /**
    * @throws InputError if @p input is one of the files that a run may write
    * here: it would be lost.
@@ -45,7 +58,8 @@ public:
   ResultDirectory &operator=(const ResultDirectory &) = delete;
 
   /**
-   * Write the file @p name through @p writer.
+   * Write the file @p name, which is one of those of every run, through @p
+   * writer.
    *
    * @throws InputError if it cannot be written to the end, for example because
    *   the disk is full.
@@ -64,16 +78,17 @@ public:
 
   /**
    * Put all written files in place, in the order in which they were written,
-   * and remove those files of an earlier run that this run did not write, but
-   * for packings, which are there to be edited.
+   * and remove those results of an earlier run that this run did not write.
    */
   void publish();
 
 private:
+  bool is_result(const std::string &name) const;
   void make_staging(Uninterrupted &whole);
   void discard();
 
   std::filesystem::path directory;
+  const FilesOfRuns all_files;
   Terminal &terminal;
   std::filesystem::path staging;
   /** The directories that were made for the results, the innermost first. */

@@ -20,6 +20,9 @@ void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
                          const Team &team);
 
+/** True if @p name is that of the part of a process. */
+bool is_stress_piece(const std::string &name);
+
 /** The name of this task, to which the root calls; see Team::call(). */
 inline const std::string writing_task = "writing";
 

@@ -11,6 +11,12 @@
 
 namespace Voussoir
 {
+/** @{ */
+/** The name of a file, written by the function that is named like it. */
+inline const std::string stress_vtu = "stress.vtu";
+inline const std::string stress_pvtu = "stress.pvtu";
+/** @} */
+
 /** The content of stress.vtu: some cells and the stress inside them. */
 struct StressedCells
 {

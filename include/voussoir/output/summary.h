@@ -6,11 +6,15 @@
 #include <voussoir/terminal/terminal.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
+/** The name of the file for programs. */
+inline const std::string summary_json = "summary.json";
+
 /** @{ */
-/** The summary of a run as JSON, for programs; summary.json. */
+/** The summary of a run as JSON, for programs. */
 void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
 /** @} */

@@ -173,10 +173,12 @@ void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
   add_choice<Shape>(
       prm, "Shape", shape,
       {{Shape::circular, "circular",
-        "one arc around the origin, of 'Mean radius' and 'Embrace'."},
+        "one arc around the origin, of 'Mean radius' and 'Embrace'.",
+        "Mean radius, Embrace"},
        {Shape::pointed, "pointed",
         "two arcs from springings on y = 0, of 'Span' and 'Radius over "
-        "span'."}},
+        "span'.",
+        "Span, Radius over span"}},
       "The middle line of the arch, which is symmetric to x = 0.");
   prm.add_parameter("Mean radius", mean_radius,
                     "Radius of the middle line of a circular arch; a length, "

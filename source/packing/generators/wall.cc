@@ -116,7 +116,8 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
       List(List(Double(), 4, 4, ","), 0, std::numeric_limits<int>::max(), ";"));
   prm.add_parameter("Lintels", has_lintels,
                     "Whether a lintel, one course high, spans each opening "
-                    "that ends below the top of the wall.");
+                    "that ends below the top of the wall.",
+                    *with_uses(Bool(), "true: Lintel bearing"));
   prm.add_parameter("Lintel bearing", lintel_bearing,
                     "How far a lintel rests on the wall on either side of the "
                     "opening; a length. It ends at the end of the wall; "

@@ -67,8 +67,10 @@ void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
   using namespace dealii::Patterns;
   add_choice<Domain>(
       prm, "Domain", domain,
-      {{Domain::rectangle, "rectangle", "from 'Lower left' to 'Upper right'."},
-       {Domain::polygon, "polygon", "the convex polygon of 'Polygon'."}},
+      {{Domain::rectangle, "rectangle", "from 'Lower left' to 'Upper right'.",
+        "Lower left, Upper right"},
+       {Domain::polygon, "polygon", "the convex polygon of 'Polygon'.",
+        "Polygon"}},
       "What the cells fill.");
   prm.add_parameter(
       "Lower left", rectangle.lower_left,
@@ -80,11 +82,13 @@ void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Polygon", polygon_vertices,
       "The vertices \"x, y; x, y; ...\" of the convex polygon, in "
       "order around it; lengths.");
-  add_choice<Source>(prm, "Points", source,
-                     {{Source::file, "file", "as given in 'Points file'."},
-                      {Source::random, "random",
-                       "drawn at random, as densely as 'Cell size' asks."}},
-                     "Where the points come from.");
+  add_choice<Source>(
+      prm, "Points", source,
+      {{Source::file, "file", "as given in 'Points file'.", "Points file"},
+       {Source::random, "random",
+        "drawn at random, as densely as 'Cell size' asks.",
+        "Number of points, Seed"}},
+      "Where the points come from.");
   prm.add_parameter("Points file", points_file,
                     "A file with one point \"x y\" a line; # begins a comment. "
                     "A relative path starts at the directory of the .prm file.",
