@@ -8,49 +8,18 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <thread>
 
 namespace Voussoir
 {
 namespace
 {
-/** The number of elements of a message, as MPI takes it. */
-int count_of(const std::size_t count)
-{
-  AssertThrow(count <= std::size_t(std::numeric_limits<int>::max()),
-              dealii::ExcMessage("A part of the packing is too large to send; "
-                                 "use more processes."));
-  return static_cast<int>(count);
-}
-
 /** Of a task, with the zero at its end. */
 constexpr std::size_t length_of_names = 32;
 
 /** The time that a worker sleeps between two polls for a call of the root. */
 constexpr auto polling_interval = std::chrono::milliseconds(1);
 } // namespace
-
-/** An element of a message, so that long messages have counts that fit. */
-class Team::Datatype
-{
-public:
-  explicit Datatype(const std::size_t size)
-  {
-    MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &type);
-    MPI_Type_commit(&type);
-  }
-
-  ~Datatype()
-  {
-    MPI_Type_free(&type);
-  }
-
-  Datatype(const Datatype &) = delete;
-  Datatype &operator=(const Datatype &) = delete;
-
-  MPI_Datatype type;
-};
 
 Team::Team(MPI_Comm communicator)
     : processes(communicator),
@@ -108,35 +77,5 @@ void Team::abort(const std::string &message) const
   std::cerr << "voussoir: process " << own_rank << ": " << message << std::endl;
   MPI_Abort(processes, 4);
   std::abort();
-}
-
-void Team::send(const void *data,
-                const std::size_t size,
-                const std::size_t count,
-                const unsigned int to) const
-{
-  const Datatype element(size);
-  MPI_Send(data, count_of(count), element.type, to, 0, processes);
-}
-
-std::size_t Team::size_of_message(const std::size_t size,
-                                  const unsigned int from) const
-{
-  const Datatype element(size);
-  MPI_Status status;
-  int count = 0;
-  MPI_Probe(from, 0, processes, &status);
-  MPI_Get_count(&status, element.type, &count);
-  return count;
-}
-
-void Team::receive(void *data,
-                   const std::size_t size,
-                   const std::size_t count,
-                   const unsigned int from) const
-{
-  const Datatype element(size);
-  MPI_Recv(data, count_of(count), element.type, from, 0, processes,
-           MPI_STATUS_IGNORE);
 }
 } // namespace Voussoir

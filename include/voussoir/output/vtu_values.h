@@ -43,7 +43,8 @@ struct StressInvariants
   /** @param stress sigma_ij, of plane stress. */
   explicit StressInvariants(const dealii::Tensor<2, 2> &stress)
   {
-    // By Mohr's circle.
+    // By Mohr's circle: the roots of the characteristic polynomial, as
+    // dealii::eigenvalues() takes them, are NaN for a nearly isotropic stress.
     const double mean = 0.5 * (stress[0][0] + stress[1][1]);
     const double radius = std::hypot(0.5 * (stress[0][0] - stress[1][1]),
                                      0.5 * (stress[0][1] + stress[1][0]));

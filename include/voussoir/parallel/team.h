@@ -5,8 +5,8 @@
 #include <voussoir/base/exceptions.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/mpi_large_count.h>
 
-#include <cstddef>
 #include <exception>
 #include <new>
 #include <string>
@@ -78,7 +78,7 @@ public:
 
   /** The root's @p value, on all processes; plain data, collective. */
   template <typename T>
-  T broadcast(T value) const;
+  T broadcast(const T &value) const;
 
   /**
    * On the root the values of each process; nothing on the others. Collective.
@@ -103,19 +103,6 @@ public:
   /** @} */
 
 private:
-  /** For messages of plain data. */
-  class Datatype;
-
-  void send(const void *data,
-            std::size_t size,
-            std::size_t count,
-            unsigned int to) const;
-  std::size_t size_of_message(std::size_t size, unsigned int from) const;
-  void receive(void *data,
-               std::size_t size,
-               std::size_t count,
-               unsigned int from) const;
-
   MPI_Comm processes = MPI_COMM_SELF;
   unsigned int n_processes = 1;
   unsigned int own_rank = 0;
@@ -175,12 +162,10 @@ inline bool Team::all(const bool value) const
 }
 
 template <typename T>
-T Team::broadcast(T value) const
+T Team::broadcast(const T &value) const
 {
-  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-  if (n_processes > 1)
-    MPI_Bcast(&value, sizeof(T), MPI_BYTE, 0, processes);
-  return value;
+  return n_processes == 1 ? value
+                          : dealii::Utilities::MPI::broadcast(processes, value);
 }
 
 template <typename T>
@@ -208,19 +193,26 @@ std::vector<T> Team::scatter(const std::vector<std::vector<T>> &values) const
   return values[0];
 }
 
+// By deal.II for messages of any length; MPI's own counts end at 2 GB.
 template <typename T>
 void Team::send(const std::vector<T> &values, const unsigned int to) const
 {
   static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-  send(values.data(), sizeof(T), values.size(), to);
+  dealii::Utilities::MPI::LargeCount::Send_c(
+      values.data(), sizeof(T) * values.size(), MPI_BYTE, to, 0, processes);
 }
 
 template <typename T>
 std::vector<T> Team::receive(const unsigned int from) const
 {
   static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-  std::vector<T> values(size_of_message(sizeof(T), from));
-  receive(values.data(), sizeof(T), values.size(), from);
+  MPI_Status status;
+  MPI_Count size = 0;
+  MPI_Probe(from, 0, processes, &status);
+  MPI_Get_elements_x(&status, MPI_BYTE, &size);
+  std::vector<T> values(size / sizeof(T));
+  dealii::Utilities::MPI::LargeCount::Recv_c(
+      values.data(), size, MPI_BYTE, from, 0, processes, MPI_STATUS_IGNORE);
   return values;
 }
 } // namespace Voussoir

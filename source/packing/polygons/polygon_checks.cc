@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/tensor.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -46,13 +47,7 @@ constexpr double least_thickness = 4.;
 /** The diagonal of the box around a ring. */
 double length_of(const Ring &ring)
 {
-  Point<2> low = ring[0], high = ring[0];
-  for (const Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
+  const auto [low, high] = dealii::BoundingBox<2>(ring).get_boundary_points();
   return low.distance(high);
 }
 

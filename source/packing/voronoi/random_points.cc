@@ -2,6 +2,9 @@
 #include <voussoir/base/random.h>
 #include <voussoir/packing/voronoi/random_points.h>
 
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -191,54 +194,36 @@ std::optional<Point<2>> PointSource::try_to_draw(std::vector<Point<2>> &points,
   return {};
 }
 
-/** Cells along a side of the grid in which order_along_curve() finds points. */
-constexpr std::uint32_t curve_grid = 1 << 16;
-
-/** The place of cell (x, y) of the grid along the Hilbert curve. */
-std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y)
-{
-  std::uint32_t place = 0;
-  for (std::uint32_t half = curve_grid / 2; half > 0; half /= 2)
-  {
-    const bool right = (x & half) != 0, upper = (y & half) != 0;
-    place += half * half * (right ? (upper ? 2 : 3) : (upper ? 1 : 0));
-    if (!upper) // the lower quarters are turned
-    {
-      if (right)
-      {
-        x = curve_grid - 1 - x;
-        y = curve_grid - 1 - y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return place;
-}
+/** The curve tells 2^curve_bits parts of a side from each other. */
+constexpr int curve_bits = 16;
 
 /**
- * Put the points in the order in which a Hilbert curve through the rectangle
- * around them meets them. Cells that touch then mostly have numbers close to
- * each other, and their data lies close in memory; in the order of drawing, a
+ * Put the points in the order in which a Hilbert curve through a square around
+ * them meets them. Cells that touch then mostly have numbers close to each
+ * other, and their data lies close in memory; in the order of drawing, a
  * million cells take twice as long in all that looks at neighbours.
  */
 void order_along_curve(std::vector<Point<2>> &points)
 {
-  Point<2> low = points.front(), high = low;
+  using Place = std::array<std::uint64_t, 2>;
+  const dealii::BoundingBox<2> box(points);
+  const double size = std::max({box.side_length(0), box.side_length(1),
+                                std::numeric_limits<double>::min()});
+  std::vector<Place> squares;
+  squares.reserve(points.size());
   for (const Point<2> &p : points)
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      low[d] = std::min(low[d], p[d]);
-      high[d] = std::max(high[d], p[d]);
-    }
-  const double size = std::max(
-      {high[0] - low[0], high[1] - low[1], std::numeric_limits<double>::min()});
-  std::vector<std::pair<std::uint32_t, Point<2>>> placed;
+  {
+    const auto part = [&](const unsigned int d) -> std::uint64_t {
+      return (p[d] - box.lower_bound(d)) / size * ((1 << curve_bits) - 1);
+    };
+    squares.push_back({{part(0), part(1)}});
+  }
+  const auto places = dealii::Utilities::inverse_Hilbert_space_filling_curve<2>(
+      squares, curve_bits);
+  std::vector<std::pair<Place, Point<2>>> placed;
   placed.reserve(points.size());
-  for (const Point<2> &p : points)
-    placed.emplace_back(
-        place_on_curve((p[0] - low[0]) / size * (curve_grid - 1),
-                       (p[1] - low[1]) / size * (curve_grid - 1)),
-        p);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    placed.emplace_back(places[i], points[i]);
   std::stable_sort(
       placed.begin(), placed.end(),
       [](const auto &a, const auto &b) { return a.first < b.first; });
