@@ -71,8 +71,11 @@ struct Search
 void Search::look_into(const std::string &path)
 {
   const Json &section = at(path);
+  // With the forces of an earlier run no formulation is used at all, and the
+  // file is that of the earlier run.
+  const bool solves = at("/Forces from/value") == "";
   for (const auto &[name, node] : section.items())
-    if (is_entry(node))
+    if (is_entry(node) && (solves || path + "/" + name != "/Formulation"))
       look_beside(path, name, uses_in(node.at("pattern_description")));
   for (const auto &[name, node] : section.items())
     if (node.is_object() && !is_entry(node) &&
@@ -123,17 +126,6 @@ std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm)
                            dealii::ParameterHandler::KeepDeclarationOrder);
   Search search{Json::parse(text), {}, {}};
   search.look_into("");
-  search.look_beside("", "Accuracy", {{"fine", {"Stress"}}});
-  // With the forces of an earlier run no formulation is used at all, and the
-  // file is that of the earlier run.
-  if (search.at("/Forces from/value") == "")
-  {
-    Uses uses;
-    for (const auto &[name, node] : search.at("/Solver").items())
-      if (!is_entry(node))
-        uses.push_back({name, {"Solver/" + name}});
-    search.look_beside("", "Formulation", uses);
-  }
   Names sentences;
   for (const auto &[place, sentence] : search.sentences)
     sentences.push_back(sentence);

@@ -23,7 +23,8 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   using namespace dealii::Patterns;
   std::vector<Choice<unsigned int>> choices;
   for (unsigned int i = 0; i < formulations.size(); ++i)
-    choices.push_back({i, formulations[i]->name(), formulations[i]->meaning()});
+    choices.push_back({i, formulations[i]->name(), formulations[i]->meaning(),
+                       "Solver/" + formulations[i]->name()});
   add_choice(prm, "Formulation", chosen, choices,
              "How one of the many admissible and balanced states is selected.");
 

@@ -125,7 +125,8 @@ void StressParameters::add_parameters(dealii::ParameterHandler &prm)
         "the stress inside each cell as in the paper, on one quadrilateral a "
         "side."},
        {Accuracy::fine, "fine",
-        "the same on three quadrilaterals a side or more; see 'Stress'."}},
+        "the same on three quadrilaterals a side or more; see 'Stress'.",
+        "Stress"}},
       "What is computed beyond the forces.");
   prm.enter_subsection("Stress");
   prm.add_parameter("Refinements", n_refinements,
