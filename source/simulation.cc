@@ -74,6 +74,12 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       "relative path starts at the directory that the program is run in. "
       "Empty: solve.",
       Anything());
+  prm.add_parameter(
+      "Rotations", blocks_turn,
+      "true: blocks also turn, so that moments are balanced, and touch at both "
+      "ends of an interface, so that its resultant has a place on it: arches "
+      "and towers may overturn. false: they slide only, as in the paper.",
+      Bool());
   solver.add_parameters(prm);
   packing.add_parameters(prm);
   supports.add_parameters(prm);
@@ -168,7 +174,7 @@ Scene Simulation::make_scene(const std::filesystem::path &directory) const
     for (const std::string &warning : warnings)
       terminal.warning(warning);
   return {std::move(blocks), std::move(strengths.of_interface),
-          std::move(on_blocks)};
+          std::move(on_blocks), blocks_turn ? rotations() : translations()};
 }
 
 Carried Simulation::read_forces(EarlierRun &earlier,
@@ -258,8 +264,9 @@ std::optional<StressPart> Simulation::find_stresses(Results &results)
     results.stress = reconstruct_stress(scene, results.forces, how, terminal);
   else
   {
-    own_part.emplace(reconstruct_on_root(
-        scene, results.forces, results.displacement, how, team, terminal));
+    own_part.emplace(reconstruct_on_root(scene, results.forces,
+                                         results.motion.displacement, how, team,
+                                         terminal));
     results.stress.n_sub_cells = own_part->stress.n_sub_cells;
     results.stress.undetermined = own_part->stress.undetermined;
   }
@@ -280,8 +287,8 @@ Simulation::write_stress(ResultDirectory &files,
     return stress_pvtu;
   }
   files.write(stress_vtu, [&](std::ostream &out) {
-    write_stress_vtu(
-        out, {results.scene.packing, results.stress, results.displacement});
+    write_stress_vtu(out, {results.scene.packing, results.stress,
+                           results.motion.displacement});
   });
   return stress_vtu;
 }

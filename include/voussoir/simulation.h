@@ -102,6 +102,7 @@ private:
   std::string output_directory = "output";
   /** Of results of which the forces are used; empty to solve. */
   std::string forces_from;
+  bool blocks_turn = false;
   unsigned int verbosity = 1;
   ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;

@@ -5,8 +5,11 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -77,12 +80,24 @@ bool Multigrid::prepare(const std::vector<double> &coefficients,
   data.aggregation_threshold =
       blocks.n() == 1 ? threshold_of_one : threshold_of_all;
   data.smoother_sweeps = n_smoother_sweeps;
-  // The rigid motions of the packing: its translations.
-  const unsigned int n_rows = blocks.n() * structure.n_own_bodies();
-  data.constant_modes.assign(blocks.n(), std::vector<bool>(n_rows));
-  for (unsigned int k = 0; k < n_rows; ++k)
-    data.constant_modes[k % blocks.n()][k] = true;
-  preconditioner.initialize(matrix, data);
+  const unsigned int n = blocks.n(), n_own = structure.n_own_bodies();
+  data.constant_modes.assign(n, std::vector<bool>(n * n_own));
+  for (unsigned int k = 0; k < n * n_own; ++k)
+    data.constant_modes[k % n][k] = true;
+  Teuchos::ParameterList parameters;
+  std::unique_ptr<Epetra_MultiVector> modes;
+  data.set_parameters(parameters, modes, matrix.trilinos_matrix());
+  // The rigid motions of the packing, where one component is not by itself.
+  std::array<double, 3> unknowns;
+  for (unsigned int k = 0;
+       n > 1 && k < structure.kinematics().n_rigid_motions(); ++k)
+    for (unsigned int b = 0; b < n_own; ++b)
+    {
+      structure.kinematics().find_rigid_motion(k, structure.centres()[b],
+                                               unknowns.data());
+      std::copy_n(unknowns.begin(), n, (*modes)[k] + n * b);
+    }
+  preconditioner.initialize(matrix, parameters);
   return true;
 }
 

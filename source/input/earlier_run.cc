@@ -94,13 +94,18 @@ std::string from_to(const Point<2> &start, const Point<2> &end)
 EarlierRun::EarlierRun(fs::path directory_in)
     : directory(std::move(directory_in)), origin(read_summary()),
       interfaces(open(interfaces_csv)), cells(open(cells_csv)),
-      marked(interfaces.has_column("never_pressed"))
+      marked(interfaces.has_column("never_pressed")),
+      turned(interfaces.has_column("normal_force_0"))
 {
   interfaces.choose({"cell_minus", "cell_plus", "x0", "y0", "x1", "y1",
                      "normal_force", "tangential_force", "strength"});
   if (marked)
     interfaces.choose({"never_pressed", "always_sliding"});
+  if (turned)
+    interfaces.choose({"normal_force_0", "normal_force_1"});
   cells.choose({"id", "x", "y", "ux", "uy"});
+  if (turned)
+    cells.choose({"rotation"});
 }
 
 void EarlierRun::refuse(const std::string &fault) const
@@ -173,6 +178,11 @@ void EarlierRun::check_size(const Packing &packing) const
 Carried EarlierRun::forces(const Scene &scene, SolverRecord &record)
 {
   check_size(scene.packing);
+  if (turned != scene.turns())
+    throw InputError(text("The run in '", directory.string(),
+                          "' had 'Rotations = ", turned ? "true" : "false",
+                          "', this one has ", turned ? "false" : "true",
+                          same_scene));
   record.formulation = origin.formulation;
   record.selection = origin.selection;
   record.outcome = "read from '" + directory.string() + "'";
@@ -216,6 +226,9 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
       found.never_pressed.push_back(line[9] != 0.);
       found.always_sliding.push_back(line[10] != 0.);
     }
+    const unsigned int next = marked ? 11 : 9;
+    if (turned)
+      found.forces.at_ends.push_back({{line[next], line[next + 1]}});
   }
   if (interfaces.next())
     line.refuse(text("is more than the ", origin.n_interfaces,
@@ -238,7 +251,9 @@ void EarlierRun::read_cells(const Packing &packing, Carried &found)
     dealii::Tensor<1, 2> u;
     u[0] = cells[3];
     u[1] = cells[4];
-    found.displacement.push_back(u);
+    found.motion.displacement.push_back(u);
+    if (turned)
+      found.motion.rotation.push_back(cells[5]);
   }
   if (cells.next())
     cells.refuse(

@@ -51,16 +51,25 @@ VtuFile polygons_of(const Packing &packing)
   return file;
 }
 
-/** Add the displacement, which is @p value(cell) at all points of a cell. */
-template <typename Value>
-void add_displacement(VtuFile &file, const Packing &packing, const Value &value)
+/** Add the displacement of the points of each cell, and how far it turns. */
+void add_motion(VtuFile &file,
+                const Packing &packing,
+                const Motion &motion,
+                const double factor)
 {
   file.add_point_vector(
-      "displacement", [&packing, value](auto begin, auto end, double *place) {
+      "displacement",
+      [&packing, &motion, factor](auto begin, auto end, double *place) {
         points_of(packing).fill(
-            begin, end, place,
-            [&](unsigned int c, unsigned int) { return vector(value(c)); });
+            begin, end, place, [&](unsigned int c, unsigned int k) {
+              return vector(factor * motion.at(c, packing.vertex(c, k) -
+                                                      packing.centre(c)));
+            });
       });
+  if (!motion.rotation.empty())
+    add_cell_field(file, "rotation", [&motion, factor](unsigned int c) {
+      return scalar(factor * motion.rotation[c]);
+    });
 }
 } // namespace
 
@@ -84,8 +93,7 @@ void write_blocks_vtu(std::ostream &out, const Results &results)
       [&](Cell c) { return scalar(invariants(c).principal_2); });
   add("von_mises", [&](Cell c) { return scalar(invariants(c).von_mises); });
   add("torque", [&](Cell c) { return scalar(results.torques[c]); });
-  add_displacement(grid, packing,
-                   [&](Cell c) { return results.displacement[c]; });
+  add_motion(grid, packing, results.motion, 1.);
   grid.write(out);
 }
 
@@ -94,9 +102,7 @@ void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
   const Packing &packing = collapse.scene.packing;
   const double largest = std::sqrt(packing.area() / packing.n_cells());
   VtuFile grid = polygons_of(packing);
-  add_displacement(grid, packing, [&](unsigned int c) {
-    return largest * collapse.displacement[c];
-  });
+  add_motion(grid, packing, collapse.motion, largest);
   grid.write(out);
 }
 } // namespace Voussoir

@@ -14,15 +14,29 @@ int number_of_plus(const Packing &packing, const Packing::Interface &interface)
 {
   return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
 }
+/** The jump of a motion across an interface at @p x. */
+dealii::Tensor<1, 2> jump_along(const Packing &packing,
+                                const Motion &motion,
+                                const Packing::Interface &i,
+                                const dealii::Point<2> &x)
+{
+  dealii::Tensor<1, 2> jump =
+      -motion.at(i.cell_minus, x - packing.centre(i.cell_minus));
+  if (i.cell_plus != packing.ground())
+    jump += motion.at(i.cell_plus, x - packing.centre(i.cell_plus));
+  return jump;
+}
 } // namespace
 
 void write_interfaces_csv(std::ostream &out, const Results &results)
 {
   const bool marked = !results.never_pressed.empty();
+  const Scene &scene = results.scene;
   out << "cell_minus,cell_plus,x0,y0,x1,y1,nx,ny,length,normal_force,"
          "tangential_force,strength,utilisation"
-      << (marked ? ",never_pressed,always_sliding\n" : "\n");
-  const Scene &scene = results.scene;
+      << (marked ? ",never_pressed,always_sliding" : "")
+      << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity\n"
+                        : "\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -33,55 +47,72 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
     if (marked)
       line << ',' << int(results.never_pressed[e]) << ','
            << int(results.always_sliding[e]);
+    if (scene.turns())
+      line << ',' << results.forces.at_ends[e][0] << ','
+           << results.forces.at_ends[e][1] << ','
+           << results.forces.eccentricity(i, e);
     line << '\n';
   });
 }
 
 void write_cells_csv(std::ostream &out, const Results &results)
 {
-  out << "id,x,y,area,load_x,load_y,ux,uy,torque,sxx,sxy,syx,syy,group\n";
+  const bool turns = results.scene.turns();
+  out << "id,x,y,area,load_x,load_y,ux,uy,torque,sxx,sxy,syx,syy,group"
+      << (turns ? ",load_torque,rotation\n" : "\n");
   const Packing &packing = results.scene.packing;
   write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
     const dealii::Tensor<2, 2> &s = results.mean_stresses[c];
     line.row(c, packing.centre(c)[0], packing.centre(c)[1], packing.area(c),
              results.scene.load[c][0], results.scene.load[c][1],
-             results.displacement[c][0], results.displacement[c][1],
-             results.torques[c], s[0][0], s[0][1], s[1][0], s[1][1],
-             packing.group_name(c))
-        << '\n';
+             results.motion.displacement[c][0],
+             results.motion.displacement[c][1], results.torques[c], s[0][0],
+             s[0][1], s[1][0], s[1][1], packing.group_name(c));
+    if (turns)
+      line << ',' << results.scene.load_torque[c] << ','
+           << results.motion.rotation[c];
+    line << '\n';
   });
 }
 
 void write_mechanism_csv(std::ostream &out, const Collapse &collapse)
 {
-  out << "id,x,y,load_x,load_y,ux,uy,group\n";
   const Scene &scene = collapse.scene;
+  out << "id,x,y,load_x,load_y,ux,uy,group"
+      << (scene.turns() ? ",load_torque,rotation\n" : "\n");
   const Packing &packing = scene.packing;
   write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
     const dealii::Point<2> &x = packing.centre(c);
     const dealii::Tensor<1, 2> &F = scene.load[c];
-    const dealii::Tensor<1, 2> &u = collapse.displacement[c];
-    line.row(c, x[0], x[1], F[0], F[1], u[0], u[1], packing.group_name(c))
-        << '\n';
+    const dealii::Tensor<1, 2> &u = collapse.motion.displacement[c];
+    line.row(c, x[0], x[1], F[0], F[1], u[0], u[1], packing.group_name(c));
+    if (scene.turns())
+      line << ',' << scene.load_torque[c] << ',' << collapse.motion.rotation[c];
+    line << '\n';
   });
 }
 
 void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
 {
-  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
-         "dissipation\n";
   const Scene &scene = collapse.scene;
+  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
+         "dissipation"
+      << (scene.turns() ? ",opening_0,opening_1\n" : "\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
-    dealii::Tensor<1, 2> jump = -collapse.displacement[i.cell_minus];
-    if (i.cell_plus != scene.packing.ground())
-      jump += collapse.displacement[i.cell_plus];
+    const auto jump_at = [&](const dealii::Point<2> &x) {
+      return jump_along(scene.packing, collapse.motion, i, x);
+    };
+    const dealii::Tensor<1, 2> jump = jump_at(i.midpoint());
     line.row(i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
              i.normal[1], i.length, scene.strength[e], jump * i.normal,
              jump * i.tangent(),
-             scene.strength[e] * i.length * std::abs(jump * i.tangent()))
-        << '\n';
+             scene.strength[e] * i.length * std::abs(jump * i.tangent()));
+    if (scene.turns())
+      line << ',' << jump_at(i.start) * i.normal << ','
+           << jump_at(i.end) * i.normal;
+    line << '\n';
   });
 }
 } // namespace Voussoir

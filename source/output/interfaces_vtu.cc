@@ -56,6 +56,16 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
   add("tangential_stress", [&](std::size_t e) {
     return scalar(forces.tangential[e] / interfaces[e].length);
   });
+  if (scene.turns())
+  {
+    add("normal_force_0",
+        [&](std::size_t e) { return scalar(forces.at_ends[e][0]); });
+    add("normal_force_1",
+        [&](std::size_t e) { return scalar(forces.at_ends[e][1]); });
+    add("eccentricity", [&](std::size_t e) {
+      return scalar(forces.eccentricity(interfaces[e], e));
+    });
+  }
   add("strength", [&](std::size_t e) { return scalar(scene.strength[e]); });
   add("utilisation",
       [&](std::size_t e) { return scalar(utilisation(scene, forces, e)); });

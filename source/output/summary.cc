@@ -44,6 +44,8 @@ Json summary_of(const RunRecord &run, const Status &status)
   if (status.kind == Status::Kind::carried_within)
     summary["within"] = status.within;
   summary["processes"] = run.n_processes;
+  if (run.scene.turns())
+    summary["rotations"] = true;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
   summary["packing"] = {{"cells", packing.n_cells()},
@@ -112,6 +114,8 @@ void write_summary_json(std::ostream &out, const Results &results)
       {"admissibility_violation", certificate.admissibility_violation},
       {"max_utilisation", certificate.max_utilisation},
       {"max_torque", certificate.max_torque}};
+  if (results.scene.turns())
+    summary["certificate"]["moment_residual"] = certificate.moment_residual;
   if (!certificate.unbalanced.empty() &&
       results.status.kind != Status::Kind::solved)
     summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
@@ -191,7 +195,10 @@ void show_summary(Terminal &terminal, const Results &results)
                         std::abs(most_compressed)));
   terminal.summary("Torque",
                    text("largest residual ", certificate.max_torque,
-                        " of load times cell size; blocks do not rotate, so "
-                        "overturning is not excluded"));
+                        " of load times cell size",
+                        results.scene.turns()
+                            ? ""
+                            : "; blocks do not rotate, so overturning is not "
+                              "excluded"));
 }
 } // namespace Voussoir

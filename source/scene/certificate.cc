@@ -58,14 +58,25 @@ std::vector<double> reference_forces(const Scene &scene,
   return reference;
 }
 
+bool is_finite(const InterfaceForces &forces, const unsigned int e)
+{
+  double sum = forces.normal[e] + forces.tangential[e];
+  if (!forces.at_ends.empty())
+    sum += forces.at_ends[e][0] + forces.at_ends[e][1];
+  return std::isfinite(sum);
+}
+
 /** The excess of the forces of an interface over their limits. */
 double violation(const Scene &scene,
                  const InterfaceForces &forces,
                  const unsigned int e)
 {
   const double length = scene.packing.interfaces()[e].length;
+  double tension = forces.normal[e];
+  if (!forces.at_ends.empty())
+    tension = std::max(forces.at_ends[e][0], forces.at_ends[e][1]);
   return std::max(
-      {0., forces.normal[e],
+      {0., tension,
        std::abs(forces.tangential[e]) - scene.strength[e] * length});
 }
 
@@ -115,18 +126,24 @@ struct OwnForces
  * The cells that are out of balance by their own measure.
  *
  * @param sum of all forces on each cell.
+ * @param torques of all forces on each cell.
  * @param reference force of each cell.
  */
 std::vector<UnbalancedCell>
 unbalanced_cells(const Scene &scene,
                  const InterfaceForces &forces,
                  const std::vector<Tensor<1, 2>> &sum,
+                 const std::vector<double> &torques,
                  const std::vector<double> &reference)
 {
   const OwnForces own(scene, forces, reference);
   std::vector<double> defect;
   for (const Tensor<1, 2> &left : sum)
     defect.push_back(left.norm());
+  if (scene.turns())
+    for (unsigned int c = 0; c < torques.size(); ++c)
+      defect[c] = std::max(defect[c], std::abs(torques[c]) /
+                                          std::sqrt(scene.packing.area(c)));
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
   {
     const Packing::Interface &i = scene.packing.interfaces()[e];
@@ -153,11 +170,10 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
 
   // A NaN would slip through every comparison below.
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-    if (!std::isfinite(forces.normal[e]) ||
-        !std::isfinite(forces.tangential[e]))
+    if (!is_finite(forces, e))
     {
       const double infinity = std::numeric_limits<double>::infinity();
-      return {infinity, infinity, infinity, infinity, {}};
+      return {infinity, infinity, infinity, infinity, infinity, {}};
     }
 
   const std::vector<unsigned int> group =
@@ -191,10 +207,13 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     add(certificate.max_torque,
         std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
+  if (scene.turns())
+    certificate.moment_residual = certificate.max_torque;
   std::vector<double> of_cell(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     of_cell[c] = reference[group[c]];
-  certificate.unbalanced = unbalanced_cells(scene, forces, sum, of_cell);
+  certificate.unbalanced =
+      unbalanced_cells(scene, forces, sum, torques, of_cell);
   return certificate;
 }
 
@@ -205,26 +224,41 @@ bool proves_collapse(const MechanismCertificate &certificate)
          certificate.share_of_closing < largest_share;
 }
 
-MechanismCertificate certify_mechanism(const Scene &scene,
-                                       std::vector<Tensor<1, 2>> displacement)
+MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
 {
   double largest = 0., closing = 0., work = 0., dissipation = 0.;
   double largest_load = 0., all_closings = 0.;
-  for (unsigned int c = 0; c < displacement.size(); ++c)
+  const Packing &packing = scene.packing;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    largest = std::max(largest, displacement[c].norm());
-    work += scene.load[c] * displacement[c];
+    largest = std::max(largest, motion.displacement[c].norm());
+    work += scene.load[c] * motion.displacement[c];
+    if (!motion.rotation.empty())
+      work += scene.load_torque[c] * motion.rotation[c];
     largest_load = std::max(largest_load, scene.load[c].norm());
   }
-  displacement.emplace_back(); // the ground does not move
-  for (unsigned int e = 0; e < scene.packing.interfaces().size(); ++e)
+  const auto displacement = [&](const unsigned int c,
+                                const dealii::Point<2> &x) {
+    Tensor<1, 2> u; // the ground does not move
+    if (c != packing.ground())
+      u = motion.at(c, x - packing.centre(c));
+    largest = std::max(largest, u.norm());
+    return u;
+  };
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &i = scene.packing.interfaces()[e];
-    const Tensor<1, 2> jump =
-        displacement[i.cell_plus] - displacement[i.cell_minus];
-    closing = std::max(closing, -(jump * i.normal));
-    all_closings += std::max(0., -(jump * i.normal));
-    dissipation += scene.strength[e] * i.length * std::abs(jump * i.tangent());
+    const Packing::Interface &i = packing.interfaces()[e];
+    double of_joint = 0., sliding = 0.;
+    for (const dealii::Point<2> &x : {i.start, i.end})
+    {
+      const Tensor<1, 2> jump =
+          displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
+      of_joint = std::max(of_joint, -(jump * i.normal));
+      sliding += 0.5 * (jump * i.tangent());
+    }
+    closing = std::max(closing, of_joint);
+    all_closings += of_joint;
+    dissipation += scene.strength[e] * i.length * std::abs(sliding);
   }
 
   MechanismCertificate certificate;

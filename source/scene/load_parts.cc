@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/straight_runs.h>
 #include <voussoir/scene/load_parts.h>
@@ -11,21 +12,31 @@ using dealii::Tensor;
 
 namespace
 {
+/** The torque of a body force with the moment @p of b (x) (x - x_c). */
+double torque_of(const Tensor<2, 2> &moment)
+{
+  return moment[1][0] - moment[0][1];
+}
+
 /** Add the parts of the forces that act inside the cells. */
 void add_forces_inside(const Scene &scene,
-                       const std::vector<Tensor<1, 2>> &displacement,
+                       const Motion &motion,
                        std::vector<LoadPart> &parts)
 {
   if (scene.body.empty())
     return;
   LoadPart body = {"the body force", 0.};
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
-    body.work += scene.body.force(scene.packing, c) * displacement[c];
+  {
+    body.work += scene.body.force(scene.packing, c) * motion.displacement[c];
+    if (!motion.rotation.empty())
+      body.work += torque_of(scene.body.moment(c)) * motion.rotation[c];
+  }
   for (const CellForce &f : scene.on_cells)
   {
     LoadPart part = {"the force on '" + f.name + "'", 0.};
     for (const unsigned int c : f.cells)
-      part.work += f.force * displacement[c];
+      part.work += f.force * motion.displacement[c];
     body.work -= part.work;
     parts.push_back(part);
   }
@@ -34,8 +45,7 @@ void add_forces_inside(const Scene &scene,
 }
 } // namespace
 
-std::vector<LoadPart> load_parts(const Scene &scene,
-                                 const std::vector<Tensor<1, 2>> &displacement)
+std::vector<LoadPart> load_parts(const Scene &scene, const Motion &motion)
 {
   std::vector<Packing::BoundaryEdge> loaded;
   std::vector<double> work;
@@ -44,7 +54,13 @@ std::vector<LoadPart> load_parts(const Scene &scene,
     {
       const Packing::BoundaryEdge &edge = scene.packing.boundary_edges()[b];
       loaded.push_back(edge);
-      work.push_back(edge.length * scene.traction[b] * displacement[edge.cell]);
+      const unsigned int c = edge.cell;
+      work.push_back(edge.length * scene.traction[b] *
+                     motion.at(c, edge.midpoint() - scene.packing.centre(c)));
+      if (!motion.rotation.empty())
+        work.back() +=
+            motion.rotation[c] * cross((edge.end - edge.start) / edge.length,
+                                       scene.traction_moment[b]);
     }
 
   std::vector<LoadPart> parts;
@@ -58,7 +74,7 @@ std::vector<LoadPart> load_parts(const Scene &scene,
       part.work += work[k];
     parts.push_back(part);
   }
-  add_forces_inside(scene, displacement, parts);
+  add_forces_inside(scene, motion, parts);
   std::stable_sort(
       parts.begin(), parts.end(),
       [](const LoadPart &a, const LoadPart &b) { return a.work > b.work; });

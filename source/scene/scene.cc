@@ -5,6 +5,7 @@
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/scene.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -46,11 +47,23 @@ double torque(const dealii::Point<2> &x,
   const Tensor<1, 2> arm = x - centre;
   return arm[0] * f[1] - arm[1] * f[0];
 }
+/** The largest distance of a point of a cell from its centre. */
+double reach(const Packing &packing, const unsigned int c)
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    largest =
+        std::max(largest, packing.vertex(c, i).distance(packing.centre(c)));
+  return largest;
+}
 } // namespace
 
-Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
+Scene::Scene(Packing packing_in,
+             std::vector<double> strength_in,
+             Loads loads,
+             const Kinematics &kinematics_in)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
-      traction(std::move(loads.traction)),
+      kinematics(&kinematics_in), traction(std::move(loads.traction)),
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
       has_body_force(!body.empty()), load(packing.n_cells()),
@@ -62,6 +75,8 @@ Scene::Scene(Packing packing_in, std::vector<double> strength_in, Loads loads)
       body.add(packing, c, f.force);
   add_up_loads();
   check_balance();
+  if (turns())
+    check_moments();
   clear_single_cells();
 }
 
@@ -91,6 +106,16 @@ void Scene::add_up_loads()
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (load[c].norm() <= cancellation_tolerance * load_size[c])
       load[c] = 0.;
+  if (!turns())
+    return;
+  InterfaceForces none;
+  none.normal.resize(packing.interfaces().size());
+  none.tangential.resize(packing.interfaces().size());
+  load_torque = residual_torques(*this, none);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (std::abs(load_torque[c]) <=
+        cancellation_tolerance * load_size[c] * reach(packing, c))
+      load_torque[c] = 0.;
 }
 
 void Scene::check_balance() const
@@ -145,6 +170,34 @@ void Scene::check_balance() const
              "polygons/Matching tolerance'."));
 }
 
+/**
+ * The same of the moments, about the centre of the lowest cell of each group;
+ * the forces are balanced.
+ */
+void Scene::check_moments() const
+{
+  std::vector<double> moment(group.size(), 0.), size(group.size(), 0.);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const unsigned int g = group[c];
+    const dealii::Point<2> &about = packing.centre(g);
+    moment[g] += load_torque[c] + torque(packing.centre(c), about, load[c]);
+    size[g] +=
+        load_size[c] * (reach(packing, c) + packing.centre(c).distance(about));
+  }
+  for (unsigned int g = 0; g < packing.n_cells(); ++g)
+    if (g != group[packing.ground()] &&
+        std::abs(moment[g]) > balance_tolerance * size[g])
+      throw InputError(text(
+          "The moments of the loads are not balanced, and 'Rotations' is true: "
+          "about ",
+          text_of_point(packing.centre(g)), ", the centre of ",
+          packing.describe(g), ", they add up to ", moment[g], ", ",
+          std::abs(moment[g]) / size[g],
+          " of the sum of their sizes, on blocks that nothing supports. Change "
+          "the loads, choose 'Supports/Where', or set 'Rotations = false'."));
+}
+
 /** A cell by itself carries nothing: what is left of its load is rounding. */
 void Scene::clear_single_cells()
 {
@@ -153,13 +206,30 @@ void Scene::clear_single_cells()
     ++n_members[g];
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (n_members[group[c]] == 1)
+    {
       load[c] = 0.;
+      if (turns())
+        load_torque[c] = 0.;
+    }
 }
 
 Tensor<1, 2> InterfaceForces::on_cell_minus(const Packing::Interface &interface,
                                             const unsigned int e) const
 {
   return normal[e] * interface.normal + tangential[e] * interface.tangent();
+}
+
+double
+InterfaceForces::torque_on_cell_minus(const Packing::Interface &interface,
+                                      const unsigned int e,
+                                      const dealii::Point<2> &centre) const
+{
+  if (at_ends.empty())
+    return torque(interface.midpoint(), centre, on_cell_minus(interface, e));
+  return torque(interface.midpoint(), centre,
+                tangential[e] * interface.tangent()) +
+         torque(interface.start, centre, at_ends[e][0] * interface.normal) +
+         torque(interface.end, centre, at_ends[e][1] * interface.normal);
 }
 
 double utilisation(const Scene &scene,
@@ -179,12 +249,11 @@ std::vector<double> residual_torques(const Scene &scene,
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
-    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     torques[i.cell_minus] +=
-        torque(i.midpoint(), packing.centre(i.cell_minus), f);
+        forces.torque_on_cell_minus(i, e, packing.centre(i.cell_minus));
     if (i.cell_plus != packing.ground())
       torques[i.cell_plus] -=
-          torque(i.midpoint(), packing.centre(i.cell_plus), f);
+          forces.torque_on_cell_minus(i, e, packing.centre(i.cell_plus));
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {

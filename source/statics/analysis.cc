@@ -23,9 +23,11 @@ constexpr double frictionless_ratio = 1e9;
 
 std::string faults(const Certificate &certificate)
 {
-  return text("a residual of ", certificate.equilibrium_residual,
-              " and a violation of ", certificate.admissibility_violation,
-              " of the largest load on a cell");
+  return text(
+      "a residual of ",
+      std::max(certificate.equilibrium_residual, certificate.moment_residual),
+      " and a violation of ", certificate.admissibility_violation,
+      " of the largest load on a cell");
 }
 
 std::string forces_rejected(const SolverRecord &record,
@@ -69,8 +71,7 @@ void check_certificate(const Scene &scene,
 {
   const double limit =
       std::max(largest_accepted_error, tolerance_allowance * tolerance);
-  if (certificate.equilibrium_residual <= limit &&
-      certificate.admissibility_violation <= limit)
+  if (certificate.error() <= limit)
     return;
   if (!record.earlier_outcome.empty())
     throw InputError(earlier_forces_rejected(record, certificate));
@@ -78,12 +79,11 @@ void check_certificate(const Scene &scene,
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
 
-NotCarried prove(const Scene &scene,
-                 std::vector<dealii::Tensor<1, 2>> displacement)
+NotCarried prove(const Scene &scene, Motion motion)
 {
   NotCarried found;
-  found.displacement = std::move(displacement);
-  found.proof = certify_mechanism(scene, found.displacement);
+  found.motion = std::move(motion);
+  found.proof = certify_mechanism(scene, found.motion);
   if (!proves_collapse(found.proof))
     throw SolverError(text("The solver proposes a collapse mechanism, but it "
                            "closes joints by ",
@@ -100,7 +100,7 @@ NotCarried prove(const Scene &scene,
 
   if (found.proof.work_over_dissipation > frictionless_ratio)
     found.proof.work_over_dissipation = std::numeric_limits<double>::infinity();
-  found.parts = load_parts(scene, found.displacement);
+  found.parts = load_parts(scene, found.motion);
   return found;
 }
 } // namespace
@@ -117,7 +117,7 @@ Answer judge(const Scene &scene,
   check_certificate(scene, record, found.certificate, tolerance, terminal);
   Assessment assessment =
       assess(scene, found.forces, found.certificate, terminal);
-  if (!assessment.mechanism.empty())
+  if (!assessment.mechanism.displacement.empty())
     return prove(scene, std::move(assessment.mechanism));
   found.status = assessment.status;
   return found;
@@ -147,13 +147,13 @@ Answer analyse(const Scene &scene,
   timer.leave_subsection();
 
   if (solution.mechanism)
-    return prove(scene, std::move(solution.mechanism->displacement));
+    return prove(scene, std::move(solution.mechanism->motion));
   Carried found;
   found.forces = dimensional_forces(problem, solution);
   found.correction = solution.correction;
   found.never_pressed = std::move(solution.never_pressed);
   found.always_sliding = std::move(solution.always_sliding);
-  found.displacement = std::move(solution.displacement);
+  found.motion = std::move(solution.motion);
   return judge(scene, std::move(found), record, controls.tolerance, timer,
                terminal);
 }

@@ -38,15 +38,9 @@ constexpr double sufficient_strength = 1e3;
 /** The most iterations of the analytic centre, and of what follows it. */
 constexpr unsigned int n_centre_iterations = 100;
 
-double error_of(const Certificate &certificate)
-{
-  return std::max(certificate.equilibrium_residual,
-                  certificate.admissibility_violation);
-}
-
 bool is_exact(const Certificate &certificate)
 {
-  return error_of(certificate) <= rounding_of_balance &&
+  return certificate.error() <= rounding_of_balance &&
          certificate.unbalanced.empty();
 }
 
@@ -100,10 +94,10 @@ std::vector<bool> loaded_of(const Scene &scene, std::vector<bool> part)
 }
 
 /** The mechanism of the cells that move, if there is one that is a proof. */
-std::vector<Tensor<1, 2>> collapse_of(const Scene &scene,
-                                      const std::vector<bool> &moves,
-                                      const double highest_strength,
-                                      Terminal &terminal)
+Motion collapse_of(const Scene &scene,
+                   const std::vector<bool> &moves,
+                   const double highest_strength,
+                   Terminal &terminal)
 {
   const DiscreteProblem problem =
       DiscreteProblem(scene, moves).with_strengths_up_to(highest_strength);
@@ -112,19 +106,21 @@ std::vector<Tensor<1, 2>> collapse_of(const Scene &scene,
   const auto mechanism = find_collapse(SharedProblem(problem), terminal);
   if (!mechanism)
     return {};
-  std::vector<Tensor<1, 2>> displacement(moves.size());
-  auto next = mechanism->displacement.begin();
-  for (unsigned int c = 0; c < moves.size(); ++c)
+  Motion motion(moves.size(), problem.kinematics());
+  for (unsigned int c = 0, k = 0; c < moves.size(); ++c)
     if (moves[c])
-      displacement[c] = *next++;
-  return proves_collapse(certify_mechanism(scene, displacement))
-             ? displacement
-             : std::vector<Tensor<1, 2>>();
+    {
+      motion.displacement[c] = mechanism->motion.displacement[k];
+      if (!motion.rotation.empty())
+        motion.rotation[c] = mechanism->motion.rotation[k];
+      ++k;
+    }
+  return proves_collapse(certify_mechanism(scene, motion)) ? motion : Motion();
 }
 
-std::vector<Tensor<1, 2>> collapse_of_parts(const Scene &scene,
-                                            const Certificate &certificate,
-                                            Terminal &terminal)
+Motion collapse_of_parts(const Scene &scene,
+                         const Certificate &certificate,
+                         Terminal &terminal)
 {
   std::vector<UnbalancedCell> left = certificate.unbalanced;
   for (unsigned int n = 0; n < n_max_parts && !left.empty(); ++n)
@@ -140,9 +136,8 @@ std::vector<Tensor<1, 2>> collapse_of_parts(const Scene &scene,
       for (const double highest_strength :
            {std::numeric_limits<double>::infinity(), sufficient_strength})
       {
-        std::vector<Tensor<1, 2>> found =
-            collapse_of(scene, moves, highest_strength, terminal);
-        if (!found.empty())
+        Motion found = collapse_of(scene, moves, highest_strength, terminal);
+        if (!found.displacement.empty())
           return found;
       }
     left.erase(
@@ -161,21 +156,21 @@ Assessment assess(const Scene &scene,
 {
   if (is_exact(certificate))
     return {};
-  const double error = error_of(certificate);
+  const double error = certificate.error();
   if (error > largest_accepted_error) // as the user asked for
     return {{Status::Kind::carried_within, error}, {}};
   try
   {
     if (can_be_balanced(scene, forces))
       return {};
-    std::vector<Tensor<1, 2>> mechanism;
+    Motion mechanism;
     if (error > rounding_of_balance)
       mechanism =
           collapse_of(scene, std::vector<bool>(scene.packing.n_cells(), true),
                       std::numeric_limits<double>::infinity(), terminal);
-    if (mechanism.empty())
+    if (mechanism.displacement.empty())
       mechanism = collapse_of_parts(scene, certificate, terminal);
-    if (!mechanism.empty())
+    if (!mechanism.displacement.empty())
       return {{Status::Kind::collapse, 0.}, std::move(mechanism)};
   }
   catch (const SolverError &)

@@ -24,7 +24,7 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
   choose_scales(scene, moves);
   const Packing &packing = scene.packing;
   const double area = packing.area();
-  Tensor<1, 2> centroid;
+  dealii::Point<2> centroid;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     centroid += packing.area(c) / area * packing.centre(c);
   own.centres.reserve(packing.n_cells() + 1);
@@ -37,7 +37,9 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
       own.centres.push_back((packing.centre(c) - centroid) / length_unit);
       const Tensor<1, 2> load = scene.load[c] / (stress_unit * length_unit);
       own.loads.insert(own.loads.end(), {load[0], load[1]});
-      own.loads.resize(n_unknowns() * own.centres.size());
+      if (n_unknowns() == 3)
+        own.loads.push_back(scene.load_torque[c] /
+                            (stress_unit * length_unit * length_unit));
     }
   n_moving_cells = own.centres.size();
   for (unsigned int c = 0; c <= packing.n_cells(); ++c)
@@ -49,7 +51,7 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
   bool rests_on_ground = false;
   for (unsigned int e = 0; e < n_interfaces; ++e)
   {
-    add_interface(scene, e, body);
+    add_interface(scene, e, body, centroid);
     rests_on_ground |=
         !joints().empty() && joints().back().cell_plus == n_cells();
   }
@@ -65,18 +67,34 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
 /** Joints with the ground have it as c+; those within it are none. */
 void DiscreteProblem::add_interface(const Scene &scene,
                                     const unsigned int interface,
-                                    const std::vector<unsigned int> &body)
+                                    const std::vector<unsigned int> &body,
+                                    const dealii::Point<2> &centroid)
 {
   const Packing::Interface &i = scene.packing.interfaces()[interface];
   unsigned int minus = body[i.cell_minus], plus = body[i.cell_plus];
-  JointFrame frame = {i.normal, i.tangent()};
   if (minus == n_cells() && plus == n_cells())
     return;
+  JointFrame frame = {i.normal, i.tangent(), {}, {}};
+  const std::array<dealii::Point<2>, 2> ends = {{i.start, i.end}};
+  const auto from = [&](const unsigned int cell, const unsigned int b,
+                        const unsigned int k) {
+    return b == n_cells()
+               ? (ends[k] - centroid) / length_unit
+               : (ends[k] - scene.packing.centre(cell)) / length_unit;
+  };
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    frame.from_minus[k] = from(i.cell_minus, minus, k);
+    frame.from_plus[k] = from(i.cell_plus, plus, k);
+  }
   if (minus == n_cells())
   {
     std::swap(minus, plus);
     frame.normal *= -1.;
     frame.tangent *= -1.;
+    std::swap(frame.from_minus, frame.from_plus);
+    std::swap(frame.from_minus[0], frame.from_minus[1]);
+    std::swap(frame.from_plus[0], frame.from_plus[1]);
   }
   const double length = i.length / length_unit;
   add_joint({minus, plus, length, scene.packing.distance(i) / length_unit,
@@ -121,7 +139,10 @@ void DiscreteProblem::choose_scales(const Scene &scene,
   double total = 0.;
   for (unsigned int c = 0; c < moves.size(); ++c)
     if (moves[c])
-      total += scene.load[c].norm();
+      total += scene.load[c].norm() +
+               (scene.load_torque.empty()
+                    ? 0.
+                    : std::abs(scene.load_torque[c]) / length_unit);
   has_load = total > 0.;
   if (has_load)
     stress_unit = total / std::sqrt(area);
@@ -153,13 +174,13 @@ void DiscreteProblem::balance_loads()
         own.loads[dof(b, i)] = -sum[group[b]][i];
 }
 
-void DiscreteProblem::subtract(const std::vector<Motion> &motion_of_group,
+void DiscreteProblem::subtract(const std::vector<RigidMotion> &motion_of_group,
                                std::vector<double> &u) const
 {
   std::array<double, 3> unknowns;
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
-    const Motion &motion = motion_of_group[group[b]];
+    const RigidMotion &motion = motion_of_group[group[b]];
     for (unsigned int k = 0; k < kinematics().n_rigid_motions(); ++k)
     {
       kinematics().find_rigid_motion(k, centres()[b] - motion.about,
@@ -172,7 +193,7 @@ void DiscreteProblem::subtract(const std::vector<Motion> &motion_of_group,
 
 void DiscreteProblem::remove_rigid_motions(std::vector<double> &u) const
 {
-  std::vector<Motion> motion(n_bodies());
+  std::vector<RigidMotion> motion(n_bodies());
   std::vector<unsigned int> size(n_bodies(), 0);
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
@@ -199,7 +220,7 @@ void DiscreteProblem::remove_rigid_motions(std::vector<double> &u) const
 
 void DiscreteProblem::hold_bodies(std::vector<double> &u) const
 {
-  std::vector<Motion> motion(n_bodies());
+  std::vector<RigidMotion> motion(n_bodies());
   for (unsigned int b = 0; b < n_bodies(); ++b)
     if (is_held(b))
     {
@@ -210,15 +231,16 @@ void DiscreteProblem::hold_bodies(std::vector<double> &u) const
   subtract(motion, u);
 }
 
-std::vector<Tensor<1, 2>>
-DiscreteProblem::displacement_of_cells(const std::vector<double> &u,
-                                       const double unit) const
+Motion DiscreteProblem::motion_of_cells(const std::vector<double> &u,
+                                        const double unit) const
 {
-  std::vector<Tensor<1, 2>> displacement(n_cells());
+  Motion motion(n_cells(), kinematics());
   for (unsigned int c = 0; c < n_cells(); ++c)
     for (unsigned int i = 0; i < 2; ++i)
-      displacement[c][i] = unit * u[dof(c, i)];
-  return displacement;
+      motion.displacement[c][i] = unit * u[dof(c, i)];
+  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
+    motion.rotation[c] = unit * u[dof(c, 2)] / length_unit;
+  return motion;
 }
 
 bool DiscreteProblem::is_held(const unsigned int body) const

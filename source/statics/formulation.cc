@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -60,7 +61,7 @@ Solution Formulation::solve(const DiscreteProblem &problem,
 
   Solution nothing;
   nothing.forces.resize(problem.n_all_rows());
-  nothing.displacement.resize(problem.n_cells());
+  nothing.motion = Motion(problem.n_cells(), problem.kinematics());
   nothing.stop = Stop::Reason::nothing_to_balance;
   return nothing;
 }
@@ -96,11 +97,14 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution)
 {
   const double unit = force_scale(problem);
+  const unsigned int n = problem.n_contacts();
   InterfaceForces forces;
-  for (std::size_t k = 0; k < solution.forces.size(); k += problem.n_rows())
+  for (auto f = solution.forces.begin(); f != solution.forces.end(); f += n + 1)
   {
-    forces.normal.push_back(unit * solution.forces[k]);
-    forces.tangential.push_back(unit * solution.forces[k + 1]);
+    forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
+    forces.tangential.push_back(unit * f[n]);
+    if (n == 2)
+      forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
   }
   return forces;
 }
@@ -112,10 +116,13 @@ std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
   std::vector<double> result;
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
   {
-    result.push_back(factor * forces.normal[e]);
+    if (forces.at_ends.empty())
+      result.push_back(factor * forces.normal[e]);
+    else
+      for (const double f : forces.at_ends[e])
+        result.push_back(factor * f);
     result.push_back(factor * forces.tangential[e]);
   }
   return result;
 }
-
 } // namespace Voussoir

@@ -160,7 +160,7 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
         rounding_margin / remainder * size_of_terms))
     return {};
 
-  mechanism.displacement = problem.displacement_of_cells(v, 1.);
+  mechanism.motion = problem.motion_of_cells(v, 1.);
   return mechanism;
 }
 } // namespace Voussoir

@@ -70,7 +70,7 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
   if (!u.empty())
   {
     problem.remove_rigid_motions(u);
-    solution.displacement = problem.displacement_of_cells(u, displacement_unit);
+    solution.motion = problem.motion_of_cells(u, displacement_unit);
   }
   solution.n_iterations += point.n_iterations();
   solution.n_evaluations += point.n_iterations();

@@ -257,7 +257,7 @@ void SharedProblem::collect(const std::vector<double> &u,
       solution.forces[e * n_rows + k % n_rows] = parts[r][k];
     }
   whole->remove_rigid_motions(all);
-  solution.displacement = whole->displacement_of_cells(all, displacement_unit);
+  solution.motion = whole->motion_of_cells(all, displacement_unit);
 }
 
 /** All unknowns in the order of the whole, on the root. */

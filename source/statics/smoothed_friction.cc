@@ -230,8 +230,7 @@ private:
       refine_hard_contact(problem, HardJoint(law, n, barrier_parameter), x,
                           controls.tolerance, solution);
     problem.remove_rigid_motions(x);
-    solution.displacement =
-        problem.displacement_of_cells(x, 1. / law.displacement_unit());
+    solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());
     return solution;
   }
 
@@ -331,8 +330,10 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
 
   Solution solution =
       program.solution(solve_program(problem, program, ipopt, terminal));
-  for (Tensor<1, 2> &u : solution.displacement)
+  for (Tensor<1, 2> &u : solution.motion.displacement)
     u *= smoothing_length;
+  for (double &angle : solution.motion.rotation)
+    angle *= smoothing_length;
   return solution;
 }
 } // namespace Voussoir

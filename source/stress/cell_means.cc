@@ -19,10 +19,20 @@ std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
-    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
-    add(i.cell_minus, i.midpoint(), f);
-    if (i.cell_plus != packing.ground())
-      add(i.cell_plus, i.midpoint(), -f);
+    const auto add_both = [&](const dealii::Point<2> &x,
+                              const Tensor<1, 2> &f) {
+      add(i.cell_minus, x, f);
+      if (i.cell_plus != packing.ground())
+        add(i.cell_plus, x, -f);
+    };
+    if (forces.at_ends.empty())
+      add_both(i.midpoint(), forces.on_cell_minus(i, e));
+    else
+    {
+      add_both(i.midpoint(), forces.tangential[e] * i.tangent());
+      add_both(i.start, forces.at_ends[e][0] * i.normal);
+      add_both(i.end, forces.at_ends[e][1] * i.normal);
+    }
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {

@@ -84,8 +84,8 @@ void compare_collapse(const Scene &scene, const Team &team)
   const Solution found = Solver(least_energy, 1e-10, "", team).solve(problem);
   check("collapse is found", found.mechanism.has_value());
   if (found.mechanism)
-    check("collapse is proven", proves_collapse(certify_mechanism(
-                                    scene, found.mechanism->displacement)));
+    check("collapse is proven",
+          proves_collapse(certify_mechanism(scene, found.mechanism->motion)));
 }
 
 /** The sub-cells of the root's own part, which are the first of all. */

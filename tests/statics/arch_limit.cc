@@ -75,7 +75,7 @@ int main()
             Solver(way, 1e-8).solve(DiscreteProblem(falls));
         check(name + "collapse below",
               mechanism.mechanism &&
-                  certify_mechanism(falls, mechanism.mechanism->displacement)
+                  certify_mechanism(falls, mechanism.mechanism->motion)
                           .work_over_dissipation > 1.);
       }
 }

@@ -19,8 +19,7 @@ void try_load(const Way &way, const Packing &packing, const double d)
   std::cout << "  " << way.name << ", d = " << d << ": ";
   if (solution.mechanism)
   {
-    const auto proof =
-        certify_mechanism(scene, solution.mechanism->displacement);
+    const auto proof = certify_mechanism(scene, solution.mechanism->motion);
     std::cout << "collapse "
               << (proof.closing_violation <= 1e-12 &&
                           proof.work_over_dissipation > 1.

@@ -16,8 +16,7 @@ void try_strength(const Way &way, const double strength)
   std::cout << way.name << ", s_T = " << strength << ": ";
   if (solution.mechanism)
   {
-    const auto proof =
-        certify_mechanism(scene, solution.mechanism->displacement);
+    const auto proof = certify_mechanism(scene, solution.mechanism->motion);
     std::cout << "collapse" << std::endl;
     check("  work above dissipation", proof.work_over_dissipation > 1.);
     check_error("  ratio of work to dissipation, over the largest",

@@ -28,8 +28,8 @@ void compare_displacements(const Way &way,
 {
   const Scene scene = shear_wall(2.);
   const DiscreteProblem problem(scene);
-  const auto u = Solver(way).solve(problem).displacement;
-  const auto v = Solver(way.with(setting)).solve(problem).displacement;
+  const auto u = Solver(way).solve(problem).motion.displacement;
+  const auto v = Solver(way.with(setting)).solve(problem).motion.displacement;
   double error = 0., largest = 0.;
   for (unsigned int c = 0; c < u.size(); ++c)
   {

@@ -48,13 +48,13 @@ void compare(const std::string &name, const Scene &scene)
     check_error("  equilibrium", certificate.equilibrium_residual, 1e-13);
     check("  admissible", certificate.admissibility_violation == 0.);
     double difference = 0., size = 0.;
-    for (unsigned int c = 0; c < known.displacement.size(); ++c)
+    for (unsigned int c = 0; c < known.motion.displacement.size(); ++c)
     {
-      size = std::max(size, known.displacement[c].norm());
+      size = std::max(size, known.motion.displacement[c].norm());
       difference =
           std::max(difference,
-                   (known.displacement[c] -
-                    found.displacement[c] *
+                   (known.motion.displacement[c] -
+                    found.motion.displacement[c] *
                         (way.name == least_energy.name
                              ? problem.stress_scale() * problem.length_scale()
                              : 1.))
@@ -82,7 +82,7 @@ void find_factor(const std::string &name,
         mechanism.has_value() == (exact < 1.));
   if (mechanism)
     check("  which proves it",
-          proves_collapse(certify_mechanism(scene, mechanism->displacement)));
+          proves_collapse(certify_mechanism(scene, mechanism->motion)));
 }
 
 /** Steps to smaller and smaller products end at q = b v / sqrt(v^2 + eps^2). */

@@ -34,7 +34,7 @@ void try_proof(const std::string &what,
     return;
   }
   const MechanismCertificate proof =
-      certify_mechanism(scene, mechanism->displacement);
+      certify_mechanism(scene, mechanism->motion);
   std::cout << "proof, ratio ";
   if (proof.work_over_dissipation < 1e12)
     std::cout << proof.work_over_dissipation;

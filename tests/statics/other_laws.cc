@@ -69,8 +69,8 @@ void compare(const std::string &what,
         found.mechanism.has_value() == expected.mechanism.has_value() &&
             found.converged() == expected.converged());
   if (expected.mechanism)
-    check("  which proves it", proves_collapse(certify_mechanism(
-                                   known, found.mechanism->displacement)));
+    check("  which proves it",
+          proves_collapse(certify_mechanism(known, found.mechanism->motion)));
   else
     check_error("  the same forces",
                 distance(dimensional_forces(other, found),

@@ -22,7 +22,7 @@ Status::Kind status_of(const Scene &scene, const Way &way)
     const Solution solution = Solver(way).solve(problem);
     if (solution.mechanism)
       return proves_collapse(
-                 certify_mechanism(scene, solution.mechanism->displacement))
+                 certify_mechanism(scene, solution.mechanism->motion))
                  ? Status::Kind::collapse
                  : Status::Kind::carried_within;
     const InterfaceForces forces = dimensional_forces(problem, solution);

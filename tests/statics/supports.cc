@@ -151,7 +151,7 @@ int main()
       else
         check("clamped, " + way.name + ": falls by a mechanism",
               solution.mechanism &&
-                  certify_mechanism(clamped, solution.mechanism->displacement)
+                  certify_mechanism(clamped, solution.mechanism->motion)
                           .work_over_dissipation > 1.);
     }
     if (strength > 0.5)
@@ -174,7 +174,7 @@ int main()
       else
         check("clamped wall, " + way.name + ": falls by a mechanism",
               solution.mechanism &&
-                  certify_mechanism(clamped, solution.mechanism->displacement)
+                  certify_mechanism(clamped, solution.mechanism->motion)
                           .work_over_dissipation > 1.);
     }
   }
@@ -204,7 +204,7 @@ int main()
     else
       check("arch on held piers: falls",
             solution.mechanism &&
-                certify_mechanism(piers, solution.mechanism->displacement)
+                certify_mechanism(piers, solution.mechanism->motion)
                         .work_over_dissipation > 1.);
   }
 

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <string>
 
 namespace Voussoir
@@ -16,6 +17,12 @@ struct JointFrame
   dealii::Tensor<1, 2> normal;
   /** t_e = R(pi/2) n_e. */
   dealii::Tensor<1, 2> tangent;
+  /** @{ */
+  /** The ends of the joint, start and end along t_e, from the centre of a body.
+   */
+  std::array<dealii::Tensor<1, 2>, 2> from_minus;
+  std::array<dealii::Tensor<1, 2>, 2> from_plus;
+  /** @} */
 };
 
 /**
@@ -71,6 +78,14 @@ public:
 
 /** Bodies that do not turn, and touch at the midpoint of a joint. */
 const Kinematics &translations();
+/**
+ * Bodies that also turn. The third unknown is the angle about x_c, positive
+ * counterclockwise, times the unit of length, and bodies touch at both ends of
+ * a joint: contact there is contact all along it, since the opening of a joint
+ * is linear. Its sliding is the same everywhere, (x - x_c) . n_e being
+ * constant.
+ */
+const Kinematics &rotations();
 
 /** The kinematics of that name among those that there are. */
 const Kinematics &kinematics_of(const std::string &name);

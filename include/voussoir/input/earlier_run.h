@@ -62,6 +62,8 @@ private:
   CsvReader interfaces, cells;
   /** True if it is known which interfaces are never pressed. */
   const bool marked;
+  /** True if the blocks of that run could turn. */
+  const bool turned;
 };
 } // namespace Voussoir
 

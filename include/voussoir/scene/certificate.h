@@ -4,6 +4,7 @@
 
 #include <voussoir/scene/scene.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace Voussoir
@@ -14,8 +15,9 @@ struct UnbalancedCell
   /** Its number. */
   unsigned int cell;
   /**
-   * The size of the sum of all forces on it, or what a force of one of its
-   * interfaces is beyond its limit, if that is more; S L.
+   * The size of the sum of all forces on it, or of their torque over the square
+   * root of its area if it turns, or what a force of one of its interfaces is
+   * beyond its limit, whichever is most; S L.
    */
   double imbalance;
   /**
@@ -47,9 +49,17 @@ struct Certificate
   double max_utilisation = 0.;
   /**
    * Largest residual torque of a cell, over the reference force times the
-   * square root of the cell's area. Translations alone do not balance it.
+   * square root of the cell's area. Only blocks that turn balance it.
    */
   double max_torque = 0.;
+  /** The same where they turn, and it is an error; else zero. */
+  double moment_residual = 0.;
+  /** The largest of the residuals and the violation. */
+  double error() const
+  {
+    return std::max(
+        {equilibrium_residual, moment_residual, admissibility_violation});
+  }
   /**
    * The cells that are out of balance by more than largest_accepted_error of
    * their own force, and by more than rounding: a small load beside a large
@@ -77,9 +87,11 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces);
 struct MechanismCertificate
 {
   /**
-   * Largest closing of a joint, over the largest |u_c|.
+   * Largest closing of a joint, over the largest displacement of a cell or of
+   * an end of a joint with it.
    *
-   * The closing is -[u]_e . n_e where that is positive.
+   * The closing is -[u]_e . n_e where that is positive, at the end of the joint
+   * that closes more.
    */
   double closing_violation = 0.;
   /** Work of the load over the dissipation of friction; infinite if none. */
@@ -98,13 +110,9 @@ struct MechanismCertificate
  */
 bool proves_collapse(const MechanismCertificate &certificate);
 
-/**
- * Judge the displacement of each cell, of any size and unit; the ground does
- * not move.
- */
-MechanismCertificate
-certify_mechanism(const Scene &scene,
-                  std::vector<dealii::Tensor<1, 2>> displacement);
+/** Judge a motion of the cells, of any size and unit. */
+MechanismCertificate certify_mechanism(const Scene &scene,
+                                       const Motion &motion);
 } // namespace Voussoir
 
 #endif

@@ -26,9 +26,7 @@ struct LoadPart
  * loaded, of the body force and of the forces on cells of each name, the most
  * work first. The works add up to sum_c F_c . u_c.
  */
-std::vector<LoadPart>
-load_parts(const Scene &scene,
-           const std::vector<dealii::Tensor<1, 2>> &displacement);
+std::vector<LoadPart> load_parts(const Scene &scene, const Motion &motion);
 
 /** The share of the first part in all work that is positive; 0 if none is. */
 double share_of_first(const std::vector<LoadPart> &parts);

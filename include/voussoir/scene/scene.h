@@ -6,7 +6,9 @@
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/loads.h>
+#include <voussoir/scene/motion.h>
 
+#include <array>
 #include <vector>
 
 namespace Voussoir
@@ -23,11 +25,15 @@ struct Scene
    * @param packing with its supports.
    * @param strength s_e of each of its interfaces, not negative; S.
    * @param loads on its boundary edges and cells.
+   * @param kinematics of the blocks.
    * @throws InputError if the total force on a connected group of cells without
-   *   support is not zero, since nothing holds it, or if a load is too large or
-   *   too small to compute with.
+   *   support, or where they turn its moment, is not zero, since nothing holds
+   *   it, or if a load is too large or too small to compute with.
    */
-  Scene(Packing packing, std::vector<double> strength, Loads loads);
+  Scene(Packing packing,
+        std::vector<double> strength,
+        Loads loads,
+        const Kinematics &kinematics = translations());
 
   /** The blocks, with their supports. */
   Packing packing;
@@ -36,7 +42,12 @@ struct Scene
   /** The forces that interfaces of a strength admit. */
   const FrictionLaw *friction = &tresca();
   /** The motions of the blocks. */
-  const Kinematics *kinematics = &translations();
+  const Kinematics *kinematics;
+  /** True if they turn, so that moments are balanced. */
+  bool turns() const
+  {
+    return kinematics->n_unknowns() > 2;
+  }
   /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
   /** EdgeTractions::first_moment of it on each boundary edge; S L^2. */
@@ -49,6 +60,8 @@ struct Scene
   bool has_body_force;
   /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
+  /** The torque about x_c of the loads on each cell; S L^2, see turns(). */
+  std::vector<double> load_torque;
   /** The sum of the sizes of all forces that F_c is the sum of; S L. */
   std::vector<double> load_size;
   /** connected_groups() of the packing, n_cells + 1 numbers. */
@@ -57,6 +70,7 @@ struct Scene
 private:
   void add_up_loads();
   void check_balance() const;
+  void check_moments() const;
   void clear_single_cells();
 };
 
@@ -70,6 +84,11 @@ struct InterfaceForces
 {
   /** f_e^n of each interface, <= 0: compression. */
   std::vector<double> normal;
+  /**
+   * What of it acts at the start and at the end of each interface, <= 0; empty
+   * where blocks do not turn, and it acts at the midpoint.
+   */
+  std::vector<std::array<double, 2>> at_ends;
   /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
   std::vector<double> tangential;
 
@@ -80,6 +99,31 @@ struct InterfaceForces
    */
   dealii::Tensor<1, 2> on_cell_minus(const Packing::Interface &interface,
                                      unsigned int e) const;
+  /**
+   * The torque about @p centre of the force on cell c- of interface @p e,
+   * positive counterclockwise.
+   */
+  double torque_on_cell_minus(const Packing::Interface &interface,
+                              unsigned int e,
+                              const dealii::Point<2> &centre) const;
+  /**
+   * The place of the resultant on an interface, over its length: -1/2 at its
+   * start, 0 at its midpoint, 1/2 at its end; zero without normal force.
+   */
+  double eccentricity(const Packing::Interface &interface,
+                      const unsigned int e) const
+  {
+    return normal[e] < 0.
+               ? -couple(interface, e) / (interface.length * normal[e])
+               : 0.;
+  }
+  /** The same about the midpoint: the couple of the forces at the ends. */
+  double couple(const Packing::Interface &interface, unsigned int e) const
+  {
+    return at_ends.empty()
+               ? 0.
+               : 0.5 * interface.length * (at_ends[e][0] - at_ends[e][1]);
+  }
 };
 
 /** FrictionLaw::utilisation() of an interface. */
@@ -88,7 +132,7 @@ utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);
 
 /**
  * The torque about x_c of all forces on each cell, positive counterclockwise;
- * S L^2. Translations alone do not balance it.
+ * S L^2. Only blocks that turn balance it.
  */
 std::vector<double> residual_torques(const Scene &scene,
                                      const InterfaceForces &forces);

@@ -48,8 +48,8 @@ struct Carried
   /** Of each interface, or empty if the formulation does not tell. */
   std::vector<bool> never_pressed, always_sliding;
   /** @} */
-  /** u_c of each cell, see Solution::displacement; L. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** Solution::motion; L. */
+  Motion motion;
   /** The errors of the forces. */
   Certificate certificate;
   /** The status of the load that follows from them. */
@@ -59,8 +59,8 @@ struct Carried
 /** The proof that a load is not carried, in the user's units. */
 struct NotCarried
 {
-  /** Of each cell along the mechanism; the largest component is one. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** Mechanism::motion. */
+  Motion motion;
   /** The errors of the mechanism as a proof. */
   MechanismCertificate proof;
   /** The loads that drive the mechanism, the most work first. */

@@ -16,8 +16,8 @@ struct Assessment
 {
   /** The status of the load. */
   Status status;
-  /** u_c of each cell: the proof that it is not. */
-  std::vector<dealii::Tensor<1, 2>> mechanism;
+  /** The proof that it is not; empty if there is none. */
+  Motion mechanism;
 };
 
 /**

@@ -83,11 +83,10 @@ public:
   void hold_bodies(std::vector<double> &u) const;
 
   /**
-   * The displacement of each of the n_cells() cells, without the ground: those
-   * among @p u (n_dofs() numbers), times @p unit.
+   * The motion of each of the n_cells() cells, without the ground: that of @p u
+   * (n_dofs() numbers), times @p unit, with angles per the user's length.
    */
-  std::vector<dealii::Tensor<1, 2>>
-  displacement_of_cells(const std::vector<double> &u, double unit) const;
+  Motion motion_of_cells(const std::vector<double> &u, double unit) const;
 
   /**
    * The same problem with all strengths s_e above @p strength, nondimensional,
@@ -118,18 +117,19 @@ private:
   void choose_scales(const Scene &scene, const std::vector<bool> &moves);
   void add_interface(const Scene &scene,
                      unsigned int interface,
-                     const std::vector<unsigned int> &body);
+                     const std::vector<unsigned int> &body,
+                     const dealii::Point<2> &centroid);
   void connect_groups();
   void balance_loads();
   /** The rigid motion of a connected group. */
-  struct Motion
+  struct RigidMotion
   {
     /** The place about which it turns. */
     dealii::Tensor<1, 2> about;
     /** The size of each rigid motion of Kinematics. */
     std::array<double, 3> size = {{0., 0., 0.}};
   };
-  void subtract(const std::vector<Motion> &motion_of_group,
+  void subtract(const std::vector<RigidMotion> &motion_of_group,
                 std::vector<double> &u) const;
 
   double length_unit = 1.;

@@ -20,11 +20,11 @@ namespace Voussoir
 struct Mechanism
 {
   /**
-   * Displacement of each of the n_cells() cells, with zero mean in each
-   * connected group that does not rest on the ground, which does not move; its
-   * largest component is one.
+   * Of each of the n_cells() cells, without a common rigid motion in each
+   * connected group that does not rest on the ground, which does not move; the
+   * largest component, or the largest angle times the unit of length, is one.
    */
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  Motion motion;
   /**
    * The work of the loads, nondimensional.
    *

@@ -26,11 +26,11 @@ struct Solution
    */
   std::optional<double> correction;
   /**
-   * u_c, in the user's unit: from the ground, or with zero mean in each
-   * connected group of cells that does not rest on it. Zero where the
-   * formulation has none of its own: blocks that carry their load do not move.
+   * In the user's unit: from the ground, or with zero mean in each connected
+   * group of cells that does not rest on it. Zero where the formulation has
+   * none of its own: blocks that carry their load do not move.
    */
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  Motion motion;
   /** @{ */
   /**
    * Joints in which every admissible and balanced state has f_e^n = 0, and

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_scene_motion_h
+#define voussoir_scene_motion_h
+
+#include <voussoir/algebra/kinematics.h>
+
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+
+/** A motion of the cells, of any size; the ground does not move. */
+struct Motion
+{
+  /** No motion. */
+  Motion() = default;
+  /** One of rest. */
+  Motion(const unsigned int n_cells, const Kinematics &kinematics)
+      : displacement(n_cells),
+        rotation(kinematics.n_unknowns() > 2 ? n_cells : 0, 0.)
+  {
+  }
+  /** One that turns cells if there are rotations. */
+  Motion(std::vector<dealii::Tensor<1, 2>> displacement,
+         std::vector<double> rotation = {})
+      : displacement(std::move(displacement)), rotation(std::move(rotation))
+  {
+  }
+  /**
+   * The displacement of cell @p c at @p arm from its centre, to first order in
+   * the angle.
+   */
+  dealii::Tensor<1, 2> at(const unsigned int c,
+                          const dealii::Tensor<1, 2> &arm) const
+  {
+    dealii::Tensor<1, 2> u = displacement[c];
+    if (!rotation.empty())
+    {
+      u[0] -= rotation[c] * arm[1];
+      u[1] += rotation[c] * arm[0];
+    }
+    return u;
+  }
+
+  /** u_c of each cell, at its centre x_c. */
+  std::vector<dealii::Tensor<1, 2>> displacement;
+  /**
+   * The angle of each cell, positive counterclockwise, in the unit of u_c over
+   * one of length; empty where cells do not turn.
+   */
+  std::vector<double> rotation;
+};
+
+} // namespace Voussoir
+
+#endif
