@@ -42,8 +42,7 @@ Simulation::Simulation(Terminal &terminal, const Team &team)
                                             dealii::TimerOutput::never,
                                             dealii::TimerOutput::wall_times),
       solver(team)
-{
-}
+{}
 
 void Simulation::add_parameters(dealii::ParameterHandler &prm)
 {

@@ -27,8 +27,7 @@ bool trap_invalid_operations()
 }
 
 InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(trap(false))
-{
-}
+{}
 
 InvalidOperationsAllowed::~InvalidOperationsAllowed()
 {
@@ -40,9 +39,7 @@ bool trap_invalid_operations()
   return false;
 }
 
-InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(false)
-{
-}
+InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(false) {}
 
 InvalidOperationsAllowed::~InvalidOperationsAllowed() = default;
 #endif

@@ -66,9 +66,7 @@ Corners clip(const Corners &corners, const std::vector<double> &value)
 class Cutter
 {
 public:
-  Cutter(const Jumps &jumps, const double area) : jumps(jumps), area(area)
-  {
-  }
+  Cutter(const Jumps &jumps, const double area) : jumps(jumps), area(area) {}
 
   std::vector<AreaPiece> cut(const Corners &corners)
   {

@@ -39,8 +39,7 @@ struct QuickRule
   QuickRule()
       : points(dealii::QGauss<1>(n_points).get_points()),
         weights(dealii::QGauss<1>(n_points).get_weights()), fit(points)
-  {
-  }
+  {}
 
   std::vector<Point<1>> points;
   std::vector<double> weights;
@@ -62,8 +61,7 @@ public:
              const Function &f,
              const Jumps &jumps)
       : a(a), b(b), f(f), jumps(jumps)
-  {
-  }
+  {}
 
   EdgeIntegral integral()
   {

@@ -38,8 +38,7 @@ class Cutter
 public:
   Cutter(const Point<2> &a, const Point<2> &b, const Jumps &jumps)
       : a(a), b(b), jumps(jumps)
-  {
-  }
+  {}
 
   std::vector<EdgePiece> cut(const Jumps::Limits &limits)
   {
@@ -54,10 +53,7 @@ public:
   }
 
 private:
-  Point<2> at(const double t) const
-  {
-    return a + t * (b - a);
-  }
+  Point<2> at(const double t) const { return a + t * (b - a); }
 
   void cut(const EdgePiece &part)
   {

@@ -109,8 +109,7 @@ Condition::Condition(const std::string &formula,
                      const std::string &parameter)
     : expression(formula, variables, parameter), n_variables(variables.size()),
       formula(formula), parameter(parameter)
-{
-}
+{}
 
 bool Condition::is_never() const
 {

@@ -131,9 +131,4 @@ double Formula::argument(const unsigned int jump,
   evaluate(node.first, jump_nodes[jump], values);
   return argument_of(node);
 }
-
-unsigned int Formula::n_jumps() const
-{
-  return jump_nodes.size();
-}
 } // namespace Voussoir

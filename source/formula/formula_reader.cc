@@ -61,8 +61,7 @@ class FormulaReader
 public:
   FormulaReader(Formula &formula, const std::vector<double> &variables)
       : formula(formula), variables(variables)
-  {
-  }
+  {}
 
   void read(const mu::ParserByteCode &code);
 

@@ -68,27 +68,12 @@ void Jumps::set_constants(const std::vector<double> &constants)
     bounds[i].value = values[i];
 }
 
-bool Jumps::empty() const
-{
-  return first.back() == 0;
-}
-
-bool Jumps::has_formulas() const
-{
-  return !formulas.empty();
-}
-
 std::vector<Bounds> Jumps::bounds_in(const Patch &patch,
                                      const Limits &limits) const
 {
   const InvalidOperationsAllowed allowed;
   place(patch);
   return bounds_there(limits);
-}
-
-Jumps::Limits Jumps::no_limits() const
-{
-  return Limits(first.back(), Interval::whole());
 }
 
 void Jumps::place(const Patch &patch) const

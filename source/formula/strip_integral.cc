@@ -32,8 +32,7 @@ public:
          const std::function<AreaSums(const Point<2> &)> &f,
          const std::function<bool()> &is_exhausted)
       : piece(piece), jumps(jumps), f(f), is_exhausted(is_exhausted)
-  {
-  }
+  {}
 
   Integral<AreaSums> integral() const
   {

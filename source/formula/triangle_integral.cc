@@ -91,8 +91,7 @@ public:
              const Jumps &jumps)
       : triangle(triangle), origin(origin), area(area_of(triangle)),
         scale(std::sqrt(area)), f(f), jumps(jumps)
-  {
-  }
+  {}
 
   TriangleIntegral integral()
   {
@@ -150,10 +149,7 @@ private:
     /** The change that cutting it may bring, roughly. */
     double doubt;
 
-    bool operator<(const Part &other) const
-    {
-      return doubt < other.doubt;
-    }
+    bool operator<(const Part &other) const { return doubt < other.doubt; }
   };
 
   void integrate_smooth()

@@ -30,18 +30,10 @@ constexpr const char *same_scene =
     ". The packing, supports and strengths must be those of the run that the "
     "forces are from; leave 'Forces from' empty to solve.";
 
-/** Enough digits to see the difference. */
-std::string all_of(const double x)
-{
-  std::ostringstream out;
-  out.precision(12);
-  out << x;
-  return out.str();
-}
-
+/** A point with digits enough to see the difference. */
 std::string all_of(const Point<2> &p)
 {
-  return "(" + all_of(p[0]) + ", " + all_of(p[1]) + ")";
+  return "(" + text_to_copy(p[0]) + ", " + text_to_copy(p[1]) + ")";
 }
 
 double largest_coordinate(const Packing &packing)
@@ -59,8 +51,7 @@ struct Comparison
 {
   explicit Comparison(const Packing &packing)
       : tolerance(rounding_of_coordinates * largest_coordinate(packing))
-  {
-  }
+  {}
 
   bool same(const Point<2> &a, const Point<2> &b) const
   {
@@ -205,8 +196,9 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
              from_to(i.start, i.end));
     const double strength = scene.strength[e];
     if (std::abs(line[8] - strength) > rounding_of_strengths * strength)
-      differ(line, text("the strength ", all_of(line[8]), " of interface ", e),
-             all_of(strength));
+      differ(line,
+             text("the strength ", text_to_copy(line[8]), " of interface ", e),
+             text_to_copy(strength));
     found.forces.normal.push_back(line[6]);
     found.forces.tangential.push_back(line[7]);
     if (marked)

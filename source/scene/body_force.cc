@@ -101,8 +101,7 @@ struct Triangle
   Triangle(const Packing &packing, const unsigned int c, const unsigned int i)
       : a(packing.vertex(c, i) - packing.centre(c)),
         b(packing.vertex(c, i + 1) - packing.centre(c)), area(0.5 * cross(a, b))
-  {
-  }
+  {}
 
   /** The corners, from the centre. */
   Tensor<1, 2> a, b;
@@ -163,11 +162,6 @@ void BodyForce::allocate(const Packing &packing)
 {
   on_sub_cell.resize(packing.first_side(packing.n_cells()));
   moment_of_cell.resize(packing.n_cells());
-}
-
-bool BodyForce::empty() const
-{
-  return on_sub_cell.empty();
 }
 
 Tensor<1, 2> BodyForce::force(const Packing &packing,

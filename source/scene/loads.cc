@@ -59,10 +59,7 @@ public:
   }
 
   /** The operations of a component, to know where it jumps. */
-  const Formula &formula(const unsigned int i) const
-  {
-    return f[i].formula();
-  }
+  const Formula &formula(const unsigned int i) const { return f[i].formula(); }
 
   /** @throws InputError that ends with @p where if the value is not finite. */
   template <typename Where>

@@ -80,26 +80,6 @@ CellSpaces::CellSpaces(const SubTriangulation &cut,
   find_orientations(dof_handler, n_sides);
 }
 
-unsigned int CellSpaces::n_sub_cells() const
-{
-  return all_integrals.size();
-}
-
-unsigned int CellSpaces::n_fluxes_per_sub_cell() const
-{
-  return element.dofs_per_cell;
-}
-
-unsigned int CellSpaces::n_multipliers_per_sub_cell() const
-{
-  return multiplier.dofs_per_cell;
-}
-
-unsigned int CellSpaces::n_unknown_fluxes() const
-{
-  return unknown_fluxes;
-}
-
 /**
  * Vertices on a spoke belong to the triangles on both of its sides, and the
  * centre to all.

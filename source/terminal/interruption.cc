@@ -122,8 +122,7 @@ void say(const int number)
       say(signal);
   }
   catch (...) // no memory: then at least end
-  {
-  }
+  {}
   _exit(status_of_signals + signal);
 }
 
@@ -195,9 +194,7 @@ void Interruption::clear_screen()
   shared().screen = true;
 }
 
-Uninterrupted::Uninterrupted() : lock(shared().mutex)
-{
-}
+Uninterrupted::Uninterrupted() : lock(shared().mutex) {}
 
 void Uninterrupted::on_interruption(std::function<void()> undo)
 {

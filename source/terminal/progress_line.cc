@@ -62,8 +62,7 @@ ProgressLine::ProgressLine(std::ostream &out,
                            const Clock::duration interval)
     : out(out), width(screen.width), patience(patience), interval(interval),
       thread([this] { run(); })
-{
-}
+{}
 
 ProgressLine::~ProgressLine()
 {

@@ -47,7 +47,7 @@ public:
   using Limits = std::vector<Interval>;
 
   /** The number of its jumps. */
-  unsigned int n_jumps() const;
+  unsigned int n_jumps() const { return jump_nodes.size(); }
 
   /** The argument of @p jump, for values of the variables. */
   double argument(unsigned int jump, const std::vector<double> &values) const;

@@ -17,8 +17,7 @@ struct EdgeTractions
   /** No traction on @p n_edges edges. */
   explicit EdgeTractions(unsigned int n_edges)
       : mean(n_edges), first_moment(n_edges)
-  {
-  }
+  {}
 
   /** g_e, the mean over each edge; S. */
   std::vector<dealii::Tensor<1, 2>> mean;

@@ -85,16 +85,19 @@ public:
              unsigned int degree);
 
   /** The number of sub-cells, which are numbered triangle by triangle. */
-  unsigned int n_sub_cells() const;
+  unsigned int n_sub_cells() const { return all_integrals.size(); }
 
   /** The number of basis functions phi in one sub-cell. */
-  unsigned int n_fluxes_per_sub_cell() const;
+  unsigned int n_fluxes_per_sub_cell() const { return element.dofs_per_cell; }
 
   /** The number of basis functions w in one sub-cell. */
-  unsigned int n_multipliers_per_sub_cell() const;
+  unsigned int n_multipliers_per_sub_cell() const
+  {
+    return multiplier.dofs_per_cell;
+  }
 
   /** The number of unknown fluxes of one row of sigma. */
-  unsigned int n_unknown_fluxes() const;
+  unsigned int n_unknown_fluxes() const { return unknown_fluxes; }
 
   /** Basis function phi_k of a sub-cell. */
   const Flux &flux(const unsigned int sub_cell, const unsigned int k) const

@@ -157,16 +157,6 @@ CellLoops LeftHalf::mirrored(const bool has_keystone,
 }
 } // namespace
 
-std::string ArchGenerator::name() const
-{
-  return "arch";
-}
-
-std::string ArchGenerator::meaning() const
-{
-  return "a circular or a pointed arch, with or without piers.";
-}
-
 void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

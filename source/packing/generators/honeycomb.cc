@@ -10,16 +10,6 @@
 
 namespace Voussoir
 {
-std::string HoneycombGenerator::name() const
-{
-  return "honeycomb";
-}
-
-std::string HoneycombGenerator::meaning() const
-{
-  return "whole regular hexagons, every second row shifted by half a cell.";
-}
-
 void HoneycombGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

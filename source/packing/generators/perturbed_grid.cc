@@ -36,18 +36,6 @@ Tensor<1, 2> point_of_disk(Random &random)
 }
 } // namespace
 
-std::string PerturbedGridGenerator::name() const
-{
-  return "perturbed grid";
-}
-
-std::string PerturbedGridGenerator::meaning() const
-{
-  return "a rectangle cut into quadrilaterals by a grid with its vertices "
-         "moved "
-         "at random.";
-}
-
 void PerturbedGridGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

@@ -69,16 +69,6 @@ void add_cells(CellLoops &cells,
 }
 } // namespace
 
-std::string WallGenerator::name() const
-{
-  return "wall";
-}
-
-std::string WallGenerator::meaning() const
-{
-  return "a rectangular wall of bricks, with openings.";
-}
-
 void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

@@ -4,22 +4,12 @@
 #include <voussoir/packing/generators/wall_openings.h>
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 
 namespace Voussoir
 {
 namespace
 {
-/** A number with digits enough to be copied into the parameters. */
-std::string text_to_copy(const double x)
-{
-  std::ostringstream out;
-  out.precision(12);
-  out << x;
-  return out.str();
-}
-
 std::string describe(const std::array<double, 4> &rectangle)
 {
   return text("opening from ", text_of_point({rectangle[0], rectangle[1]}),

@@ -149,8 +149,7 @@ PolygonMatcher::PolygonMatcher(const PolygonList &polygons,
                                const double tolerance)
     : polygons(polygons), tolerance(tolerance), corners(polygons),
       points(corners.points), tree(dealii::pack_rtree_of_indices(points))
-{
-}
+{}
 
 void PolygonMatcher::find_vertices()
 {

@@ -17,10 +17,7 @@ namespace
 class GdalMessages
 {
 public:
-  GdalMessages() : pusher(&GdalMessages::keep, this)
-  {
-    CPLErrorReset();
-  }
+  GdalMessages() : pusher(&GdalMessages::keep, this) { CPLErrorReset(); }
 
   /** The first error, in parentheses; empty if there was none. */
   std::string error() const

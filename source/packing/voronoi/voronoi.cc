@@ -51,17 +51,6 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
 }
 } // namespace
 
-std::string VoronoiGenerator::name() const
-{
-  return "Voronoi";
-}
-
-std::string VoronoiGenerator::meaning() const
-{
-  return "the Voronoi cells of points in a rectangle or a convex polygon, of "
-         "equal or of graded size.";
-}
-
 void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

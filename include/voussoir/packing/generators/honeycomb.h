@@ -19,8 +19,11 @@ namespace Voussoir
 class HoneycombGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "honeycomb"; }
+  std::string meaning() const override
+  {
+    return "whole regular hexagons, every second row shifted by half a cell.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;
