@@ -96,48 +96,30 @@ void FormulaReader::read(const mu::SToken &token)
 {
   switch (token.Cmd)
   {
-  case mu::cmLE:
-    return push(Kind::less_equal);
-  case mu::cmGE:
-    return push(Kind::greater_equal);
-  case mu::cmNEQ:
-    return push(Kind::not_equal);
-  case mu::cmEQ:
-    return push(Kind::equal);
-  case mu::cmLT:
-    return push(Kind::less);
-  case mu::cmGT:
-    return push(Kind::greater);
-  case mu::cmADD:
-    return push(Kind::add);
-  case mu::cmSUB:
-    return push(Kind::subtract);
-  case mu::cmMUL:
-    return push(Kind::multiply);
-  case mu::cmDIV:
-    return push(Kind::divide);
-  case mu::cmPOW:
-    return push(Kind::power);
-  case mu::cmLAND:
-    return push(Kind::both);
-  case mu::cmLOR:
-    return push(Kind::any);
-  case mu::cmENDIF:
-    return push(Kind::choose);
-  case mu::cmVAL:
-    return push(Kind::constant, none, token.Val.data2);
+  case mu::cmLE: return push(Kind::less_equal);
+  case mu::cmGE: return push(Kind::greater_equal);
+  case mu::cmNEQ: return push(Kind::not_equal);
+  case mu::cmEQ: return push(Kind::equal);
+  case mu::cmLT: return push(Kind::less);
+  case mu::cmGT: return push(Kind::greater);
+  case mu::cmADD: return push(Kind::add);
+  case mu::cmSUB: return push(Kind::subtract);
+  case mu::cmMUL: return push(Kind::multiply);
+  case mu::cmDIV: return push(Kind::divide);
+  case mu::cmPOW: return push(Kind::power);
+  case mu::cmLAND: return push(Kind::both);
+  case mu::cmLOR: return push(Kind::any);
+  case mu::cmENDIF: return push(Kind::choose);
+  case mu::cmVAL: return push(Kind::constant, none, token.Val.data2);
   case mu::cmVAR:
   case mu::cmVARMUL:
   case mu::cmVARPOW2:
   case mu::cmVARPOW3:
-  case mu::cmVARPOW4:
-    return read_variable(token);
-  case mu::cmFUNC:
-    return read_function(token);
+  case mu::cmVARPOW4: return read_variable(token);
+  case mu::cmFUNC: return read_function(token);
   case mu::cmIF: // both branches follow, and leave an operand each
   case mu::cmELSE:
-  case mu::cmEND:
-    return;
+  case mu::cmEND: return;
   default:
     AssertThrow(false, dealii::ExcMessage("unknown byte code of a formula"));
   }

@@ -2,6 +2,8 @@
 #include <voussoir/base/floating_point.h>
 #include <voussoir/formula/jumps.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,13 +21,8 @@ constexpr double rounding_of_values = 1e-9;
 
 Patch box_around(const std::vector<Point<2>> &points)
 {
-  Point<2> lower = points.front(), upper = points.front();
-  for (const Point<2> &point : points)
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      lower[i] = std::min(lower[i], point[i]);
-      upper[i] = std::max(upper[i], point[i]);
-    }
+  const auto [lower, upper] =
+      dealii::BoundingBox<2>(points).get_boundary_points();
   Patch patch;
   patch.centre = lower + 0.5 * (upper - lower);
   for (unsigned int i = 0; i < 2; ++i)

@@ -6,6 +6,7 @@
 #include <voussoir/formula/functions.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mu
@@ -137,6 +138,10 @@ private:
                        const Bounds &argument,
                        const std::vector<double> &middle) const;
   void mark_needed() const;
+  /** The level of @p jump that was met in the last box, if there is one. */
+  std::optional<double> level_of(unsigned int jump,
+                                 const Interval &limit) const;
+  Crossing crossing(unsigned int jump, double level) const;
 
   std::vector<Node> nodes;
   /** The node of each jump. */
