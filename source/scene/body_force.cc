@@ -94,19 +94,6 @@ void integrate(const Packing &packing,
     parts.push_back(
         triangle_integral(corners(packing, c, i), packing.centre(c), b, jumps));
 }
-
-/** A sub-cell: the triangle of the centre and side i of a cell. */
-struct Triangle
-{
-  Triangle(const Packing &packing, const unsigned int c, const unsigned int i)
-      : a(packing.vertex(c, i) - packing.centre(c)),
-        b(packing.vertex(c, i + 1) - packing.centre(c)), area(0.5 * cross(a, b))
-  {}
-
-  /** The corners, from the centre. */
-  Tensor<1, 2> a, b;
-  double area;
-};
 } // namespace
 
 BodyForce::BodyForce(
@@ -150,11 +137,11 @@ void BodyForce::add(const Packing &packing,
     allocate(packing);
   for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
   {
-    const Triangle triangle(packing, cell, i);
-    const Tensor<1, 2> share = triangle.area / packing.area(cell) * f;
+    const Tensor<1, 2> a = packing.vertex(cell, i) - packing.centre(cell);
+    const Tensor<1, 2> b = packing.vertex(cell, i + 1) - packing.centre(cell);
+    const Tensor<1, 2> share = 0.5 * cross(a, b) / packing.area(cell) * f;
     on_sub_cell[packing.first_side(cell) + i] += share;
-    moment_of_cell[cell] +=
-        outer_product(share, (triangle.a + triangle.b) / 3.);
+    moment_of_cell[cell] += outer_product(share, (a + b) / 3.);
   }
 }
 

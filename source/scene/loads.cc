@@ -277,24 +277,20 @@ LoadParameters::forces_on_cells(const Packing &packing) const
   std::vector<CellForce> forces;
   for (const auto &[name, value] : split_named_list(cell_forces, parameter))
   {
-    const auto components = dealii::Utilities::split_string_list(value, ',');
-    CellForce f = {name, cells_of_name(packing, name, parameter), {}};
-    bool valid = components.size() == 2;
-    for (unsigned int i = 0; valid && i < 2; ++i)
-      valid =
-          boost::conversion::try_lexical_convert(components[i], f.force[i]) &&
-          std::isfinite(f.force[i]);
-    if (!valid)
+    const std::vector<unsigned int> cells =
+        cells_of_name(packing, name, parameter);
+    const auto force = pair_of_text(value);
+    if (!force)
       throw InputError("The parameter '" + parameter + "' gives '" + name +
                        "' the force '" + value +
                        "'; two finite numbers \"F_x, F_y\" are expected, "
                        "with a comma between.");
-    if (f.cells.empty())
+    if (cells.empty())
       throw InputError("The parameter '" + parameter + "' gives a force to '" +
                        name +
                        "', which has no cells to take it; name another group, "
                        "or a cell by its number.");
-    forces.push_back(std::move(f));
+    forces.push_back({name, cells, *force});
   }
   return forces;
 }

@@ -2,6 +2,7 @@
 #include <voussoir/base/none.h>
 #include <voussoir/stress/least_norm.h>
 
+#include <algorithm>
 #include <array>
 
 namespace Voussoir
@@ -97,11 +98,8 @@ bool LeastNorm::find_fluxes()
   set_known();
   add_rigid_acceleration();
   assemble();
-  // Rigid motions are in the kernel of the matrix, and the right-hand side is
-  // orthogonal to them. Three unknowns are held.
-  for (const unsigned int held :
-       {velocity(0, 0, 0), velocity(1, 0, 0), rotation(0, 0)})
-    unknowns[held] = 0.;
+  for (const unsigned int i : held())
+    unknowns[i] = 0.;
   return system.solve(unknowns);
 }
 
@@ -179,13 +177,10 @@ void LeastNorm::add_rigid_acceleration()
 void LeastNorm::assemble()
 {
   system.clear();
-  const auto is_held = [&](const unsigned int i) {
-    return i == velocity(0, 0, 0) || i == velocity(1, 0, 0) ||
-           i == rotation(0, 0);
-  };
+  const std::array<unsigned int, 3> fixed = held();
   const auto add = [&](const unsigned int i, const unsigned int j,
                        const double value) {
-    if (is_held(j))
+    if (std::find(fixed.begin(), fixed.end(), j) != fixed.end())
       return;
     system.add(i, j, value);
     system.add(j, i, value);
@@ -212,8 +207,7 @@ void LeastNorm::assemble()
       }
     }
   }
-  for (const unsigned int held :
-       {velocity(0, 0, 0), velocity(1, 0, 0), rotation(0, 0)})
-    system.add(held, held, 1.);
+  for (const unsigned int i : fixed)
+    system.add(i, i, 1.);
 }
 } // namespace Voussoir

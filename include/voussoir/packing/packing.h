@@ -48,6 +48,15 @@ struct CellLoops
 
   /** Notices to the user on how the input was understood. */
   std::vector<std::string> notices;
+
+  /** The number of cells. */
+  unsigned int n_cells() const { return first.size() - 1; }
+  /** Add a cell with the vertices @p loop, by their numbers. */
+  void add(const std::vector<unsigned int> &loop)
+  {
+    loops.insert(loops.end(), loop.begin(), loop.end());
+    first.push_back(loops.size());
+  }
 };
 
 /**
@@ -147,7 +156,7 @@ public:
   void support(const std::vector<bool> &is_support);
 
   /** The number F of cells, without the ground. */
-  unsigned int n_cells() const { return mesh.first.size() - 1; }
+  unsigned int n_cells() const { return mesh.n_cells(); }
   /** The number that stands for the ground, in Interface::cell_plus. */
   unsigned int ground() const { return n_cells(); }
   /** The number of interfaces() that are supports, the last ones. */

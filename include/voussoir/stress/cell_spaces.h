@@ -27,7 +27,11 @@ namespace Voussoir
 class CellSpaces
 {
 public:
-  /** A basis function phi in a sub-cell. */
+  /**
+   * A basis function phi in a sub-cell. The fluxes through a line between two
+   * sub-cells are the same unknowns for both; those through the boundary of the
+   * cell are prescribed, by the force on the side.
+   */
   struct Flux
   {
     /** Its unknown, or dealii::numbers::invalid_unsigned_int if prescribed. */
@@ -132,8 +136,10 @@ public:
 private:
   void make_triangulation(dealii::Triangulation<2> &triangulation,
                           unsigned int n_sides) const;
-  void number_fluxes(const dealii::DoFHandler<2> &dof_handler,
-                     unsigned int n_sides);
+  void find_divergences(const dealii::DoFHandler<2> &dof_handler);
+  void prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
+                        unsigned int n_sides);
+  void number_fluxes(const dealii::DoFHandler<2> &dof_handler);
   void find_orientations(const dealii::DoFHandler<2> &dof_handler,
                          unsigned int n_sides);
   void map(unsigned int sub_cell,

@@ -59,11 +59,10 @@ void add_cells(CellLoops &cells,
 {
   for (const Stone &stone : course)
   {
-    const std::vector<unsigned int> lower = below.along(stone);
+    std::vector<unsigned int> loop = below.along(stone);
     const std::vector<unsigned int> upper = above.along(stone);
-    cells.loops.insert(cells.loops.end(), lower.begin(), lower.end());
-    cells.loops.insert(cells.loops.end(), upper.rbegin(), upper.rend());
-    cells.first.push_back(cells.loops.size());
+    loop.insert(loop.end(), upper.rbegin(), upper.rend());
+    cells.add(loop);
     cells.group.push_back(stone.is_lintel ? 1 : 0);
   }
 }

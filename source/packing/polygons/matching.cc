@@ -13,6 +13,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -51,13 +52,9 @@ struct Contact
 /** The box around two points, wider by @p margin on all sides. */
 Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
 {
-  Point<2> low, high;
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    low[i] = std::min(a[i], b[i]) - margin;
-    high[i] = std::max(a[i], b[i]) + margin;
-  }
-  return Box({low, high});
+  Box box(std::array<Point<2>, 2>{{a, b}});
+  box.extend(margin);
+  return box;
 }
 
 /** The rings of all cells by the numbers of their points. */
@@ -65,9 +62,15 @@ struct Corners
 {
   explicit Corners(const PolygonList &polygons);
 
-  unsigned int n(unsigned int cell) const;
+  unsigned int n(const unsigned int cell) const
+  {
+    return first[cell + 1] - first[cell];
+  }
   /** Corner @p i of a cell, counted modulo their number, as a point. */
-  unsigned int point(unsigned int cell, unsigned int i) const;
+  unsigned int point(const unsigned int cell, const unsigned int i) const
+  {
+    return rings[first[cell] + i % n(cell)];
+  }
 
   /** The different points of all rings, in the order of the file. */
   std::vector<Point<2>> points;
@@ -104,16 +107,6 @@ Corners::Corners(const PolygonList &polygons)
     }
     else
       rings[i] = rings[leader[i]];
-}
-
-unsigned int Corners::n(const unsigned int cell) const
-{
-  return first[cell + 1] - first[cell];
-}
-
-unsigned int Corners::point(const unsigned int cell, const unsigned int i) const
-{
-  return rings[first[cell] + i % n(cell)];
 }
 
 /** Matches one list; one object, used once. */
@@ -154,11 +147,7 @@ PolygonMatcher::PolygonMatcher(const PolygonList &polygons,
 void PolygonMatcher::find_vertices()
 {
   const unsigned int n = points.size();
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int p = 0; p < n; ++p)
-    sets.make_set(p);
+  boost::disjoint_sets_with_storage<> sets(n);
   std::vector<std::size_t> near;
   for (unsigned int p = 0; p < n; ++p)
   {
@@ -168,7 +157,7 @@ void PolygonMatcher::find_vertices()
                std::back_inserter(near));
     for (const std::size_t q : near)
       if (q < p && points[p].distance(points[q]) <= tolerance)
-        sets.union_set(p, static_cast<unsigned int>(q));
+        sets.union_set(std::size_t(p), q);
   }
 
   std::vector<unsigned int> lowest(n, none);
@@ -279,16 +268,17 @@ CellLoops PolygonMatcher::match()
   std::vector<unsigned int> number(points.size(), none);
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
   {
-    for (const unsigned int v : loop(c))
+    std::vector<unsigned int> vertices = loop(c);
+    for (unsigned int &v : vertices)
     {
       if (number[v] == none)
       {
         number[v] = cells.vertices.size();
         cells.vertices.push_back(points[v]);
       }
-      cells.loops.push_back(number[v]);
+      v = number[v];
     }
-    cells.first.push_back(cells.loops.size());
+    cells.add(vertices);
   }
   cells.tolerance = deepest_dent * tolerance;
   return cells;

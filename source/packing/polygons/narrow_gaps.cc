@@ -7,6 +7,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -49,7 +50,7 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
   };
   std::vector<Halfedge> halfedges;
   halfedges.reserve(cells.loops.size());
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
     for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
     {
       const unsigned int a = cells.loops[i];
@@ -82,7 +83,7 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
 double mean_size(const CellLoops &cells)
 {
   double twice_area = 0.;
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
   {
     const Point<2> &origin = cells.vertices[cells.loops[cells.first[c]]];
     for (unsigned int i = cells.first[c] + 1; i + 1 < cells.first[c + 1]; ++i)
@@ -92,7 +93,7 @@ double mean_size(const CellLoops &cells)
       twice_area += cross(a, b);
     }
   }
-  return std::sqrt(0.5 * twice_area / (cells.first.size() - 1));
+  return std::sqrt(0.5 * twice_area / cells.n_cells());
 }
 
 /**
@@ -136,8 +137,7 @@ std::string describe_narrow_gaps(const CellLoops &cells, const double tolerance)
   std::vector<Box> boxes;
   for (const OpenSide &side : sides)
   {
-    boxes.emplace_back(std::make_pair(side.start, side.start));
-    boxes.back().merge_with(Box(std::make_pair(side.end, side.end)));
+    boxes.emplace_back(std::array<Point<2>, 2>{{side.start, side.end}});
     boxes.back().extend(width);
   }
   const auto tree = dealii::pack_rtree_of_indices(boxes);

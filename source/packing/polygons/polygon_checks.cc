@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/tensor.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace Voussoir
 {
@@ -46,13 +48,7 @@ constexpr double least_thickness = 4.;
 /** The diagonal of the box around a ring. */
 double length_of(const Ring &ring)
 {
-  Point<2> low = ring[0], high = ring[0];
-  for (const Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
+  const auto [low, high] = dealii::BoundingBox<2>(ring).get_boundary_points();
   return low.distance(high);
 }
 
@@ -108,8 +104,7 @@ Point<2> place_of_crossing(const std::vector<Kernel::Point_2> &p)
     return std::max(p[i].x(), p[(i + 1) % n].x());
   };
   std::vector<std::size_t> sides(n);
-  for (std::size_t i = 0; i < n; ++i)
-    sides[i] = i;
+  std::iota(sides.begin(), sides.end(), 0);
   std::sort(sides.begin(), sides.end(), [&](std::size_t i, std::size_t j) {
     return std::make_pair(left(i), i) < std::make_pair(left(j), j);
   });

@@ -25,7 +25,7 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
                                          const CellSize &size)
 {
   std::vector<Point<2>> centroids;
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
   {
     const Point<2> &centre = cells.centres[c];
     const double reference = size(centre);

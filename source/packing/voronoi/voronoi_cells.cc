@@ -275,11 +275,7 @@ void VoronoiBuilder::make_loops()
 std::vector<unsigned int> VoronoiBuilder::merge_close_vertices() const
 {
   const unsigned int n = vertices.size();
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int v = 0; v < n; ++v)
-    sets.make_set(v);
+  boost::disjoint_sets_with_storage<> sets(n);
   for (unsigned int c = 0; c + 1 < first.size(); ++c)
   {
     unsigned int previous = loops[first[c + 1] - 1];
