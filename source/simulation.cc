@@ -46,7 +46,7 @@ Simulation::Simulation(Terminal &terminal, const Team &team)
 
 void Simulation::add_parameters(dealii::ParameterHandler &prm)
 {
-  using namespace dealii::Patterns;
+  using dealii::Patterns::Anything;
   prm.add_parameter("Title", title, "A title for the results.", Anything());
   prm.add_parameter("Output directory", output_directory,
                     "Where the results go; created if need be. A relative path "
@@ -69,13 +69,18 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   loads.add_parameters(prm);
   friction.add_parameters(prm);
   stress.add_parameters(prm);
+  add_output_parameters(prm);
+}
+
+void Simulation::add_output_parameters(dealii::ParameterHandler &prm)
+{
   prm.enter_subsection("Output");
   prm.add_parameter(
       "Verbosity", verbosity,
       "0: the closing summary alone; 1: also the stages and, on a "
       "screen, the progress of long ones; 2: also the iterations "
       "of the solver.",
-      Integer(0, 2));
+      dealii::Patterns::Integer(0, 2));
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},

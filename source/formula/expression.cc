@@ -104,18 +104,27 @@ double Expression::value() const
   return implementation->parser.Eval();
 }
 
+bool Expression::is_constant() const
+{
+  return implementation->is_constant;
+}
+
+bool Expression::is_zero() const
+{
+  return implementation->is_constant && implementation->constant == 0.;
+}
+
+const Formula &Expression::formula() const
+{
+  return *implementation->formula;
+}
+
 Condition::Condition(const std::string &formula,
                      const std::vector<std::string> &variables,
                      const std::string &parameter)
-    : expression(formula, variables, parameter), n_variables(variables.size()),
-      formula(formula), parameter(parameter)
+    : expression(formula, variables, parameter), formula(formula),
+      parameter(parameter)
 {}
-
-bool Condition::is_never() const
-{
-  return expression.is_constant() &&
-         expression(std::vector<double>(n_variables, 0.)) == 0.;
-}
 
 bool Condition::operator()(const std::vector<double> &values) const
 {
@@ -126,15 +135,5 @@ bool Condition::operator()(const std::vector<double> &values) const
                      text_of_point({values[0], values[1]}) +
                      "; it must be true or false.");
   return value != 0.;
-}
-
-bool Expression::is_constant() const
-{
-  return implementation->is_constant;
-}
-
-const Formula &Expression::formula() const
-{
-  return *implementation->formula;
 }
 } // namespace Voussoir

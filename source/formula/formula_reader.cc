@@ -55,15 +55,16 @@ double average(const double *a, int n)
 /** @} */
 } // namespace
 
-/** Makes the nodes of a formula by going through the byte code with a stack. */
+/** Makes a formula from its byte code by going through the byte code with a
+ * stack. */
 class FormulaReader
 {
 public:
-  FormulaReader(Formula &formula, const std::vector<double> &variables)
-      : formula(formula), variables(variables)
+  explicit FormulaReader(const std::vector<double> &variables)
+      : variables(variables)
   {}
 
-  void read(const mu::ParserByteCode &code);
+  Formula read(const mu::ParserByteCode &code);
 
 private:
   using Kind = Formula::Kind;
@@ -75,12 +76,12 @@ private:
   void fold(Kind kind, unsigned int n);
   void push(Kind kind, unsigned int number = none, double constant = 0.);
 
-  Formula &formula;
+  Formula formula;
   const std::vector<double> &variables;
   std::vector<unsigned int> stack;
 };
 
-void FormulaReader::read(const mu::ParserByteCode &code)
+Formula FormulaReader::read(const mu::ParserByteCode &code)
 {
   for (std::size_t k = 0; k < code.GetSize(); ++k)
     read(code.GetBase()[k]);
@@ -90,6 +91,7 @@ void FormulaReader::read(const mu::ParserByteCode &code)
   formula.node_bounds.resize(n);
   formula.needed.resize(n);
   formula.arguments.resize(formula.n_jumps());
+  return formula;
 }
 
 void FormulaReader::read(const mu::SToken &token)
@@ -235,8 +237,6 @@ void define_functions(mu::Parser &parser)
 Formula read_formula(const mu::Parser &parser,
                      const std::vector<double> &variables)
 {
-  Formula formula;
-  FormulaReader(formula, variables).read(parser.GetByteCode());
-  return formula;
+  return FormulaReader(variables).read(parser.GetByteCode());
 }
 } // namespace Voussoir

@@ -75,10 +75,7 @@ const std::vector<SmoothFunction> &smooth_functions()
       {"asin", std::asin,
        increasing(std::asin, -1., 1.,
                   [](const Interval &v) { return 1. / sqrt(1. - square(v)); })},
-      {"acos", std::acos,
-       [](const Bounds &a) {
-         return -minus_acos(a);
-       }},
+      {"acos", std::acos, [](const Bounds &a) { return -minus_acos(a); }},
       {"atan", std::atan,
        increasing(std::atan, -infinity, infinity,
                   [](const Interval &v) { return 1. / (1. + square(v)); })},

@@ -107,9 +107,7 @@ BodyForce::BodyForce(
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
-        [&](const Point<2> &x) {
-          return b(x, c);
-        };
+        [&](const Point<2> &x) { return b(x, c); };
     if (!integrate_quickly(packing, c, b_c, jumps, parts))
       integrate(packing, c, b_c, jumps, parts);
     double error = 0., size = 0., uncertain = 0.;

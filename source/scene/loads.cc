@@ -35,28 +35,17 @@ public:
                    const std::vector<std::string> &variables,
                    const std::string &parameter)
       : components(dealii::Utilities::split_string_list(formulas, ';')),
-        parameter(parameter), n_variables(variables.size())
+        parameter(parameter)
   {
     for (const std::string &component : components)
       f.emplace_back(component, variables, parameter);
   }
 
   /** True if both are zero everywhere by their form. */
-  bool is_zero() const
-  {
-    return std::all_of(f.begin(), f.end(), [&](const Expression &component) {
-      return component.is_constant() &&
-             component(std::vector<double>(n_variables, 0.)) == 0.;
-    });
-  }
+  bool is_zero() const { return f[0].is_zero() && f[1].is_zero(); }
 
   /** True if both are the same everywhere by their form. */
-  bool is_constant() const
-  {
-    return std::all_of(f.begin(), f.end(), [](const Expression &component) {
-      return component.is_constant();
-    });
-  }
+  bool is_constant() const { return f[0].is_constant() && f[1].is_constant(); }
 
   /** The operations of a component, to know where it jumps. */
   const Formula &formula(const unsigned int i) const { return f[i].formula(); }
@@ -79,7 +68,6 @@ public:
 private:
   std::vector<std::string> components;
   std::string parameter;
-  std::size_t n_variables;
   std::vector<Expression> f;
 };
 

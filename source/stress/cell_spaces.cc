@@ -299,38 +299,33 @@ void CellSpaces::integrate(Integrals &result, const bool with_flux_mass) const
 {
   const unsigned int n_fluxes = element.dofs_per_cell;
   const unsigned int n_multipliers = multiplier.dofs_per_cell;
-  result.area = 0.;
-  for (const double weight : result.weights)
-    result.area += weight;
+  const auto sum = [&](const auto &at_point) {
+    decltype(at_point(0)) total{};
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      total += at_point(q);
+    return total;
+  };
+  const auto &w = multipliers;
+  const auto &weight = result.weights;
+  const auto &phi = result.at_points;
+  result.area = sum([&](unsigned int q) { return weight[q]; });
   for (unsigned int j = 0; j < n_multipliers; ++j)
   {
-    result.mean[j] = 0.;
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-      result.mean[j] += multipliers(j, q) * result.weights[q];
+    result.mean[j] = sum([&](unsigned int q) { return w(j, q) * weight[q]; });
     for (unsigned int l = 0; l < n_multipliers; ++l)
-    {
-      result.mass(j, l) = 0.;
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        result.mass(j, l) +=
-            multipliers(j, q) * multipliers(l, q) * result.weights[q];
-    }
+      result.mass(j, l) =
+          sum([&](unsigned int q) { return w(j, q) * w(l, q) * weight[q]; });
     for (unsigned int k = 0; k < n_fluxes; ++k)
-    {
-      result.moment(j, k) = Tensor<1, 2>();
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        result.moment(j, k) +=
-            multipliers(j, q) * result.weights[q] * result.at_points(q, k);
-    }
+      result.moment(j, k) = sum([&](unsigned int q) -> Tensor<1, 2> {
+        return w(j, q) * weight[q] * phi(q, k);
+      });
   }
   if (with_flux_mass)
     for (unsigned int k = 0; k < n_fluxes; ++k)
       for (unsigned int l = 0; l <= k; ++l)
-      {
-        double sum = 0.;
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          sum += result.weights[q] *
-                 (result.at_points(q, k) * result.at_points(q, l));
-        result.flux_mass(k, l) = result.flux_mass(l, k) = sum;
-      }
+        result.flux_mass(k, l) = result.flux_mass(l, k) =
+            sum([&](unsigned int q) -> double {
+              return weight[q] * (phi(q, k) * phi(q, l));
+            });
 }
 } // namespace Voussoir

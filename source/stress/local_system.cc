@@ -95,9 +95,7 @@ bool LocalSystem::solve(dealii::Vector<double> &x)
   {
     return false;
   }
-  for (const double value : x)
-    if (!std::isfinite(value))
-      return false;
-  return true;
+  return std::all_of(x.begin(), x.end(),
+                     [](const double value) { return std::isfinite(value); });
 }
 } // namespace Voussoir

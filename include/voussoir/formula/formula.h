@@ -9,11 +9,6 @@
 #include <optional>
 #include <vector>
 
-namespace mu
-{
-class Parser;
-}
-
 namespace Voussoir
 {
 /**
@@ -119,8 +114,6 @@ private:
   };
 
   friend class FormulaReader;
-  friend Formula read_formula(const mu::Parser &parser,
-                              const std::vector<double> &variables);
 
   static unsigned int n_operands(Kind kind);
   static bool has_jump(Kind kind);

@@ -75,12 +75,6 @@ WallPart place_opening(WallGrid &grid, const std::array<double, 4> &rectangle)
 }
 } // namespace
 
-bool WallPart::overlaps(const WallPart &other) const
-{
-  return left < other.right && other.left < right &&
-         first_course < other.end_course && other.first_course < end_course;
-}
-
 std::vector<WallPart>
 place_openings(WallGrid &grid,
                const std::vector<std::array<double, 4>> &rectangles)

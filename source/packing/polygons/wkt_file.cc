@@ -10,6 +10,8 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/geometry/io/wkt/read.hpp>
 
+#include <sstream>
+
 namespace Voussoir
 {
 namespace
@@ -74,16 +76,13 @@ WktReader::WktReader(const std::filesystem::path &file)
 
 PolygonList WktReader::read()
 {
-  const std::string all = read_polygon_text(list.file);
-  for (std::size_t begin = 0; begin < all.size();)
+  std::istringstream in(read_polygon_text(list.file));
+  for (std::string content; std::getline(in, content);)
   {
-    const std::size_t end = std::min(all.find('\n', begin), all.size());
     ++line;
-    const std::string content = boost::trim_copy_if(
-        all.substr(begin, end - begin), boost::is_any_of(white_space));
+    boost::trim_if(content, boost::is_any_of(white_space));
     if (!content.empty() && content[0] != '#')
       read_line(content);
-    begin = end + 1;
   }
   if (list.polygons.empty())
     throw InputError("The file '" + list.file.string() +

@@ -5,6 +5,8 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,16 +38,8 @@ constexpr double safe_part = 0.999;
 /** The longer side of the smallest axis-parallel rectangle around @p points. */
 double extent(const std::vector<Point<2>> &points)
 {
-  double largest = 0.;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
-    const auto less = [d](const Point<2> &a, const Point<2> &b) {
-      return a[d] < b[d];
-    };
-    const auto ends = std::minmax_element(points.begin(), points.end(), less);
-    largest = std::max(largest, (*ends.second)[d] - (*ends.first)[d]);
-  }
-  return largest;
+  const dealii::BoundingBox<2> box(points);
+  return std::max(box.side_length(0), box.side_length(1));
 }
 
 [[noreturn]] void

@@ -336,9 +336,4 @@ CellLoops voronoi_cells(const PointList &generators,
 {
   return VoronoiBuilder(generators, polygon).build();
 }
-
-CellLoops voronoi_cells(const PointList &generators, const Rectangle &rectangle)
-{
-  return voronoi_cells(generators, ConvexPolygon(rectangle));
-}
 } // namespace Voussoir
