@@ -41,75 +41,67 @@ struct Arguments
   bool version = false;
 };
 
-po::options_description visible_options()
+/** The options that the help shows, which set @p arguments. */
+po::options_description visible_options(Arguments &arguments)
 {
   po::options_description options("Options");
   options.add_options()(
-      "set", po::value<std::vector<std::string>>()->value_name("ENTRY"),
+      "set", po::value(&arguments.assignments)->value_name("ENTRY"),
       "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
-      "print-parameters",
+      "print-parameters", po::bool_switch(&arguments.print_parameters),
       "print every parameter with its value and documentation, as .prm")(
-      "print-reference",
+      "print-reference", po::bool_switch(&arguments.print_reference),
       "print the manual's page on all parameters, as Markdown")(
-      "quiet", "print warnings and errors only")("help", "print this help")(
-      "version", "print the version");
+      "quiet", po::bool_switch(&arguments.quiet),
+      "print warnings and errors only")(
+      "help", po::bool_switch(&arguments.help), "print this help")(
+      "version", po::bool_switch(&arguments.version), "print the version");
   return options;
 }
 
 Arguments parse(const std::vector<std::string> &words)
 {
+  Arguments arguments;
+  std::vector<std::string> files;
   po::options_description all;
-  all.add(visible_options())
-      .add_options()("file", po::value<std::vector<std::string>>());
+  all.add(visible_options(arguments)).add_options()("file", po::value(&files));
   po::positional_options_description positional;
   positional.add("file", -1);
-
-  po::variables_map values;
   try
   {
     // No prefixes of options: a later option must not change their meaning.
     const int style = po::command_line_style::default_style &
                       ~po::command_line_style::allow_guessing;
+    po::variables_map values;
     po::store(po::command_line_parser(words)
                   .options(all)
                   .positional(positional)
                   .style(style)
                   .run(),
               values);
+    po::notify(values);
   }
   catch (const po::error &error)
   {
     throw InputError(std::string("The command line is not valid: ") +
                      error.what() + ". See 'voussoir --help'.");
   }
-
-  Arguments arguments;
-  if (values.count("file"))
-  {
-    const auto files = values["file"].as<std::vector<std::string>>();
-    if (files.size() > 1)
-      throw InputError("One .prm file is expected, but '" + files[0] +
-                       "' and '" + files[1] +
-                       "' are given. See 'voussoir --help'.");
+  if (files.size() > 1)
+    throw InputError("One .prm file is expected, but '" + files[0] + "' and '" +
+                     files[1] + "' are given. See 'voussoir --help'.");
+  if (!files.empty())
     arguments.file = files[0];
-  }
-  if (values.count("set"))
-    arguments.assignments = values["set"].as<std::vector<std::string>>();
-  arguments.print_parameters = values.count("print-parameters") > 0;
-  arguments.print_reference = values.count("print-reference") > 0;
-  arguments.quiet = values.count("quiet") > 0;
-  arguments.help = values.count("help") > 0;
-  arguments.version = values.count("version") > 0;
   return arguments;
 }
 
 std::string help()
 {
+  Arguments unused;
   std::ostringstream text;
   text << "Usage: voussoir FILE.prm [options]\n\n"
           "Computes the contact forces between, and the stresses inside, "
           "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
-       << visible_options()
+       << visible_options(unused)
        << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
           "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
           "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
@@ -135,6 +127,10 @@ void print(std::ostream &out, const std::string &text)
 
 void run(const Arguments &arguments, const Streams &streams, const Team &team)
 {
+  if (arguments.help)
+    return print(streams.out, help());
+  if (arguments.version)
+    return print(streams.out, "voussoir " VOUSSOIR_VERSION "\n");
   // A quiet run shows warnings only, which belong to the errors.
   Terminal terminal = arguments.quiet
                           ? Terminal(streams.error, 1, streams.screens.error)
@@ -191,18 +187,7 @@ int run_command_line(const std::vector<std::string> &words,
   const Streams streams{out, error, screens};
   try
   {
-    const Arguments arguments = parse(words);
-    if (arguments.help)
-    {
-      print(out, help());
-      return 0;
-    }
-    if (arguments.version)
-    {
-      print(out, "voussoir " VOUSSOIR_VERSION "\n");
-      return 0;
-    }
-    run(arguments, streams, team);
+    run(parse(words), streams, team);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)

@@ -25,18 +25,6 @@
 
 namespace Voussoir
 {
-namespace
-{
-/**
- * Write results.pvd, a collection of @p grids that ParaView opens as one file.
- */
-void write_collection(ResultDirectory &files,
-                      const std::vector<std::string> &grids)
-{
-  files.write("results.pvd", [&](std::ostream &out) { write_pvd(out, grids); });
-}
-} // namespace
-
 Simulation::Simulation(Terminal &terminal, const Team &team)
     : terminal(terminal), team(team), timer(std::cout,
                                             dealii::TimerOutput::never,
@@ -226,7 +214,8 @@ void Simulation::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
     add("interfaces.vtu", write_interfaces_vtu);
-    write_collection(files, grids);
+    files.write("results.pvd",
+                [&](std::ostream &out) { write_pvd(out, grids); });
   }
   publish(files, results, prm);
   show_summary(terminal, results);
@@ -291,7 +280,8 @@ void Simulation::write(ResultDirectory &files,
   if (writes(ResultFiles::vtu))
   {
     add("mechanism.vtu", write_mechanism_vtu);
-    write_collection(files, {"mechanism.vtu"});
+    files.write("results.pvd",
+                [](std::ostream &out) { write_pvd(out, {"mechanism.vtu"}); });
     to_look_at.push_back("results.pvd");
   }
   if (writes(ResultFiles::csv))
@@ -311,16 +301,16 @@ void Simulation::publish(ResultDirectory &files,
                          Found &found,
                          const dealii::ParameterHandler &prm)
 {
-  const Packing &cells = found.scene.packing;
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name,
+                [&](std::ostream &out) { writer(out, found.scene.packing); });
+  };
   if (packing_file == PackingFile::wkt)
-    files.write("packing.wkt",
-                [&](std::ostream &out) { write_packing_wkt(out, cells); });
+    add("packing.wkt", write_packing_wkt);
   if (packing_file == PackingFile::off)
-    files.write("packing.off",
-                [&](std::ostream &out) { write_packing_off(out, cells); });
+    add("packing.off", write_packing_off);
   if (packing_file != PackingFile::none)
-    files.write("packing_centres.txt",
-                [&](std::ostream &out) { write_centres(out, cells); });
+    add("packing_centres.txt", write_centres);
   files.write("parameters.prm", [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);

@@ -63,10 +63,11 @@ Corners clip(const Corners &corners, const std::vector<double> &value)
   return part;
 }
 
-class Cutter
+struct Cutter
 {
-public:
-  Cutter(const Jumps &jumps, const double area) : jumps(jumps), area(area) {}
+  const Jumps &jumps;
+  const double area;
+  std::vector<AreaPiece> open = {}, done = {};
 
   std::vector<AreaPiece> cut(const Corners &corners)
   {
@@ -80,7 +81,6 @@ public:
     return std::move(done);
   }
 
-private:
   void cut(AreaPiece part)
   {
     const Patch box = box_around(part.corners);
@@ -150,15 +150,11 @@ private:
           return false;
     return true;
   }
-
-  const Jumps &jumps;
-  const double area;
-  std::vector<AreaPiece> open, done;
 };
 } // namespace
 
 std::vector<AreaPiece> area_pieces(const Corners &corners, const Jumps &jumps)
 {
-  return Cutter(jumps, signed_area(corners)).cut(corners);
+  return Cutter{jumps, signed_area(corners)}.cut(corners);
 }
 } // namespace Voussoir

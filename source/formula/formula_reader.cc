@@ -15,26 +15,17 @@ namespace
 {
 /** @{ */
 /** A function that muParser calls; known in the byte code by its address. */
-double negative(double a)
-{
-  return -a;
-}
-double itself(double a)
-{
-  return a;
-}
-double angle(double y, double x)
-{
-  return std::atan2(y, x);
-}
-double power(double a, double b)
-{
-  return std::pow(a, b);
-}
-double choose(double condition, double a, double b)
-{
+constexpr auto negative = [](double a) { return -a; };
+constexpr auto itself = [](double a) { return a; };
+constexpr auto angle = [](double y, double x) { return std::atan2(y, x); };
+constexpr auto power = [](double a, double b) { return std::pow(a, b); };
+constexpr auto choose = [](double condition, double a, double b) {
   return condition != 0. ? a : b;
-}
+};
+constexpr auto sum = [](const double *a, int n) {
+  return std::accumulate(a, a + n, 0.);
+};
+constexpr auto average = [](const double *a, int n) { return sum(a, n) / n; };
 // From the last one on, as Formula does: with a NaN the order matters.
 double minimum(const double *a, int n)
 {
@@ -44,19 +35,10 @@ double maximum(const double *a, int n)
 {
   return n == 1 ? a[0] : std::max(a[0], maximum(a + 1, n - 1));
 }
-double sum(const double *a, int n)
-{
-  return std::accumulate(a, a + n, 0.);
-}
-double average(const double *a, int n)
-{
-  return sum(a, n) / n;
-}
 /** @} */
 } // namespace
 
-/** Makes a formula from its byte code by going through the byte code with a
- * stack. */
+/** Makes a formula by going through its byte code with a stack. */
 class FormulaReader
 {
 public:
@@ -151,24 +133,24 @@ void FormulaReader::read_function(const mu::SToken &token)
            reinterpret_cast<mu::erased_fun_type>(function);
   };
   const unsigned int n_arguments = std::abs(token.Fun.argc);
-  if (is(&itself))
+  if (is(+itself))
     return;
-  if (is(&negative))
+  if (is(+negative))
     return push(Kind::negative);
-  if (is(&angle))
+  if (is(+angle))
     return push(Kind::angle);
-  if (is(&power))
+  if (is(+power))
     return push(Kind::power);
-  if (is(&choose))
+  if (is(+choose))
     return push(Kind::choose);
   if (is(&minimum))
     return fold(Kind::minimum, n_arguments);
   if (is(&maximum))
     return fold(Kind::maximum, n_arguments);
-  if (is(&sum) || is(&average))
+  if (is(+sum) || is(+average))
   {
     fold(Kind::add, n_arguments);
-    if (is(&average))
+    if (is(+average))
     {
       push(Kind::constant, none, n_arguments);
       push(Kind::divide);
@@ -219,19 +201,19 @@ void define_functions(mu::Parser &parser)
 {
   parser.ClearFun();
   parser.ClearInfixOprt();
-  parser.DefineInfixOprt("-", &negative);
-  parser.DefineInfixOprt("+", &itself);
+  parser.DefineInfixOprt("-", +negative);
+  parser.DefineInfixOprt("+", +itself);
   for (const SmoothFunction &function : smooth_functions())
     parser.DefineFun(function.name, function.value);
   for (const SteppedFunction &function : stepped_functions())
     parser.DefineFun(function.name, function.value);
-  parser.DefineFun("atan2", &angle);
-  parser.DefineFun("pow", &power);
-  parser.DefineFun("if", &choose);
+  parser.DefineFun("atan2", +angle);
+  parser.DefineFun("pow", +power);
+  parser.DefineFun("if", +choose);
   parser.DefineFun("min", &minimum);
   parser.DefineFun("max", &maximum);
-  parser.DefineFun("sum", &sum);
-  parser.DefineFun("avg", &average);
+  parser.DefineFun("sum", +sum);
+  parser.DefineFun("avg", +average);
 }
 
 Formula read_formula(const mu::Parser &parser,

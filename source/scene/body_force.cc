@@ -21,13 +21,6 @@ Patch box_of(const Packing &packing, const unsigned int c)
   return box_around(vertices);
 }
 
-/** True if a jump may cross the box around a cell. */
-bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
-{
-  return !jumps.empty() &&
-         !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
-}
-
 /** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Jumps &jumps,
@@ -69,7 +62,8 @@ bool integrate_quickly(const Packing &packing,
                        std::vector<TriangleIntegral> &parts)
 {
   parts.clear();
-  if (is_near(jumps, packing, c))
+  if (!jumps.empty() &&
+      !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty())
     return false;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
   {

@@ -15,7 +15,6 @@
 
 #include <boost/lexical_cast.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <utility>

@@ -55,6 +55,13 @@ private:
   void set_known();
   void add_rigid_acceleration();
   void assemble();
+  /**
+   * Visit the entries (i, j) of the matrix, and (j, i) where they differ, with
+   * what each sub-cell adds; no unknown is held.
+   */
+  template <typename Visitor>
+  void for_each_entry(const Visitor &visit) const;
+  dealii::DynamicSparsityPattern couplings() const;
 
   /** The unknown of component @p row of v, and of p: w_j in a sub-cell. */
   unsigned int velocity(unsigned int row, unsigned int s, unsigned int j) const;

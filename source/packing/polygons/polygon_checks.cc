@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace Voussoir
 {
@@ -71,26 +72,24 @@ std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
   return points;
 }
 
-/** Find the @p place where two sides meet that should not; true if they do. */
-bool find_contact(const std::vector<Kernel::Point_2> &p,
-                  const std::size_t i,
-                  const std::size_t j,
-                  Point<2> &place)
+/** The place where two sides meet that should not, if they do. */
+std::optional<Point<2>> contact_of(const std::vector<Kernel::Point_2> &p,
+                                   const std::size_t i,
+                                   const std::size_t j)
 {
   const std::size_t n = p.size();
   const Kernel::Segment_2 a(p[i], p[(i + 1) % n]), b(p[j], p[(j + 1) % n]);
   const auto contact = CGAL::intersection(a, b);
   if (!contact)
-    return false;
+    return {};
   // Sides that follow each other meet in a point; a segment is a spike.
   const Kernel::Point_2 *point = boost::get<Kernel::Point_2>(&*contact);
   if (point != nullptr && ((i + 1) % n == j || (j + 1) % n == i))
-    return false;
+    return {};
   const Kernel::Point_2 q =
       point != nullptr ? *point
                        : boost::get<Kernel::Segment_2>(&*contact)->source();
-  place = {q.x(), q.y()};
-  return true;
+  return Point<2>(q.x(), q.y());
 }
 
 /** The point where a ring that is not simple crosses or touches itself. */
@@ -108,12 +107,11 @@ Point<2> place_of_crossing(const std::vector<Kernel::Point_2> &p)
   std::sort(sides.begin(), sides.end(), [&](std::size_t i, std::size_t j) {
     return std::make_pair(left(i), i) < std::make_pair(left(j), j);
   });
-  Point<2> place(p[0].x(), p[0].y());
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t l = k + 1; l < n && left(sides[l]) <= right(sides[k]); ++l)
-      if (find_contact(p, sides[k], sides[l], place))
-        return place;
-  return place;
+      if (const auto place = contact_of(p, sides[k], sides[l]))
+        return *place;
+  return {p[0].x(), p[0].y()};
 }
 
 void check_vertices(const PolygonList &polygons, const unsigned int cell)

@@ -50,12 +50,11 @@ struct Feature
 class WktReader
 {
 public:
-  explicit WktReader(const std::filesystem::path &file);
+  explicit WktReader(const std::filesystem::path &file) { list.file = file; }
   PolygonList read();
 
 private:
   [[noreturn]] void refuse_line(const std::string &fault) const;
-  void read_line(const std::string &content);
   Feature split(const std::string &content) const;
   std::string group_name(const std::string &tail) const;
   std::string plane_body(const Feature &feature);
@@ -69,11 +68,6 @@ private:
   bool ordinates_ignored = false;
 };
 
-WktReader::WktReader(const std::filesystem::path &file)
-{
-  list.file = file;
-}
-
 PolygonList WktReader::read()
 {
   std::istringstream in(read_polygon_text(list.file));
@@ -81,8 +75,11 @@ PolygonList WktReader::read()
   {
     ++line;
     boost::trim_if(content, boost::is_any_of(white_space));
-    if (!content.empty() && content[0] != '#')
-      read_line(content);
+    if (content.empty() || content[0] == '#')
+      continue;
+    const Feature feature = split(content);
+    for (const Polygon &polygon : parse(feature))
+      add(polygon, feature.group);
   }
   if (list.polygons.empty())
     throw InputError("The file '" + list.file.string() +
@@ -94,13 +91,6 @@ void WktReader::refuse_line(const std::string &fault) const
 {
   throw InputError(text("Cell ", list.polygons.size(), " (",
                         list.describe_record(line), ") ", fault));
-}
-
-void WktReader::read_line(const std::string &content)
-{
-  const Feature feature = split(content);
-  for (const Polygon &polygon : parse(feature))
-    add(polygon, feature.group);
 }
 
 Feature WktReader::split(const std::string &content) const

@@ -45,7 +45,6 @@ private:
     polygon
   };
 
-  void check_rectangle() const;
   ConvexPolygon make_domain() const;
   PointList make_points(const ConvexPolygon &polygon,
                         const CellSize &size,
