@@ -118,13 +118,23 @@ struct Cutter
       open.push_back({std::move(corners), {}, 0, limits, false});
   }
 
-  void cut_along_line(const AreaPiece &part, const Crossing &crossing)
+  /** Add the parts on both sides of where a linear function is zero. */
+  void add_both(const AreaPiece &whole,
+                std::vector<double> value,
+                const Jumps::Limits &limits_above,
+                const Jumps::Limits &limits_below)
   {
-    std::vector<double> value = distances(part.corners, jumps, crossing);
-    add(part, value, Jumps::on_side(crossing, false, part.limits));
+    add(whole, value, limits_above);
     for (double &v : value)
       v *= -1.;
-    add(part, value, Jumps::on_side(crossing, true, part.limits));
+    add(whole, value, limits_below);
+  }
+
+  void cut_along_line(const AreaPiece &part, const Crossing &crossing)
+  {
+    add_both(part, distances(part.corners, jumps, crossing),
+             Jumps::on_side(crossing, false, part.limits),
+             Jumps::on_side(crossing, true, part.limits));
   }
 
   void cut_in_halves(const AreaPiece &part, const Patch &box)
@@ -133,10 +143,7 @@ struct Cutter
     std::vector<double> value;
     for (const Point<2> &corner : part.corners)
       value.push_back(corner[i] - box.centre[i]);
-    add(part, value, part.limits);
-    for (double &v : value)
-      v *= -1.;
-    add(part, value, part.limits);
+    add_both(part, std::move(value), part.limits, part.limits);
   }
 
   /** True if crossings are of the same curve, named more than once. */

@@ -5,6 +5,7 @@
 #include <voussoir/formula/expression.h>
 #include <voussoir/formula/formula_reader.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <muParser.h>
 
 #include <algorithm>
@@ -33,12 +34,10 @@ namespace
 {
   if (reason.back() != '.') // some of muParser's messages have none
     reason += '.';
-  std::string names;
-  for (const std::string &name : variables)
-    names += (names.empty() ? "" : ", ") + name;
   throw InputError("The parameter '" + parameter + "' has the expression '" +
                    formula + "', which is not valid: " + reason +
-                   " It may use the variables " + names + ".");
+                   " It may use the variables " +
+                   boost::algorithm::join(variables, ", ") + ".");
 }
 } // namespace
 

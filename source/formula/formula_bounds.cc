@@ -98,11 +98,6 @@ std::optional<double> level_beside(const Interval &a,
              : std::nullopt;
 }
 
-bool has_no_limits(const Interval &a)
-{
-  return std::isinf(a.lower()) && std::isinf(a.upper());
-}
-
 /** True or false of what may be either from place to place. */
 using boost::logic::tribool;
 
@@ -313,7 +308,7 @@ std::optional<double> Formula::level_of(const unsigned int jump,
   }
   const Interval &argument = arguments[jump].value;
   const auto level = level_inside(argument, first_step, period);
-  if (level || !has_no_limits(limit))
+  if (level || std::isfinite(limit.lower()) || std::isfinite(limit.upper()))
     return level;
   return level_beside(argument, first_step, period,
                       magnitude(node_bounds[node.operand[0]].value));

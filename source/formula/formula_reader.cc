@@ -13,8 +13,7 @@ namespace Voussoir
 {
 namespace
 {
-/** @{ */
-/** A function that muParser calls; known in the byte code by its address. */
+// Functions that muParser calls, known in the byte code by their addresses.
 constexpr auto negative = [](double a) { return -a; };
 constexpr auto itself = [](double a) { return a; };
 constexpr auto angle = [](double y, double x) { return std::atan2(y, x); };
@@ -35,7 +34,6 @@ double maximum(const double *a, int n)
 {
   return n == 1 ? a[0] : std::max(a[0], maximum(a + 1, n - 1));
 }
-/** @} */
 } // namespace
 
 /** Makes a formula by going through its byte code with a stack. */
@@ -147,15 +145,13 @@ void FormulaReader::read_function(const mu::SToken &token)
     return fold(Kind::minimum, n_arguments);
   if (is(&maximum))
     return fold(Kind::maximum, n_arguments);
-  if (is(+sum) || is(+average))
+  if (is(+sum))
+    return fold(Kind::add, n_arguments);
+  if (is(+average))
   {
     fold(Kind::add, n_arguments);
-    if (is(+average))
-    {
-      push(Kind::constant, none, n_arguments);
-      push(Kind::divide);
-    }
-    return;
+    push(Kind::constant, none, n_arguments);
+    return push(Kind::divide);
   }
   for (unsigned int i = 0; i < smooth_functions().size(); ++i)
     if (is(smooth_functions()[i].value))

@@ -13,11 +13,8 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
 /** The relative difference of two values that is no step. */
 constexpr double rounding_of_values = 1e-9;
-} // namespace
 
 Patch box_around(const std::vector<Point<2>> &points)
 {

@@ -12,11 +12,9 @@ using dealii::Point;
 
 namespace
 {
-/** @{ */
 /** The tolerances of integrate() along one coordinate, and along the other. */
 constexpr double inner_tolerance = 1e-13;
 constexpr double outer_tolerance = 1e-12;
-/** @} */
 
 /** The points of the rule in each part along a coordinate. */
 constexpr unsigned int n_points = 21;

@@ -127,10 +127,14 @@ public:
 
   TriangleIntegral integral()
   {
-    if (jumps.empty())
-      integrate_smooth();
-    else
+    if (!jumps.empty())
+    {
       integrate_pieces();
+      return result();
+    }
+    const Jumps::Limits no_limits = jumps.no_limits();
+    look_at(whole(no_limits));
+    cut_doubtful();
     return result();
   }
 
@@ -183,13 +187,6 @@ private:
 
     bool operator<(const Part &other) const { return doubt < other.doubt; }
   };
-
-  void integrate_smooth()
-  {
-    const Jumps::Limits no_limits = jumps.no_limits();
-    look_at(whole(no_limits));
-    cut_doubtful();
-  }
 
   /** All of the triangle, whose mean size and samples it sets. */
   Part whole(const Jumps::Limits &no_limits)

@@ -20,8 +20,7 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
   for (unsigned int c = 0; c < n; ++c)
   {
     unsigned int &first = lowest[sets.find_set(c)];
-    first = std::min(first, c);
-    group[c] = first;
+    group[c] = first = std::min(first, c);
   }
   return group;
 }

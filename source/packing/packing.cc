@@ -41,7 +41,6 @@ struct Halfedge
            std::tie(other.low, other.high, other.cell);
   }
 };
-
 } // namespace
 
 Tensor<1, 2> Packing::Interface::tangent() const

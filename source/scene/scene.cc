@@ -38,14 +38,6 @@ void check_size(const Tensor<1, 2> &force, const What &what)
              "units in which it is between 1e-150 and 1e150."));
 }
 
-/** Torque (x - centre) x f about the centre, positive counterclockwise. */
-double torque(const dealii::Point<2> &x,
-              const dealii::Point<2> &centre,
-              const Tensor<1, 2> &f)
-{
-  const Tensor<1, 2> arm = x - centre;
-  return arm[0] * f[1] - arm[1] * f[0];
-}
 /** The load on a connected group of cells. */
 struct GroupLoad
 {
@@ -189,17 +181,17 @@ std::vector<double> residual_torques(const Scene &scene,
     const Packing::Interface &i = packing.interfaces()[e];
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     torques[i.cell_minus] +=
-        torque(i.midpoint(), packing.centre(i.cell_minus), f);
+        cross(i.midpoint() - packing.centre(i.cell_minus), f);
     if (i.cell_plus != packing.ground())
       torques[i.cell_plus] -=
-          torque(i.midpoint(), packing.centre(i.cell_plus), f);
+          cross(i.midpoint() - packing.centre(i.cell_plus), f);
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     torques[edge.cell] +=
-        torque(edge.midpoint(), packing.centre(edge.cell),
-               edge.length * scene.traction[b]) +
+        cross(edge.midpoint() - packing.centre(edge.cell),
+              edge.length * scene.traction[b]) +
         cross((edge.end - edge.start) / edge.length, scene.traction_moment[b]);
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)

@@ -11,8 +11,6 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
 /**
  * The area of a triangle over the square of its longest side below which the
  * rounding of the coordinates begins to decide its shape.
@@ -33,7 +31,6 @@ constexpr double turn = 1.;
  * a sub-cell against that of the cell turned, relative to largest_stress().
  */
 constexpr double largest_error = 1e-6;
-} // namespace
 
 CellStress::CellStress(const SubTriangulation &cut,
                        const unsigned int n_sides,

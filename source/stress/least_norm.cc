@@ -55,12 +55,6 @@ unsigned int LeastNorm::velocity(const unsigned int row,
          s * spaces.n_multipliers_per_sub_cell() + j;
 }
 
-unsigned int LeastNorm::rotation(const unsigned int s,
-                                 const unsigned int j) const
-{
-  return velocity(2, s, j);
-}
-
 bool LeastNorm::find_fluxes()
 {
   set_known();

@@ -93,11 +93,6 @@ private:
   std::vector<SubCellStress> in_rest;
 };
 
-double skew_part(const Tensor<2, 2> &stress)
-{
-  return 0.5 * std::abs(stress[0][1] - stress[1][0]);
-}
-
 /** The objects that a thread keeps from cell to cell. */
 struct Scratch
 {
@@ -187,8 +182,9 @@ StressField reconstruct_stress(const Packing &packing,
     if (!determined[c])
     {
       const Tensor<2, 2> mean = mean_stress(cell, packing.area(c));
-      std::fill(sub_cells.begin(), sub_cells.end(),
-                SubCellStress{mean, {}, skew_part(mean)});
+      std::fill(
+          sub_cells.begin(), sub_cells.end(),
+          SubCellStress{mean, {}, 0.5 * std::abs(mean[0][1] - mean[1][0])});
     }
   };
 

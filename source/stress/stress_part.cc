@@ -71,12 +71,10 @@ StressPart reconstruct(Message message,
   Packing packing(std::move(message.cells));
   StressField stress =
       reconstruct_stress(packing, message.forces, how, terminal);
-  std::vector<unsigned int> undetermined;
-  for (const unsigned int c : stress.undetermined)
-    undetermined.push_back(first_cell + c);
+  for (unsigned int &c : stress.undetermined)
+    c += first_cell;
   const auto n_sub_cells = team.sum<unsigned long long>(stress.n_sub_cells);
-  const auto of_all = team.gather(undetermined);
-  stress.undetermined = undetermined;
+  const auto of_all = team.gather(stress.undetermined);
   if (team.is_root())
   {
     stress.n_sub_cells = n_sub_cells;

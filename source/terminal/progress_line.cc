@@ -33,10 +33,8 @@ double seconds_of(const ProgressLine::Clock::duration time)
 std::string text_of_rate(const double rate)
 {
   std::ostringstream out;
-  if (rate >= 100.)
-    out << std::fixed << std::setprecision(0) << rate;
-  else
-    out << std::setprecision(3) << rate;
+  out << (rate >= 100. ? std::fixed : std::defaultfloat)
+      << std::setprecision(rate >= 100. ? 0 : 3) << rate;
   return out.str();
 }
 } // namespace

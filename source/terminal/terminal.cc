@@ -8,10 +8,7 @@
 
 namespace Voussoir
 {
-namespace
-{
 constexpr int name_width = 14;
-} // namespace
 
 Terminal::Terminal(std::ostream &out,
                    const unsigned int verbosity,

@@ -65,7 +65,10 @@ private:
 
   /** The unknown of component @p row of v, and of p: w_j in a sub-cell. */
   unsigned int velocity(unsigned int row, unsigned int s, unsigned int j) const;
-  unsigned int rotation(unsigned int s, unsigned int j) const;
+  unsigned int rotation(const unsigned int s, const unsigned int j) const
+  {
+    return velocity(2, s, j);
+  }
   /**
    * The unknowns that are held: rigid motions are in the kernel of the matrix,
    * and the right-hand side is orthogonal to them.

@@ -127,9 +127,9 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
 
   WallGrid grid(width, height, n_courses, n_bricks);
   const std::vector<WallPart> gaps = place_openings(grid, openings);
-  std::vector<WallPart> lintels;
-  if (has_lintels)
-    lintels = place_lintels(grid, gaps, lintel_bearing);
+  const std::vector<WallPart> lintels =
+      has_lintels ? place_lintels(grid, gaps, lintel_bearing)
+                  : std::vector<WallPart>();
 
   CellLoops cells;
   cells.group_names = {"brick", "lintel"};
@@ -137,9 +137,9 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
   BedJoint below(cells, grid.bed_joint(0), {}, course);
   for (unsigned int k = 0; k < n_courses; ++k)
   {
-    Course next;
-    if (k + 1 < n_courses)
-      next = lay_course(grid, bond, k + 1, gaps, lintels);
+    Course next = k + 1 < n_courses
+                      ? lay_course(grid, bond, k + 1, gaps, lintels)
+                      : Course();
     BedJoint above(cells, grid.bed_joint(k + 1), course, next);
     add_cells(cells, course, below, above);
     course = std::move(next);

@@ -5,14 +5,11 @@
 
 namespace Voussoir
 {
-namespace
-{
 /**
  * The distance from a joint, relative to the size of the wall, at which a
  * number of the user still means it: ten digits are enough to name one.
  */
 constexpr double relative_resolution = 1e-9;
-} // namespace
 
 WallGrid::WallGrid(const double width,
                    const double height,

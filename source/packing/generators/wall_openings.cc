@@ -37,10 +37,9 @@ unsigned int find_level(const WallGrid &grid,
   const double y = rectangle[top ? 3 : 1];
   if (const auto level = grid.level_at(y))
     return *level;
+  const double height = grid.bed_joint(grid.n_courses());
   const auto above =
-      static_cast<unsigned int>(y / grid.bed_joint(grid.n_courses()) *
-                                grid.n_courses()) +
-      1;
+      static_cast<unsigned int>(y / height * grid.n_courses()) + 1;
   refuse(rectangle, text("has its ", top ? "top" : "bottom", " at the height ",
                          text_to_copy(y),
                          ", which is not on a bed joint; the nearest are "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
@@ -16,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace Voussoir
@@ -80,40 +80,30 @@ struct Corners
 
 Corners::Corners(const PolygonList &polygons)
 {
-  std::vector<Point<2>> all;
+  std::map<std::pair<double, double>, unsigned int> numbers;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
   {
-    all.insert(all.end(), polygon.ring.begin(), polygon.ring.end());
-    first.push_back(all.size());
-  }
-  std::vector<unsigned int> order(all.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](unsigned int i, unsigned int j) {
-    return std::tie(all[i][0], all[i][1], i) <
-           std::tie(all[j][0], all[j][1], j);
-  });
-  std::vector<unsigned int> leader(all.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    leader[order[k]] = (k > 0 && all[order[k]] == all[order[k - 1]])
-                           ? leader[order[k - 1]]
-                           : order[k];
-
-  rings.resize(all.size());
-  for (unsigned int i = 0; i < all.size(); ++i)
-    if (leader[i] == i)
+    for (const Point<2> &p : polygon.ring)
     {
-      rings[i] = points.size();
-      points.push_back(all[i]);
+      const auto [entry, is_new] =
+          numbers.emplace(std::make_pair(p[0], p[1]), points.size());
+      if (is_new)
+        points.push_back(p);
+      rings.push_back(entry->second);
     }
-    else
-      rings[i] = rings[leader[i]];
+    first.push_back(rings.size());
+  }
 }
 
 /** Matches one list; one object, used once. */
 class PolygonMatcher
 {
 public:
-  PolygonMatcher(const PolygonList &polygons, double tolerance);
+  PolygonMatcher(const PolygonList &polygons, const double tolerance)
+      : polygons(polygons), tolerance(tolerance), corners(polygons),
+        points(corners.points), tree(dealii::pack_rtree_of_indices(points))
+  {}
+
   CellLoops match();
 
 private:
@@ -138,12 +128,6 @@ private:
   std::vector<unsigned int> vertex;
 };
 
-PolygonMatcher::PolygonMatcher(const PolygonList &polygons,
-                               const double tolerance)
-    : polygons(polygons), tolerance(tolerance), corners(polygons),
-      points(corners.points), tree(dealii::pack_rtree_of_indices(points))
-{}
-
 void PolygonMatcher::find_vertices()
 {
   const unsigned int n = points.size();
@@ -165,8 +149,7 @@ void PolygonMatcher::find_vertices()
   for (unsigned int p = 0; p < n; ++p)
   {
     unsigned int &first = lowest[sets.find_set(p)];
-    first = std::min(first, p);
-    vertex[p] = first;
+    vertex[p] = first = std::min(first, p);
   }
 }
 
@@ -183,8 +166,7 @@ void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
       return;
     const dealii::Tensor<1, 2> to_p = points[p] - points[a];
     const double position = (along * to_p) / (length * length);
-    const double distance =
-        std::abs(along[0] * to_p[1] - along[1] * to_p[0]) / length;
+    const double distance = std::abs(cross(along, to_p)) / length;
     if (position > 0. && position < 1. && distance <= tolerance)
       found.push_back({vertex[p], distance, side, position});
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/narrow_gaps.h>
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace Voussoir
@@ -42,37 +42,25 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
 {
   struct Halfedge
   {
-    unsigned int low, high, cell, start, end;
-    bool same_edge(const Halfedge &other) const
-    {
-      return low == other.low && high == other.high;
-    }
+    unsigned int cell, start, end;
   };
-  std::vector<Halfedge> halfedges;
-  halfedges.reserve(cells.loops.size());
+  std::map<std::pair<unsigned int, unsigned int>, Halfedge> by_ends;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
     for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
     {
       const unsigned int a = cells.loops[i];
       const unsigned int b =
           cells.loops[i + 1 < cells.first[c + 1] ? i + 1 : cells.first[c]];
-      halfedges.push_back({std::min(a, b), std::max(a, b), c, a, b});
+      const auto [entry, is_new] =
+          by_ends.emplace(std::minmax({a, b}), Halfedge{c, a, b});
+      if (!is_new)
+        entry->second.cell = none;
     }
-  std::sort(halfedges.begin(), halfedges.end(),
-            [](const Halfedge &a, const Halfedge &b) {
-              return std::tie(a.low, a.high, a.cell) <
-                     std::tie(b.low, b.high, b.cell);
-            });
 
   std::vector<OpenSide> open;
-  for (std::size_t k = 0; k < halfedges.size(); ++k)
-  {
-    const Halfedge &h = halfedges[k];
-    if ((k > 0 && h.same_edge(halfedges[k - 1])) ||
-        (k + 1 < halfedges.size() && h.same_edge(halfedges[k + 1])))
-      continue;
-    open.push_back({h.cell, cells.vertices[h.start], cells.vertices[h.end]});
-  }
+  for (const auto &[ends, h] : by_ends)
+    if (h.cell != none)
+      open.push_back({h.cell, cells.vertices[h.start], cells.vertices[h.end]});
   std::stable_sort(
       open.begin(), open.end(),
       [](const OpenSide &a, const OpenSide &b) { return a.cell < b.cell; });
@@ -111,8 +99,7 @@ gap_between(const OpenSide &one, const OpenSide &other, const double width)
   };
   // Positive to the right, which is outside the cell.
   const auto distance = [&](const Point<2> &p) {
-    const Tensor<1, 2> d = p - one.start;
-    return d[0] * along[1] - d[1] * along[0];
+    return cross(p - one.start, along);
   };
   // The other side runs in the opposite direction.
   const double begin = position(other.end), end = position(other.start);

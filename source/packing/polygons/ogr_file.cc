@@ -45,7 +45,12 @@ private:
 class OgrReader
 {
 public:
-  explicit OgrReader(const std::filesystem::path &file);
+  explicit OgrReader(const std::filesystem::path &file)
+  {
+    list.file = file;
+    list.record_name = "feature";
+  }
+
   PolygonList read();
 
 private:
@@ -66,12 +71,6 @@ private:
   bool has_z = false;
   bool has_curves = false;
 };
-
-OgrReader::OgrReader(const std::filesystem::path &file)
-{
-  list.file = file;
-  list.record_name = "feature";
-}
 
 void OgrReader::refuse_file(const std::string &fault) const
 {

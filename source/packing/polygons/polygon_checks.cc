@@ -118,11 +118,10 @@ void check_vertices(const PolygonList &polygons, const unsigned int cell)
 {
   const Ring &ring = polygons.polygons[cell].ring;
   for (const Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!std::isfinite(p[i]))
-        polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
-                                  text_of_number(p[1]) +
-                                  "); coordinates must be finite.");
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
+                                text_of_number(p[1]) +
+                                "); coordinates must be finite.");
   if (ring.size() < 3)
     polygons.refuse(cell, text("has ", ring.size(),
                                " different vertices; a polygon has at least "

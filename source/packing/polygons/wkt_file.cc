@@ -240,10 +240,9 @@ void WktReader::add(const Polygon &polygon, const std::string &group)
     refuse_line("has a hole; a cell is one loop, so cut it into cells without "
                 "holes.");
   for (const dealii::Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!std::isfinite(p[i]))
-        refuse_line("has the vertex " + text_of_point(p) +
-                    "; coordinates must be finite.");
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      refuse_line("has the vertex " + text_of_point(p) +
+                  "; coordinates must be finite.");
   if (ring.size() == 1 || !(ring.front() == ring.back()))
     refuse_line("is not closed: it ends at " + text_of_point(ring.back()) +
                 "; repeat its first vertex " + text_of_point(ring.front()) +
