@@ -17,7 +17,7 @@ constexpr double largest_integer_power = 1e6;
 
 bool is_number(const Interval &a)
 {
-  return a.lower() == a.upper() && std::isfinite(a.lower());
+  return singleton(a) && std::isfinite(a.lower());
 }
 
 /** a^n for the integer @p n. */

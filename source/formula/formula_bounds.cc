@@ -216,7 +216,7 @@ Bounds Formula::bounds_of(const Node &node) const
  */
 double Formula::middle_of(const Node &node, const Bounds &bounds) const
 {
-  if (bounds.value.lower() == bounds.value.upper())
+  if (singleton(bounds.value))
     return bounds.value.lower();
   if (node.kind != Kind::choose)
     return apply(node, node_values[node.operand[0]],
@@ -238,9 +238,7 @@ void Formula::evaluate_branch(const unsigned int i,
   const Side where = side(argument);
   const double a = node_values[node.operand[0]];
   const double b = node_values[node.operand[1]];
-  const bool is_constant =
-      node_bounds[i].value.lower() == node_bounds[i].value.upper();
-  if (is_constant)
+  if (singleton(node_bounds[i].value))
     node_values[i] = node_bounds[i].value.lower();
   else if (where == Side::unknown || node.kind == Kind::angle)
     evaluate(i, i + 1, middle);

@@ -18,10 +18,10 @@ unsigned int group_of_name(const Packing &packing,
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end())
     return found - names.begin();
+  const std::string known = "'" + boost::algorithm::join(names, "', '") + "'";
   throw InputError("The parameter '" + parameter + "' names the group '" +
-                   name + "', which no cell belongs to. There are '" +
-                   boost::algorithm::join(names, "', '") +
-                   "'; 'Packing/Groups' makes others.");
+                   name + "', which no cell belongs to. There are " + known +
+                   "; 'Packing/Groups' makes others.");
 }
 
 void assign_groups(Packing &packing, const std::string &groups)
