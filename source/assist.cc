@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <ostream>
 #include <string>
 
 namespace Voussoir
@@ -17,17 +16,9 @@ void assist(const Team &team)
   Terminal &silent = Terminal::silent(); // the root says what there is to say
   std::optional<StressPart> stress;
   const std::map<std::string, std::function<void()>> tasks = {
-      {least_energy_task,
-       [&] {
-         assist_least_energy(team, silent);
-       }},
-      {stress_task,
-       [&] {
-         stress.emplace(assist_stress(team, silent));
-       }},
-      {writing_task, [&] {
-         write_stress_piece(*stress, team);
-       }}};
+      {least_energy_task, [&] { assist_least_energy(team, silent); }},
+      {stress_task, [&] { stress.emplace(assist_stress(team, silent)); }},
+      {writing_task, [&] { write_stress_piece(*stress, team); }}};
   for (std::string task = team.wait(); !task.empty(); task = team.wait())
     tasks.at(task)();
 }

@@ -41,7 +41,7 @@ struct Arguments
   bool version = false;
 };
 
-/** The options that are shown to a user, which set @p arguments. */
+/** The options that the help shows, which set @p arguments. */
 po::options_description visible_options(Arguments &arguments)
 {
   po::options_description options("Options");
@@ -67,13 +67,12 @@ Arguments parse(const std::vector<std::string> &words)
   all.add_options()("file", po::value(&files));
   po::positional_options_description positional;
   positional.add("file", -1);
-
-  po::variables_map values;
   try
   {
     // No prefixes of options: a later option must not change their meaning.
     const int style = po::command_line_style::default_style &
                       ~po::command_line_style::allow_guessing;
+    po::variables_map values;
     po::store(po::command_line_parser(words)
                   .options(all)
                   .positional(positional)
@@ -87,7 +86,6 @@ Arguments parse(const std::vector<std::string> &words)
     throw InputError(std::string("The command line is not valid: ") +
                      error.what() + ". See 'voussoir --help'.");
   }
-
   if (files.size() > 1)
     throw InputError("One .prm file is expected, but '" + files[0] + "' and '" +
                      files[1] + "' are given. See 'voussoir --help'.");
@@ -129,6 +127,10 @@ void print(std::ostream &out, const std::string &text)
 
 void run(const Arguments &arguments, const Streams &streams, const Team &team)
 {
+  if (arguments.help)
+    return print(streams.out, help());
+  if (arguments.version)
+    return print(streams.out, "voussoir " VOUSSOIR_VERSION "\n");
   // A quiet run shows warnings only, which belong to the errors.
   Terminal terminal = arguments.quiet
                           ? Terminal(streams.error, 1, streams.screens.error)
@@ -185,18 +187,7 @@ int run_command_line(const std::vector<std::string> &words,
   const Streams streams{out, error, screens};
   try
   {
-    const Arguments arguments = parse(words);
-    if (arguments.help)
-    {
-      print(out, help());
-      return 0;
-    }
-    if (arguments.version)
-    {
-      print(out, "voussoir " VOUSSOIR_VERSION "\n");
-      return 0;
-    }
-    run(arguments, streams, team);
+    run(parse(words), streams, team);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)

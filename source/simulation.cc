@@ -52,12 +52,11 @@ Simulation::Simulation(Terminal &terminal, const Team &team)
                                             dealii::TimerOutput::never,
                                             dealii::TimerOutput::wall_times),
       solver(team)
-{
-}
+{}
 
 void Simulation::add_parameters(dealii::ParameterHandler &prm)
 {
-  using namespace dealii::Patterns;
+  using dealii::Patterns::Anything;
   prm.add_parameter("Title", title, "A title for the results.", Anything());
   prm.add_parameter("Output directory", output_directory,
                     "Where the results go; created if need be. A relative path "
@@ -86,13 +85,18 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   loads.add_parameters(prm);
   friction.add_parameters(prm);
   stress.add_parameters(prm);
+  add_output_parameters(prm);
+}
+
+void Simulation::add_output_parameters(dealii::ParameterHandler &prm)
+{
   prm.enter_subsection("Output");
   prm.add_parameter(
       "Verbosity", verbosity,
       "0: the closing summary alone; 1: also the stages and, on a "
       "screen, the progress of long ones; 2: also the iterations "
       "of the solver.",
-      Integer(0, 2));
+      dealii::Patterns::Integer(0, 2));
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
@@ -326,16 +330,16 @@ void Simulation::publish(ResultDirectory &files,
                          Found &found,
                          const dealii::ParameterHandler &prm)
 {
-  const Packing &cells = found.scene.packing;
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name,
+                [&](std::ostream &out) { writer(out, found.scene.packing); });
+  };
   if (packing_file == PackingFile::wkt)
-    files.write(packing_wkt,
-                [&](std::ostream &out) { write_packing_wkt(out, cells); });
+    add(packing_wkt, write_packing_wkt);
   if (packing_file == PackingFile::off)
-    files.write(packing_off,
-                [&](std::ostream &out) { write_packing_off(out, cells); });
+    add(packing_off, write_packing_off);
   if (packing_file != PackingFile::none)
-    files.write(packing_centres,
-                [&](std::ostream &out) { write_centres(out, cells); });
+    add(packing_centres, write_centres);
   files.write(parameters_prm, [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);

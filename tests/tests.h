@@ -56,6 +56,16 @@ inline void show_refusal(const std::function<void()> &action)
   }
 }
 
+namespace Voussoir
+{
+/** Voronoi cells in a rectangle. */
+inline CellLoops voronoi_cells(const PointList &generators,
+                               const Rectangle &rectangle)
+{
+  return voronoi_cells(generators, ConvexPolygon(rectangle));
+}
+} // namespace Voussoir
+
 inline Voussoir::Packing random_packing(const unsigned int n,
                                         const unsigned int seed,
                                         const Voussoir::Rectangle &rectangle = {

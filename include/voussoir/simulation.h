@@ -46,6 +46,8 @@ public:
            const std::filesystem::path &directory);
 
 private:
+  void add_output_parameters(dealii::ParameterHandler &prm);
+
   /** Kinds of results that are written. */
   enum class ResultFiles
   {

@@ -6,8 +6,7 @@ namespace Voussoir
 
 Cholesky::Cholesky(const JointBlocks &blocks)
     : factor(blocks, blocks.of().n_bodies())
-{
-}
+{}
 
 bool Cholesky::prepare(const std::vector<double> &coefficients,
                        const double shift)

@@ -10,8 +10,7 @@ namespace Voussoir
 
 Componentwise::Componentwise(std::unique_ptr<LinearMethod> one)
     : one(std::move(one))
-{
-}
+{}
 
 bool Componentwise::serves(const Structure &structure,
                            const std::vector<double> &coefficients)

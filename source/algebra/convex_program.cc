@@ -46,8 +46,7 @@ public:
           Terminal &terminal)
       : program(program), start(std::move(start)), controls(controls),
         stops(stops), terminal(terminal), constraints(program.constraints())
-  {
-  }
+  {}
 
   IpoptResult result;
   /** True if the caller, rather than Ipopt, ended the search. */
@@ -240,22 +239,14 @@ IpoptOutcome outcome_of(const Ipopt::ApplicationReturnStatus status)
 {
   switch (status)
   {
-  case Ipopt::Solve_Succeeded:
-    return IpoptOutcome::converged;
-  case Ipopt::Solved_To_Acceptable_Level:
-    return IpoptOutcome::looser_tolerance;
-  case Ipopt::Search_Direction_Becomes_Too_Small:
-    return IpoptOutcome::rounding;
-  case Ipopt::Maximum_Iterations_Exceeded:
-    return IpoptOutcome::most_iterations;
-  case Ipopt::Diverging_Iterates:
-    return IpoptOutcome::diverged;
-  case Ipopt::Restoration_Failed:
-    return IpoptOutcome::infeasible;
-  case Ipopt::Error_In_Step_Computation:
-    return IpoptOutcome::no_step;
-  default:
-    return IpoptOutcome::other;
+  case Ipopt::Solve_Succeeded: return IpoptOutcome::converged;
+  case Ipopt::Solved_To_Acceptable_Level: return IpoptOutcome::looser_tolerance;
+  case Ipopt::Search_Direction_Becomes_Too_Small: return IpoptOutcome::rounding;
+  case Ipopt::Maximum_Iterations_Exceeded: return IpoptOutcome::most_iterations;
+  case Ipopt::Diverging_Iterates: return IpoptOutcome::diverged;
+  case Ipopt::Restoration_Failed: return IpoptOutcome::infeasible;
+  case Ipopt::Error_In_Step_Computation: return IpoptOutcome::no_step;
+  default: return IpoptOutcome::other;
   }
 }
 } // namespace

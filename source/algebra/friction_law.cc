@@ -11,10 +11,7 @@ namespace
 class Tresca : public FrictionLaw
 {
 public:
-  std::string name() const override
-  {
-    return "Tresca";
-  }
+  std::string name() const override { return "Tresca"; }
   double limit(const double strength,
                const double /*compression*/) const override
   {

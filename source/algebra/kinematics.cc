@@ -14,27 +14,15 @@ namespace
 class Translations : public Kinematics
 {
 public:
-  std::string name() const override
-  {
-    return "translations";
-  }
-  unsigned int n_unknowns() const override
-  {
-    return 2;
-  }
-  unsigned int n_contacts() const override
-  {
-    return 1;
-  }
+  std::string name() const override { return "translations"; }
+  unsigned int n_unknowns() const override { return 2; }
+  unsigned int n_contacts() const override { return 1; }
   void find_rows(const JointFrame &joint, ContactRow *rows) const override
   {
     rows[0].direction = joint.normal;
     rows[1].direction = joint.tangent;
   }
-  unsigned int n_rigid_motions() const override
-  {
-    return 2;
-  }
+  unsigned int n_rigid_motions() const override { return 2; }
   void find_rigid_motion(const unsigned int k,
                          const Tensor<1, 2> & /*x*/,
                          double *unknowns) const override
@@ -52,18 +40,9 @@ double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 class Rotations : public Kinematics
 {
 public:
-  std::string name() const override
-  {
-    return "rotations";
-  }
-  unsigned int n_unknowns() const override
-  {
-    return 3;
-  }
-  unsigned int n_contacts() const override
-  {
-    return 2;
-  }
+  std::string name() const override { return "rotations"; }
+  unsigned int n_unknowns() const override { return 3; }
+  unsigned int n_contacts() const override { return 2; }
   void find_rows(const JointFrame &joint, ContactRow *rows) const override
   {
     for (unsigned int k = 0; k < 2; ++k)
@@ -74,10 +53,7 @@ public:
     };
     rows[2] = {joint.tangent, turn(joint.from_minus), turn(joint.from_plus)};
   }
-  unsigned int n_rigid_motions() const override
-  {
-    return 3;
-  }
+  unsigned int n_rigid_motions() const override { return 3; }
   void find_rigid_motion(const unsigned int k,
                          const Tensor<1, 2> &x,
                          double *unknowns) const override

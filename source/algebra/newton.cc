@@ -183,8 +183,7 @@ public:
         const double shift,
         const std::vector<double> &centre)
       : newton(newton), direction(direction), shift(shift), centre(centre)
-  {
-  }
+  {}
   double operator()(const double t)
   {
     length = t;

@@ -55,8 +55,7 @@ Substructures::Substructures(const JointBlocks &blocks)
     : blocks(blocks), structure(blocks.of()),
       n_bodies(structure.n_own_bodies() + n_earlier_ghosts(structure)),
       factor(blocks, n_bodies, coupled_bodies(structure))
-{
-}
+{}
 
 bool Substructures::is_direct() const
 {

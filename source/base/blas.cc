@@ -10,9 +10,7 @@ namespace Voussoir
 void prepare_blas()
 {
   // The BLAS is known only at run time: its functions are looked up by name.
-  const auto find = [](const char *name) {
-    return dlsym(RTLD_DEFAULT, name);
-  };
+  const auto find = [](const char *name) { return dlsym(RTLD_DEFAULT, name); };
   using SetThreads = void (*)(int);
   using GetParallel = int (*)();
   if (const auto set_threads =

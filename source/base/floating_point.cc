@@ -5,45 +5,34 @@
 
 namespace Voussoir
 {
-#if defined(DEBUG) && defined(__GLIBC__)
 namespace
 {
 /** Trap invalid operations, or not; return whether they were trapped. */
-bool trap(const bool trapped)
+bool trap([[maybe_unused]] const bool trapped)
 {
+#if defined(DEBUG) && defined(__GLIBC__)
   // Earlier exceptions are not to be trapped now.
   std::feclearexcept(FE_INVALID);
   const int before =
       trapped ? feenableexcept(FE_INVALID) : fedisableexcept(FE_INVALID);
   return before != -1 && (before & FE_INVALID) != 0;
+#else
+  return false;
+#endif
 }
 } // namespace
 
 bool trap_invalid_operations()
 {
   trap(true);
-  // Some processors have no such trap.
-  return (fegetexcept() & FE_INVALID) != 0;
+  return trap(true); // some processors have no such trap
 }
 
 InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(trap(false))
-{
-}
+{}
 
 InvalidOperationsAllowed::~InvalidOperationsAllowed()
 {
   trap(were_trapped);
 }
-#else
-bool trap_invalid_operations()
-{
-  return false;
-}
-
-InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(false)
-{
-}
-
-InvalidOperationsAllowed::~InvalidOperationsAllowed() = default;
-#endif
 } // namespace Voussoir

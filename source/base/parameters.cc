@@ -130,8 +130,7 @@ class PatternWithUses : public dealii::Patterns::PatternBase
 public:
   PatternWithUses(const PatternBase &accepted, const std::string &uses)
       : accepted(accepted.clone()), uses(uses)
-  {
-  }
+  {}
 
   bool match(const std::string &value) const override
   {

@@ -63,12 +63,11 @@ Corners clip(const Corners &corners, const std::vector<double> &value)
   return part;
 }
 
-class Cutter
+struct Cutter
 {
-public:
-  Cutter(const Jumps &jumps, const double area) : jumps(jumps), area(area)
-  {
-  }
+  const Jumps &jumps;
+  const double area;
+  std::vector<AreaPiece> open = {}, done = {};
 
   std::vector<AreaPiece> cut(const Corners &corners)
   {
@@ -82,7 +81,6 @@ public:
     return std::move(done);
   }
 
-private:
   void cut(AreaPiece part)
   {
     const Patch box = box_around(part.corners);
@@ -120,13 +118,23 @@ private:
       open.push_back({std::move(corners), {}, 0, limits, false});
   }
 
-  void cut_along_line(const AreaPiece &part, const Crossing &crossing)
+  /** Add the parts on both sides of where a linear function is zero. */
+  void add_both(const AreaPiece &whole,
+                std::vector<double> value,
+                const Jumps::Limits &limits_above,
+                const Jumps::Limits &limits_below)
   {
-    std::vector<double> value = distances(part.corners, jumps, crossing);
-    add(part, value, Jumps::on_side(crossing, false, part.limits));
+    add(whole, value, limits_above);
     for (double &v : value)
       v *= -1.;
-    add(part, value, Jumps::on_side(crossing, true, part.limits));
+    add(whole, value, limits_below);
+  }
+
+  void cut_along_line(const AreaPiece &part, const Crossing &crossing)
+  {
+    add_both(part, distances(part.corners, jumps, crossing),
+             Jumps::on_side(crossing, false, part.limits),
+             Jumps::on_side(crossing, true, part.limits));
   }
 
   void cut_in_halves(const AreaPiece &part, const Patch &box)
@@ -135,10 +143,7 @@ private:
     std::vector<double> value;
     for (const Point<2> &corner : part.corners)
       value.push_back(corner[i] - box.centre[i]);
-    add(part, value, part.limits);
-    for (double &v : value)
-      v *= -1.;
-    add(part, value, part.limits);
+    add_both(part, std::move(value), part.limits, part.limits);
   }
 
   /** True if crossings are of the same curve, named more than once. */
@@ -152,15 +157,11 @@ private:
           return false;
     return true;
   }
-
-  const Jumps &jumps;
-  const double area;
-  std::vector<AreaPiece> open, done;
 };
 } // namespace
 
 std::vector<AreaPiece> area_pieces(const Corners &corners, const Jumps &jumps)
 {
-  return Cutter(jumps, signed_area(corners)).cut(corners);
+  return Cutter{jumps, signed_area(corners)}.cut(corners);
 }
 } // namespace Voussoir

@@ -8,12 +8,16 @@ namespace Voussoir
 {
 namespace
 {
+/** The bounds of what may be anything. */
+const Bounds unbounded = {Interval::whole(),
+                          {{Interval::whole(), Interval::whole()}}};
+
 /** The largest exponent that is not taken by the logarithm. */
 constexpr double largest_integer_power = 1e6;
 
 bool is_number(const Interval &a)
 {
-  return a.lower() == a.upper() && std::isfinite(a.lower());
+  return singleton(a) && std::isfinite(a.lower());
 }
 
 /** a^n for the integer @p n. */
@@ -72,7 +76,7 @@ Bounds operator*(const Bounds &a, const Bounds &b)
 Bounds operator/(const Bounds &a, const Bounds &b)
 {
   if (!excludes_zero(b.value))
-    return {Interval::whole(), {{Interval::whole(), Interval::whole()}}};
+    return unbounded;
   Bounds result = {a.value / b.value, {}};
   for (unsigned int i = 0; i < 2; ++i)
     result.slope[i] = (a.slope[i] - result.value * b.slope[i]) / b.value;
@@ -99,7 +103,7 @@ Bounds pow(const Bounds &a, const Bounds &b)
   if (is_number(b.value) && b.value.lower() > 0. && a.value.lower() >= 0.)
     return positive_power(a, b.value.lower());
   if (!(a.value.lower() > 0.))
-    return {Interval::whole(), {{Interval::whole(), Interval::whole()}}};
+    return unbounded;
   const Bounds product = b * chain(a, log(a.value), 1. / a.value);
   return chain(product, exp(product.value), exp(product.value));
 }
@@ -107,7 +111,7 @@ Bounds pow(const Bounds &a, const Bounds &b)
 Bounds atan2(const Bounds &y, const Bounds &x)
 {
   const double pi = std::acos(-1.);
-  Bounds angle = {Interval(-pi, pi), {{Interval::whole(), Interval::whole()}}};
+  Bounds angle = {Interval(-pi, pi), unbounded.slope};
   const Interval square = pow(y.value, 2) + pow(x.value, 2);
   if (square.lower() > 0.)
     for (unsigned int i = 0; i < 2; ++i)
@@ -122,6 +126,6 @@ Bounds chain(const Bounds &a, const Interval &value, const Interval &derivative)
 
 Bounds either(const Bounds &a, const Bounds &b)
 {
-  return {hull(a.value, b.value), {{Interval::whole(), Interval::whole()}}};
+  return {hull(a.value, b.value), unbounded.slope};
 }
 } // namespace Voussoir

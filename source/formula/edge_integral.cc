@@ -39,8 +39,7 @@ struct QuickRule
   QuickRule()
       : points(dealii::QGauss<1>(n_points).get_points()),
         weights(dealii::QGauss<1>(n_points).get_weights()), fit(points)
-  {
-  }
+  {}
 
   std::vector<Point<1>> points;
   std::vector<double> weights;
@@ -54,16 +53,16 @@ struct QuickRule
  */
 constexpr double smallest_unevenness = 1e-4;
 
-class Integrator
+struct Integrator
 {
-public:
-  Integrator(const Point<2> &a,
-             const Point<2> &b,
-             const Function &f,
-             const Jumps &jumps)
-      : a(a), b(b), f(f), jumps(jumps)
-  {
-  }
+  using Sums = Integrals<2>;
+
+  const Point<2> a, b;
+  const Function &f;
+  const Jumps &jumps;
+  Samples samples = {};
+  double mean_size = 0.;
+  EdgeIntegral result = {0., 0., 0., 0., 0.};
 
   EdgeIntegral integral()
   {
@@ -91,9 +90,6 @@ public:
       add(pieces[k], first[k]);
     return result;
   }
-
-private:
-  using Sums = Integrals<2>;
 
   /** The function and its moment; the constant is the mean size. */
   Sums at(const double t)
@@ -162,13 +158,6 @@ private:
     result.moment += found.value.values[1];
     result.error += found.error;
   }
-
-  const Point<2> a, b;
-  const Function &f;
-  const Jumps &jumps;
-  Samples samples;
-  double mean_size = 0.;
-  EdgeIntegral result = {0., 0., 0., 0., 0.};
 };
 } // namespace
 
@@ -177,6 +166,6 @@ EdgeIntegral edge_integral(const Point<2> &a,
                            const std::function<double(const Point<2> &)> &f,
                            const Jumps &jumps)
 {
-  return Integrator(a, b, f, jumps).integral();
+  return Integrator{a, b, f, jumps}.integral();
 }
 } // namespace Voussoir

@@ -33,13 +33,11 @@ const Crossing &easiest(const std::vector<Crossing> &crossings)
   return crossings.front();
 }
 
-class Cutter
+struct Cutter
 {
-public:
-  Cutter(const Point<2> &a, const Point<2> &b, const Jumps &jumps)
-      : a(a), b(b), jumps(jumps)
-  {
-  }
+  const Point<2> a, b;
+  const Jumps &jumps;
+  std::vector<EdgePiece> open = {}, done = {};
 
   std::vector<EdgePiece> cut(const Jumps::Limits &limits)
   {
@@ -53,11 +51,7 @@ public:
     return std::move(done);
   }
 
-private:
-  Point<2> at(const double t) const
-  {
-    return a + t * (b - a);
-  }
+  Point<2> at(const double t) const { return a + t * (b - a); }
 
   void cut(const EdgePiece &part)
   {
@@ -112,10 +106,6 @@ private:
     add(part.begin, root, first < 0.);
     add(root, part.end, last < 0.);
   }
-
-  const Point<2> a, b;
-  const Jumps &jumps;
-  std::vector<EdgePiece> open, done;
 };
 } // namespace
 
@@ -124,7 +114,7 @@ std::vector<EdgePiece> edge_pieces(const Point<2> &a,
                                    const Jumps &jumps,
                                    const Jumps::Limits &limits)
 {
-  return Cutter(a, b, jumps).cut(limits);
+  return Cutter{a, b, jumps}.cut(limits);
 }
 
 double root_between(const Point<2> &a,

@@ -5,6 +5,7 @@
 #include <voussoir/formula/expression.h>
 #include <voussoir/formula/formula_reader.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <muParser.h>
 
 #include <algorithm>
@@ -33,12 +34,10 @@ namespace
 {
   if (reason.back() != '.') // some of muParser's messages have none
     reason += '.';
-  std::string names;
-  for (const std::string &name : variables)
-    names += (names.empty() ? "" : ", ") + name;
   throw InputError("The parameter '" + parameter + "' has the expression '" +
                    formula + "', which is not valid: " + reason +
-                   " It may use the variables " + names + ".");
+                   " It may use the variables " +
+                   boost::algorithm::join(variables, ", ") + ".");
 }
 } // namespace
 
@@ -104,19 +103,27 @@ double Expression::value() const
   return implementation->parser.Eval();
 }
 
+bool Expression::is_constant() const
+{
+  return implementation->is_constant;
+}
+
+bool Expression::is_zero() const
+{
+  return implementation->is_constant && implementation->constant == 0.;
+}
+
+const Formula &Expression::formula() const
+{
+  return *implementation->formula;
+}
+
 Condition::Condition(const std::string &formula,
                      const std::vector<std::string> &variables,
                      const std::string &parameter)
-    : expression(formula, variables, parameter), n_variables(variables.size()),
-      formula(formula), parameter(parameter)
-{
-}
-
-bool Condition::is_never() const
-{
-  return expression.is_constant() &&
-         expression(std::vector<double>(n_variables, 0.)) == 0.;
-}
+    : expression(formula, variables, parameter), formula(formula),
+      parameter(parameter)
+{}
 
 bool Condition::operator()(const std::vector<double> &values) const
 {
@@ -127,15 +134,5 @@ bool Condition::operator()(const std::vector<double> &values) const
                      text_of_point({values[0], values[1]}) +
                      "; it must be true or false.");
   return value != 0.;
-}
-
-bool Expression::is_constant() const
-{
-  return implementation->is_constant;
-}
-
-const Formula &Expression::formula() const
-{
-  return *implementation->formula;
 }
 } // namespace Voussoir

@@ -11,16 +11,12 @@ unsigned int Formula::n_operands(const Kind kind)
   switch (kind)
   {
   case Kind::constant:
-  case Kind::variable:
-    return 0;
+  case Kind::variable: return 0;
   case Kind::negative:
   case Kind::smooth:
-  case Kind::stepped:
-    return 1;
-  case Kind::choose:
-    return 3;
-  default:
-    return 2;
+  case Kind::stepped: return 1;
+  case Kind::choose: return 3;
+  default: return 2;
   }
 }
 
@@ -35,8 +31,7 @@ bool Formula::has_jump(const Kind kind)
   case Kind::stepped:
   case Kind::minimum:
   case Kind::maximum:
-  case Kind::angle:
-    return true;
+  case Kind::angle: return true;
   default: // == and != differ from a constant on curves only
     return false;
   }
@@ -48,48 +43,27 @@ Formula::apply(const Node &node, const double a, const double b, const double c)
   switch (node.kind)
   {
   case Kind::constant:
-  case Kind::variable:
-    return node.constant;
-  case Kind::negative:
-    return -a;
-  case Kind::add:
-    return a + b;
-  case Kind::subtract:
-    return a - b;
-  case Kind::multiply:
-    return a * b;
-  case Kind::divide:
-    return a / b;
-  case Kind::power:
-    return std::pow(a, b);
-  case Kind::less:
-    return a < b;
-  case Kind::less_equal:
-    return a <= b;
-  case Kind::greater:
-    return a > b;
-  case Kind::greater_equal:
-    return a >= b;
-  case Kind::equal:
-    return a == b;
-  case Kind::not_equal:
-    return a != b;
-  case Kind::both:
-    return a != 0. && b != 0.;
-  case Kind::any:
-    return a != 0. || b != 0.;
-  case Kind::choose:
-    return a != 0. ? b : c;
-  case Kind::smooth:
-    return smooth_functions()[node.number].value(a);
-  case Kind::stepped:
-    return stepped_functions()[node.number].value(a);
-  case Kind::minimum:
-    return std::min(a, b);
-  case Kind::maximum:
-    return std::max(a, b);
-  case Kind::angle:
-    return std::atan2(a, b);
+  case Kind::variable: return node.constant;
+  case Kind::negative: return -a;
+  case Kind::add: return a + b;
+  case Kind::subtract: return a - b;
+  case Kind::multiply: return a * b;
+  case Kind::divide: return a / b;
+  case Kind::power: return std::pow(a, b);
+  case Kind::less: return a < b;
+  case Kind::less_equal: return a <= b;
+  case Kind::greater: return a > b;
+  case Kind::greater_equal: return a >= b;
+  case Kind::equal: return a == b;
+  case Kind::not_equal: return a != b;
+  case Kind::both: return a != 0. && b != 0.;
+  case Kind::any: return a != 0. || b != 0.;
+  case Kind::choose: return a != 0. ? b : c;
+  case Kind::smooth: return smooth_functions()[node.number].value(a);
+  case Kind::stepped: return stepped_functions()[node.number].value(a);
+  case Kind::minimum: return std::min(a, b);
+  case Kind::maximum: return std::max(a, b);
+  case Kind::angle: return std::atan2(a, b);
   }
   return 0.;
 }
@@ -130,10 +104,5 @@ double Formula::argument(const unsigned int jump,
   const Node &node = nodes[jump_nodes[jump]];
   evaluate(node.first, jump_nodes[jump], values);
   return argument_of(node);
-}
-
-unsigned int Formula::n_jumps() const
-{
-  return jump_nodes.size();
 }
 } // namespace Voussoir

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/formula/formula.h>
 
+#include <boost/logic/tribool.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,33 +98,24 @@ std::optional<double> level_beside(const Interval &a,
              : std::nullopt;
 }
 
-bool has_no_limits(const Interval &a)
-{
-  return std::isinf(a.lower()) && std::isinf(a.upper());
-}
+/** True or false of what may be either from place to place. */
+using boost::logic::tribool;
 
 /** The truth of a value: not zero, but for a set of measure zero. */
-enum class Truth
-{
-  no,
-  yes,
-  unknown
-};
-
-Truth truth(const Bounds &bounds, const double middle)
+tribool truth(const Bounds &bounds, const double middle)
 {
   if (is_zero(closer_range(bounds, middle)))
-    return Truth::no;
-  return excludes_zero(bounds.value) || has_slopes(bounds) ? Truth::yes
-                                                           : Truth::unknown;
+    return false;
+  return excludes_zero(bounds.value) || has_slopes(bounds)
+             ? tribool(true)
+             : boost::logic::indeterminate;
 }
 
-Bounds bounds_of_truth(const Truth truth)
+Bounds bounds_of_truth(const tribool truth)
 {
-  return truth == Truth::unknown ? either({0., {}}, {1., {}})
-                                 : Bounds{double(truth == Truth::yes), {}};
+  return indeterminate(truth) ? either({0., {}}, {1., {}})
+                              : Bounds{truth ? 1. : 0., {}};
 }
-
 } // namespace
 
 /** From the bounds of its operands, within a limit. */
@@ -150,22 +143,18 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
   const Bounds &b = node_bounds[node.operand[1]];
   const Side where = side(argument);
   const auto truth = [&](const bool below, const bool at, const bool above) {
-    return where == Side::unknown ? bounds_of_truth(Truth::unknown)
-                                  : Bounds{double(where == Side::below ? below
-                                                  : where == Side::at  ? at
-                                                                       : above),
-                                           {}};
+    return bounds_of_truth(where == Side::below ? tribool(below)
+                           : where == Side::at  ? tribool(at)
+                           : where == Side::above
+                               ? tribool(above)
+                               : boost::logic::indeterminate);
   };
   switch (node.kind)
   {
-  case Kind::less:
-    return truth(true, false, false);
-  case Kind::less_equal:
-    return truth(true, true, false);
-  case Kind::greater:
-    return truth(false, false, true);
-  case Kind::greater_equal:
-    return truth(false, true, true);
+  case Kind::less: return truth(true, false, false);
+  case Kind::less_equal: return truth(true, true, false);
+  case Kind::greater: return truth(false, false, true);
+  case Kind::greater_equal: return truth(false, true, true);
   case Kind::minimum:
     return where == Side::unknown ? either(a, b) : where == Side::above ? b : a;
   case Kind::maximum:
@@ -174,8 +163,7 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
     return where == Side::unknown && !(b.value.lower() >= 0.)
                ? either(atan2(a, b), atan2(a, b))
                : atan2(a, b);
-  default:
-    break;
+  default: break;
   }
   // A stepped function increases, but for abs.
   const SteppedFunction &function = stepped_functions()[node.number];
@@ -196,53 +184,29 @@ Bounds Formula::bounds_of(const Node &node) const
 {
   const Bounds &a = node_bounds[node.operand[0]];
   const Bounds &b = node_bounds[node.operand[1]];
+  const Bounds &c = node_bounds[node.operand[2]];
   const auto truth_of = [&](const unsigned int k) {
     return truth(node_bounds[node.operand[k]], node_values[node.operand[k]]);
   };
+  const auto differ = [&] {
+    return truth(a - b,
+                 node_values[node.operand[0]] - node_values[node.operand[1]]);
+  };
   switch (node.kind)
   {
-  case Kind::negative:
-    return -a;
-  case Kind::add:
-    return a + b;
-  case Kind::subtract:
-    return a - b;
-  case Kind::multiply:
-    return a * b;
-  case Kind::divide:
-    return a / b;
-  case Kind::power:
-    return pow(a, b);
-  case Kind::equal:
-  case Kind::not_equal: {
-    const Truth differ = truth(a - b, node_values[node.operand[0]] -
-                                          node_values[node.operand[1]]);
-    return differ == Truth::unknown
-               ? bounds_of_truth(differ)
-               : Bounds{double((differ == Truth::yes) ==
-                               (node.kind == Kind::not_equal)),
-                        {}};
-  }
-  case Kind::both:
-    return bounds_of_truth(
-        truth_of(0) == Truth::no || truth_of(1) == Truth::no ? Truth::no
-        : truth_of(0) == Truth::yes && truth_of(1) == Truth::yes
-            ? Truth::yes
-            : Truth::unknown);
-  case Kind::any:
-    return bounds_of_truth(
-        truth_of(0) == Truth::yes || truth_of(1) == Truth::yes ? Truth::yes
-        : truth_of(0) == Truth::no && truth_of(1) == Truth::no
-            ? Truth::no
-            : Truth::unknown);
-  case Kind::choose:
-    return truth_of(0) == Truth::yes  ? b
-           : truth_of(0) == Truth::no ? node_bounds[node.operand[2]]
-                                      : either(b, node_bounds[node.operand[2]]);
-  case Kind::smooth:
-    return smooth_functions()[node.number].bounds(a);
-  default:
-    return {node.constant, {}};
+  case Kind::negative: return -a;
+  case Kind::add: return a + b;
+  case Kind::subtract: return a - b;
+  case Kind::multiply: return a * b;
+  case Kind::divide: return a / b;
+  case Kind::power: return pow(a, b);
+  case Kind::equal: return bounds_of_truth(!differ());
+  case Kind::not_equal: return bounds_of_truth(differ());
+  case Kind::both: return bounds_of_truth(truth_of(0) && truth_of(1));
+  case Kind::any: return bounds_of_truth(truth_of(0) || truth_of(1));
+  case Kind::choose: return truth_of(0) ? b : !truth_of(0) ? c : either(b, c);
+  case Kind::smooth: return smooth_functions()[node.number].bounds(a);
+  default: return {node.constant, {}};
   }
 }
 
@@ -252,14 +216,14 @@ Bounds Formula::bounds_of(const Node &node) const
  */
 double Formula::middle_of(const Node &node, const Bounds &bounds) const
 {
-  if (bounds.value.lower() == bounds.value.upper())
+  if (singleton(bounds.value))
     return bounds.value.lower();
   if (node.kind != Kind::choose)
     return apply(node, node_values[node.operand[0]],
                  node_values[node.operand[1]], node_values[node.operand[2]]);
-  const Truth which =
+  const tribool which =
       truth(node_bounds[node.operand[0]], node_values[node.operand[0]]);
-  return node_values[node.operand[which == Truth::no ? 2 : 1]];
+  return node_values[node.operand[!which ? 2 : 1]];
 }
 
 /**
@@ -274,9 +238,7 @@ void Formula::evaluate_branch(const unsigned int i,
   const Side where = side(argument);
   const double a = node_values[node.operand[0]];
   const double b = node_values[node.operand[1]];
-  const bool is_constant =
-      node_bounds[i].value.lower() == node_bounds[i].value.upper();
-  if (is_constant)
+  if (singleton(node_bounds[i].value))
     node_values[i] = node_bounds[i].value.lower();
   else if (where == Side::unknown || node.kind == Kind::angle)
     evaluate(i, i + 1, middle);
@@ -300,23 +262,22 @@ void Formula::mark_needed() const
     const auto mark = [&](const unsigned int k) {
       needed[node.operand[k]] = true;
     };
-    const auto is = [&](const unsigned int k, const Truth expected) {
-      return truth(node_bounds[node.operand[k]],
-                   node_values[node.operand[k]]) == expected;
+    const auto truth_of = [&](const unsigned int k) {
+      return truth(node_bounds[node.operand[k]], node_values[node.operand[k]]);
     };
     // An operand that alone makes out the value.
     const auto decides = [&](const unsigned int k) {
       return node.kind == Kind::multiply
                  ? is_zero(node_bounds[node.operand[k]].value)
-                 : is(k, node.kind == Kind::any ? Truth::yes : Truth::no);
+                 : bool(node.kind == Kind::any ? truth_of(k) : !truth_of(k));
     };
     switch (node.kind)
     {
     case Kind::choose:
       mark(0);
-      if (!is(0, Truth::no))
+      if (!bool(!truth_of(0)))
         mark(1);
-      if (!is(0, Truth::yes))
+      if (!bool(truth_of(0)))
         mark(2);
       break;
     case Kind::multiply:
@@ -333,6 +294,35 @@ void Formula::mark_needed() const
   }
 }
 
+std::optional<double> Formula::level_of(const unsigned int jump,
+                                        const Interval &limit) const
+{
+  const Node &node = nodes[jump_nodes[jump]];
+  double first_step = 0., period = 0.;
+  if (node.kind == Kind::stepped)
+  {
+    first_step = stepped_functions()[node.number].first_step;
+    period = stepped_functions()[node.number].period;
+  }
+  const Interval &argument = arguments[jump].value;
+  const auto level = level_inside(argument, first_step, period);
+  if (level || std::isfinite(limit.lower()) || std::isfinite(limit.upper()))
+    return level;
+  return level_beside(argument, first_step, period,
+                      magnitude(node_bounds[node.operand[0]].value));
+}
+
+Formula::Crossing Formula::crossing(const unsigned int jump,
+                                    const double level) const
+{
+  const Node &node = nodes[jump_nodes[jump]];
+  const double scale = magnitude(node_bounds[node.operand[0]].value) +
+                       (node.kind == Kind::stepped
+                            ? std::abs(level)
+                            : magnitude(node_bounds[node.operand[1]].value));
+  return {jump, level, arguments[jump] - Bounds{level, {}}, scale};
+}
+
 Bounds Formula::bounds(const std::vector<Bounds> &variables,
                        const std::vector<double> &middle,
                        const Limits &limits,
@@ -341,46 +331,25 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
   for (unsigned int i = 0; i < nodes.size(); ++i)
   {
     const Node &node = nodes[i];
-    if (node.jump == none)
+    Bounds &here = node_bounds[i];
+    if (node.jump != none)
     {
-      const bool is_variable = node.kind == Kind::variable;
-      Bounds &here = node_bounds[i];
-      here = is_variable ? variables[node.number] : bounds_of(node);
-      node_values[i] =
-          is_variable ? middle[node.number] : middle_of(node, here);
-      here.value = closer_range(here, node_values[i]);
+      arguments[node.jump] = argument_bounds(node, limits[node.jump]);
+      here = bounds_of_jump(node, arguments[node.jump]);
+      evaluate_branch(i, arguments[node.jump], middle);
       continue;
     }
-    arguments[node.jump] = argument_bounds(node, limits[node.jump]);
-    node_bounds[i] = bounds_of_jump(node, arguments[node.jump]);
-    evaluate_branch(i, arguments[node.jump], middle);
+    const bool is_variable = node.kind == Kind::variable;
+    here = is_variable ? variables[node.number] : bounds_of(node);
+    node_values[i] = is_variable ? middle[node.number] : middle_of(node, here);
+    here.value = closer_range(here, node_values[i]);
   }
 
   mark_needed();
   for (unsigned int jump = 0; jump < n_jumps(); ++jump)
-  {
-    if (!needed[jump_nodes[jump]])
-      continue;
-    const Node &node = nodes[jump_nodes[jump]];
-    const SteppedFunction *const function =
-        node.kind == Kind::stepped ? &stepped_functions()[node.number]
-                                   : nullptr;
-    const Interval &argument = arguments[jump].value;
-    const double first_step = function != nullptr ? function->first_step : 0.;
-    const double period = function != nullptr ? function->period : 0.;
-    auto level = level_inside(argument, first_step, period);
-    if (!level && has_no_limits(limits[jump]))
-      level = level_beside(argument, first_step, period,
-                           magnitude(node_bounds[node.operand[0]].value));
-    if (!level)
-      continue;
-    const double scale =
-        magnitude(node_bounds[node.operand[0]].value) +
-        (function != nullptr ? std::abs(*level)
-                             : magnitude(node_bounds[node.operand[1]].value));
-    crossings.push_back(
-        {jump, *level, arguments[jump] - Bounds{*level, {}}, scale});
-  }
+    if (needed[jump_nodes[jump]])
+      if (const auto level = level_of(jump, limits[jump]))
+        crossings.push_back(crossing(jump, *level));
   return node_bounds.back();
 }
 } // namespace Voussoir

@@ -13,28 +13,18 @@ namespace Voussoir
 {
 namespace
 {
-/** @{ */
-/** A function that muParser calls; known in the byte code by its address. */
-double negative(double a)
-{
-  return -a;
-}
-double itself(double a)
-{
-  return a;
-}
-double angle(double y, double x)
-{
-  return std::atan2(y, x);
-}
-double power(double a, double b)
-{
-  return std::pow(a, b);
-}
-double choose(double condition, double a, double b)
-{
+// Functions that muParser calls, known in the byte code by their addresses.
+constexpr auto negative = [](double a) { return -a; };
+constexpr auto itself = [](double a) { return a; };
+constexpr auto angle = [](double y, double x) { return std::atan2(y, x); };
+constexpr auto power = [](double a, double b) { return std::pow(a, b); };
+constexpr auto choose = [](double condition, double a, double b) {
   return condition != 0. ? a : b;
-}
+};
+constexpr auto sum = [](const double *a, int n) {
+  return std::accumulate(a, a + n, 0.);
+};
+constexpr auto average = [](const double *a, int n) { return sum(a, n) / n; };
 // From the last one on, as Formula does: with a NaN the order matters.
 double minimum(const double *a, int n)
 {
@@ -44,27 +34,17 @@ double maximum(const double *a, int n)
 {
   return n == 1 ? a[0] : std::max(a[0], maximum(a + 1, n - 1));
 }
-double sum(const double *a, int n)
-{
-  return std::accumulate(a, a + n, 0.);
-}
-double average(const double *a, int n)
-{
-  return sum(a, n) / n;
-}
-/** @} */
 } // namespace
 
-/** Makes the nodes of a formula by going through the byte code with a stack. */
+/** Makes a formula by going through its byte code with a stack. */
 class FormulaReader
 {
 public:
-  FormulaReader(Formula &formula, const std::vector<double> &variables)
-      : formula(formula), variables(variables)
-  {
-  }
+  explicit FormulaReader(const std::vector<double> &variables)
+      : variables(variables)
+  {}
 
-  void read(const mu::ParserByteCode &code);
+  Formula read(const mu::ParserByteCode &code);
 
 private:
   using Kind = Formula::Kind;
@@ -76,12 +56,12 @@ private:
   void fold(Kind kind, unsigned int n);
   void push(Kind kind, unsigned int number = none, double constant = 0.);
 
-  Formula &formula;
+  Formula formula;
   const std::vector<double> &variables;
   std::vector<unsigned int> stack;
 };
 
-void FormulaReader::read(const mu::ParserByteCode &code)
+Formula FormulaReader::read(const mu::ParserByteCode &code)
 {
   for (std::size_t k = 0; k < code.GetSize(); ++k)
     read(code.GetBase()[k]);
@@ -91,54 +71,37 @@ void FormulaReader::read(const mu::ParserByteCode &code)
   formula.node_bounds.resize(n);
   formula.needed.resize(n);
   formula.arguments.resize(formula.n_jumps());
+  return formula;
 }
 
 void FormulaReader::read(const mu::SToken &token)
 {
   switch (token.Cmd)
   {
-  case mu::cmLE:
-    return push(Kind::less_equal);
-  case mu::cmGE:
-    return push(Kind::greater_equal);
-  case mu::cmNEQ:
-    return push(Kind::not_equal);
-  case mu::cmEQ:
-    return push(Kind::equal);
-  case mu::cmLT:
-    return push(Kind::less);
-  case mu::cmGT:
-    return push(Kind::greater);
-  case mu::cmADD:
-    return push(Kind::add);
-  case mu::cmSUB:
-    return push(Kind::subtract);
-  case mu::cmMUL:
-    return push(Kind::multiply);
-  case mu::cmDIV:
-    return push(Kind::divide);
-  case mu::cmPOW:
-    return push(Kind::power);
-  case mu::cmLAND:
-    return push(Kind::both);
-  case mu::cmLOR:
-    return push(Kind::any);
-  case mu::cmENDIF:
-    return push(Kind::choose);
-  case mu::cmVAL:
-    return push(Kind::constant, none, token.Val.data2);
+  case mu::cmLE: return push(Kind::less_equal);
+  case mu::cmGE: return push(Kind::greater_equal);
+  case mu::cmNEQ: return push(Kind::not_equal);
+  case mu::cmEQ: return push(Kind::equal);
+  case mu::cmLT: return push(Kind::less);
+  case mu::cmGT: return push(Kind::greater);
+  case mu::cmADD: return push(Kind::add);
+  case mu::cmSUB: return push(Kind::subtract);
+  case mu::cmMUL: return push(Kind::multiply);
+  case mu::cmDIV: return push(Kind::divide);
+  case mu::cmPOW: return push(Kind::power);
+  case mu::cmLAND: return push(Kind::both);
+  case mu::cmLOR: return push(Kind::any);
+  case mu::cmENDIF: return push(Kind::choose);
+  case mu::cmVAL: return push(Kind::constant, none, token.Val.data2);
   case mu::cmVAR:
   case mu::cmVARMUL:
   case mu::cmVARPOW2:
   case mu::cmVARPOW3:
-  case mu::cmVARPOW4:
-    return read_variable(token);
-  case mu::cmFUNC:
-    return read_function(token);
+  case mu::cmVARPOW4: return read_variable(token);
+  case mu::cmFUNC: return read_function(token);
   case mu::cmIF: // both branches follow, and leave an operand each
   case mu::cmELSE:
-  case mu::cmEND:
-    return;
+  case mu::cmEND: return;
   default:
     AssertThrow(false, dealii::ExcMessage("unknown byte code of a formula"));
   }
@@ -168,29 +131,27 @@ void FormulaReader::read_function(const mu::SToken &token)
            reinterpret_cast<mu::erased_fun_type>(function);
   };
   const unsigned int n_arguments = std::abs(token.Fun.argc);
-  if (is(&itself))
+  if (is(+itself))
     return;
-  if (is(&negative))
+  if (is(+negative))
     return push(Kind::negative);
-  if (is(&angle))
+  if (is(+angle))
     return push(Kind::angle);
-  if (is(&power))
+  if (is(+power))
     return push(Kind::power);
-  if (is(&choose))
+  if (is(+choose))
     return push(Kind::choose);
   if (is(&minimum))
     return fold(Kind::minimum, n_arguments);
   if (is(&maximum))
     return fold(Kind::maximum, n_arguments);
-  if (is(&sum) || is(&average))
+  if (is(+sum))
+    return fold(Kind::add, n_arguments);
+  if (is(+average))
   {
     fold(Kind::add, n_arguments);
-    if (is(&average))
-    {
-      push(Kind::constant, none, n_arguments);
-      push(Kind::divide);
-    }
-    return;
+    push(Kind::constant, none, n_arguments);
+    return push(Kind::divide);
   }
   for (unsigned int i = 0; i < smooth_functions().size(); ++i)
     if (is(smooth_functions()[i].value))
@@ -236,26 +197,24 @@ void define_functions(mu::Parser &parser)
 {
   parser.ClearFun();
   parser.ClearInfixOprt();
-  parser.DefineInfixOprt("-", &negative);
-  parser.DefineInfixOprt("+", &itself);
+  parser.DefineInfixOprt("-", +negative);
+  parser.DefineInfixOprt("+", +itself);
   for (const SmoothFunction &function : smooth_functions())
     parser.DefineFun(function.name, function.value);
   for (const SteppedFunction &function : stepped_functions())
     parser.DefineFun(function.name, function.value);
-  parser.DefineFun("atan2", &angle);
-  parser.DefineFun("pow", &power);
-  parser.DefineFun("if", &choose);
+  parser.DefineFun("atan2", +angle);
+  parser.DefineFun("pow", +power);
+  parser.DefineFun("if", +choose);
   parser.DefineFun("min", &minimum);
   parser.DefineFun("max", &maximum);
-  parser.DefineFun("sum", &sum);
-  parser.DefineFun("avg", &average);
+  parser.DefineFun("sum", +sum);
+  parser.DefineFun("avg", +average);
 }
 
 Formula read_formula(const mu::Parser &parser,
                      const std::vector<double> &variables)
 {
-  Formula formula;
-  FormulaReader(formula, variables).read(parser.GetByteCode());
-  return formula;
+  return FormulaReader(variables).read(parser.GetByteCode());
 }
 } // namespace Voussoir

@@ -17,8 +17,7 @@ std::string and_more(const unsigned int number)
 } // namespace
 
 Inaccuracies::Inaccuracies(const std::string &parameter) : parameter(parameter)
-{
-}
+{}
 
 void Inaccuracies::look_at(const double absolute_error,
                            const double size,

@@ -2,6 +2,8 @@
 #include <voussoir/base/floating_point.h>
 #include <voussoir/formula/jumps.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,21 +13,13 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
 /** The relative difference of two values that is no step. */
 constexpr double rounding_of_values = 1e-9;
-} // namespace
 
 Patch box_around(const std::vector<Point<2>> &points)
 {
-  Point<2> lower = points.front(), upper = points.front();
-  for (const Point<2> &point : points)
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      lower[i] = std::min(lower[i], point[i]);
-      upper[i] = std::max(upper[i], point[i]);
-    }
+  const auto [lower, upper] =
+      dealii::BoundingBox<2>(points).get_boundary_points();
   Patch patch;
   patch.centre = lower + 0.5 * (upper - lower);
   for (unsigned int i = 0; i < 2; ++i)
@@ -68,27 +62,12 @@ void Jumps::set_constants(const std::vector<double> &constants)
     bounds[i].value = values[i];
 }
 
-bool Jumps::empty() const
-{
-  return first.back() == 0;
-}
-
-bool Jumps::has_formulas() const
-{
-  return !formulas.empty();
-}
-
 std::vector<Bounds> Jumps::bounds_in(const Patch &patch,
                                      const Limits &limits) const
 {
   const InvalidOperationsAllowed allowed;
   place(patch);
   return bounds_there(limits);
-}
-
-Jumps::Limits Jumps::no_limits() const
-{
-  return Limits(first.back(), Interval::whole());
 }
 
 void Jumps::place(const Patch &patch) const

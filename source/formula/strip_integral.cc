@@ -12,11 +12,9 @@ using dealii::Point;
 
 namespace
 {
-/** @{ */
 /** The tolerances of integrate() along one coordinate, and along the other. */
 constexpr double inner_tolerance = 1e-13;
 constexpr double outer_tolerance = 1e-12;
-/** @} */
 
 /** The points of the rule in each part along a coordinate. */
 constexpr unsigned int n_points = 21;
@@ -24,16 +22,12 @@ constexpr unsigned int n_points = 21;
 /** The width of a strip, over that of its piece, that is rounding. */
 constexpr double narrowest_strip = 1e-14;
 
-class Strips
+struct Strips
 {
-public:
-  Strips(const AreaPiece &piece,
-         const Jumps &jumps,
-         const std::function<AreaSums(const Point<2> &)> &f,
-         const std::function<bool()> &is_exhausted)
-      : piece(piece), jumps(jumps), f(f), is_exhausted(is_exhausted)
-  {
-  }
+  const AreaPiece &piece;
+  const Jumps &jumps;
+  const std::function<AreaSums(const Point<2> &)> &f;
+  const std::function<bool()> &is_exhausted;
 
   Integral<AreaSums> integral() const
   {
@@ -51,7 +45,6 @@ public:
     return sum;
   }
 
-private:
   double reachable(const double tolerance) const
   {
     return is_exhausted() ? std::numeric_limits<double>::infinity() : tolerance;
@@ -134,11 +127,6 @@ private:
     }
     return {lower, upper};
   }
-
-  const AreaPiece &piece;
-  const Jumps &jumps;
-  const std::function<AreaSums(const Point<2> &)> &f;
-  const std::function<bool()> &is_exhausted;
 };
 } // namespace
 
@@ -148,6 +136,6 @@ strip_integral(const AreaPiece &piece,
                const std::function<AreaSums(const Point<2> &)> &f,
                const std::function<bool()> &is_exhausted)
 {
-  return Strips(piece, jumps, f, is_exhausted).integral();
+  return Strips{piece, jumps, f, is_exhausted}.integral();
 }
 } // namespace Voussoir

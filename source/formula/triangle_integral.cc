@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/formula/linear_fit.h>
 #include <voussoir/formula/strip_integral.h>
 #include <voussoir/formula/triangle_integral.h>
-#include <voussoir/formula/triangle_rule.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +61,36 @@ constexpr unsigned int n_max_cut = 1000;
  */
 constexpr unsigned int n_max_evaluations = 2000000;
 
+/**
+ * A quadrature rule on triangles of seven points and degree five, with a
+ * measure of how uneven a function is in these points.
+ *
+ * Of functions that are smooth the measure falls like the square of the size of
+ * the triangle, and the error of the rule like the sixth power. For plane waves
+ * and exponentials in all directions the error is at most 0.11 times its cube;
+ * null rules of higher degree are blind in some directions.
+ */
+struct TriangleRule
+{
+  static constexpr unsigned int n_points = 7;
+
+  TriangleRule() : TriangleRule(dealii::QGaussSimplex<2>(3)) {}
+
+  /** From deal.II's rule on the triangle (0, 0), (1, 0), (0, 1). */
+  explicit TriangleRule(const dealii::Quadrature<2> &rule)
+      : points(rule.get_points()), weights(rule.get_weights()), fit(points)
+  {
+    AssertDimension(points.size(), n_points);
+    for (double &weight : weights)
+      weight *= 2.;
+  }
+
+  std::vector<Point<2>> points;
+  /** They add up to one. */
+  std::vector<double> weights;
+  LinearFit<n_points> fit;
+};
+
 double area_of(const Triangle &triangle)
 {
   return 0.5 * cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
@@ -91,15 +123,18 @@ public:
              const Jumps &jumps)
       : triangle(triangle), origin(origin), area(area_of(triangle)),
         scale(std::sqrt(area)), f(f), jumps(jumps)
-  {
-  }
+  {}
 
   TriangleIntegral integral()
   {
-    if (jumps.empty())
-      integrate_smooth();
-    else
+    if (!jumps.empty())
+    {
       integrate_pieces();
+      return result();
+    }
+    const Jumps::Limits no_limits = jumps.no_limits();
+    look_at(whole(no_limits));
+    cut_doubtful();
     return result();
   }
 
@@ -150,18 +185,8 @@ private:
     /** The change that cutting it may bring, roughly. */
     double doubt;
 
-    bool operator<(const Part &other) const
-    {
-      return doubt < other.doubt;
-    }
+    bool operator<(const Part &other) const { return doubt < other.doubt; }
   };
-
-  void integrate_smooth()
-  {
-    const Jumps::Limits no_limits = jumps.no_limits();
-    look_at(whole(no_limits));
-    cut_doubtful();
-  }
 
   /** All of the triangle, whose mean size and samples it sets. */
   Part whole(const Jumps::Limits &no_limits)

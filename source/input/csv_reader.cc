@@ -11,14 +11,11 @@
 
 namespace Voussoir
 {
-namespace
-{
 /**
  * The number of characters of a field that a message quotes; a field may be a
  * whole file.
  */
 constexpr std::size_t quotation_length = 40;
-} // namespace
 
 CsvReader::CsvReader(std::filesystem::path file_in)
     : file(std::move(file_in)), in(file)
@@ -41,11 +38,11 @@ void CsvReader::choose(const std::vector<std::string> &names)
 {
   for (const std::string &name : names)
   {
-    if (!has_column(name))
+    const auto found = std::find(columns.begin(), columns.end(), name);
+    if (found == columns.end())
       refuse("has no column '" + name +
              "'; the file must be as an earlier run has written it.");
-    chosen.push_back(std::find(columns.begin(), columns.end(), name) -
-                     columns.begin());
+    chosen.push_back(found - columns.begin());
   }
   values.resize(chosen.size());
 }

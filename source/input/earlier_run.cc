@@ -32,46 +32,28 @@ constexpr const char *same_scene =
     ". The packing, supports and strengths must be those of the run that the "
     "forces are from; leave 'Forces from' empty to solve.";
 
-/** Enough digits to see the difference. */
-std::string all_of(const double x)
-{
-  std::ostringstream out;
-  out.precision(12);
-  out << x;
-  return out.str();
-}
-
+/** A point with digits enough to see the difference. */
 std::string all_of(const Point<2> &p)
 {
-  return "(" + all_of(p[0]) + ", " + all_of(p[1]) + ")";
+  return "(" + text_to_copy(p[0]) + ", " + text_to_copy(p[1]) + ")";
 }
 
-double largest_coordinate(const Packing &packing)
+/** The difference of two coordinates that may be rounding. */
+double rounding_in(const Packing &packing)
 {
   double largest = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
       largest = std::max({largest, std::abs(packing.vertex(c, i)[0]),
                           std::abs(packing.vertex(c, i)[1])});
-  return largest;
+  return rounding_of_coordinates * largest;
 }
 
-/** Tells whether points are the same but for rounding. */
-struct Comparison
+bool are_same(const Point<2> &a, const Point<2> &b, const double tolerance)
 {
-  explicit Comparison(const Packing &packing)
-      : tolerance(rounding_of_coordinates * largest_coordinate(packing))
-  {
-  }
-
-  bool same(const Point<2> &a, const Point<2> &b) const
-  {
-    return std::abs(a[0] - b[0]) <= tolerance &&
-           std::abs(a[1] - b[1]) <= tolerance;
-  }
-
-  const double tolerance;
-};
+  return std::abs(a[0] - b[0]) <= tolerance &&
+         std::abs(a[1] - b[1]) <= tolerance;
+}
 
 [[noreturn]] void
 differ(const CsvReader &line, const std::string &there, const std::string &here)
@@ -198,7 +180,7 @@ Carried EarlierRun::forces(const Scene &scene, SolverRecord &record)
 
 void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
 {
-  const Comparison comparison(scene.packing);
+  const double rounding = rounding_in(scene.packing);
   const CsvReader &line = interfaces;
   for (unsigned int e = 0; e < origin.n_interfaces; ++e)
   {
@@ -212,13 +194,14 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
       differ(line, text("interface ", e, " ", between(line[0], line[1])),
              between(i.cell_minus, plus));
     const Point<2> start(line[2], line[3]), end(line[4], line[5]);
-    if (!comparison.same(start, i.start) || !comparison.same(end, i.end))
+    if (!are_same(start, i.start, rounding) || !are_same(end, i.end, rounding))
       differ(line, text("interface ", e, " ", from_to(start, end)),
              from_to(i.start, i.end));
     const double strength = scene.strength[e];
     if (std::abs(line[8] - strength) > rounding_of_strengths * strength)
-      differ(line, text("the strength ", all_of(line[8]), " of interface ", e),
-             all_of(strength));
+      differ(line,
+             text("the strength ", text_to_copy(line[8]), " of interface ", e),
+             text_to_copy(strength));
     found.forces.normal.push_back(line[6]);
     found.forces.tangential.push_back(line[7]);
     if (marked)
@@ -237,14 +220,14 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
 
 void EarlierRun::read_cells(const Packing &packing, Carried &found)
 {
-  const Comparison comparison(packing);
+  const double rounding = rounding_in(packing);
   for (unsigned int c = 0; c < origin.n_cells; ++c)
   {
     if (!cells.next())
       refuse(text("its ", cells_csv, " ends after ", counted(c, "cell"), " of ",
                   origin.n_cells, "."));
     const Point<2> centre(cells[1], cells[2]);
-    if (cells[0] != c || !comparison.same(centre, packing.centre(c)))
+    if (cells[0] != c || !are_same(centre, packing.centre(c), rounding))
       differ(cells,
              text("cell ", cells[0], " with the centre ", all_of(centre)),
              text("cell ", c, " with ", all_of(packing.centre(c))));

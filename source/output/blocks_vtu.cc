@@ -20,10 +20,9 @@ namespace
 /** The points of the cells of a packing, all around one and then the next. */
 auto points_of(const Packing &packing)
 {
-  return VtuValues::ItemsByCell{packing.n_cells(),
-                                [&packing](const unsigned int c) {
-                                  return packing.first_side(c);
-                                }};
+  return VtuValues::ItemsByCell{
+      packing.n_cells(),
+      [&packing](const unsigned int c) { return packing.first_side(c); }};
 }
 
 /** A grid of one polygon for each cell, with what is known of any cell. */
@@ -82,9 +81,7 @@ void write_blocks_vtu(std::ostream &out, const Results &results)
     add_cell_field(grid, name, value);
   };
   const auto &stress = results.mean_stresses;
-  const auto invariants = [&](Cell c) {
-    return StressInvariants(stress[c]);
-  };
+  const auto invariants = [&](Cell c) { return StressInvariants(stress[c]); };
   add("load", [&](Cell c) { return vector(results.scene.load[c]); });
   add("stress", [&](Cell c) { return tensor(stress[c]); });
   add("principal_stress_1",

@@ -79,10 +79,7 @@ public:
   explicit StressGrid(const StressedCells &shown);
   StressGrid(const StressGrid &) = delete; // file asks this object
 
-  const VtuFile &as_file() const
-  {
-    return file;
-  }
+  const VtuFile &as_file() const { return file; }
 
 private:
   void add_fields();
@@ -99,17 +96,15 @@ private:
   std::size_t first_sub_cell(unsigned int cell) const;
   auto points_of_cells() const
   {
-    return VtuValues::ItemsByCell{packing.n_cells(),
-                                  [this](const unsigned int c) {
-                                    return first_point(c);
-                                  }};
+    return VtuValues::ItemsByCell{
+        packing.n_cells(),
+        [this](const unsigned int c) { return first_point(c); }};
   }
   auto sub_cells_of_cells() const
   {
-    return VtuValues::ItemsByCell{packing.n_cells(),
-                                  [this](const unsigned int c) {
-                                    return first_sub_cell(c);
-                                  }};
+    return VtuValues::ItemsByCell{
+        packing.n_cells(),
+        [this](const unsigned int c) { return first_sub_cell(c); }};
   }
   Point<2> point(unsigned int cell, unsigned int k) const;
   /** The number of a cell in the whole packing. */
@@ -134,9 +129,8 @@ StressGrid::StressGrid(const StressedCells &shown)
                                       return vector(point(cell_and_k...));
                                     });
            }},
-          {first_sub_cell(packing.n_cells()), [this](auto... arguments) {
-             fill_corners(arguments...);
-           }}))
+          {first_sub_cell(packing.n_cells()),
+           [this](auto... arguments) { fill_corners(arguments...); }}))
 {
   add_fields();
 }

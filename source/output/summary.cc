@@ -67,9 +67,7 @@ Json summary_of(const RunRecord &run, const Status &status)
 /** The loads, and what the ground does about them. */
 Json ground_summary(const Results &results)
 {
-  const auto pair = [](const auto &v) {
-    return Json::array({v[0], v[1]});
-  };
+  const auto pair = [](const auto &v) { return Json::array({v[0], v[1]}); };
   Json supports = Json::array();
   for (const Reaction &reaction : results.reactions)
     supports.push_back({{"from", pair(reaction.start)},

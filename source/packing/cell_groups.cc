@@ -4,6 +4,8 @@
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 
 namespace Voussoir
@@ -16,9 +18,7 @@ unsigned int group_of_name(const Packing &packing,
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end())
     return found - names.begin();
-  std::string known;
-  for (const std::string &other : names)
-    known += (known.empty() ? "'" : ", '") + other + "'";
+  const std::string known = "'" + boost::algorithm::join(names, "', '") + "'";
   throw InputError("The parameter '" + parameter + "' names the group '" +
                    name + "', which no cell belongs to. There are " + known +
                    "; 'Packing/Groups' makes others.");

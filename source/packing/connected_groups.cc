@@ -11,11 +11,7 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
                                            const Ground ground)
 {
   const unsigned int n = packing.n_cells() + 1;
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int c = 0; c < n; ++c)
-    sets.make_set(c);
+  boost::disjoint_sets_with_storage<> sets(n);
   for (const Packing::Interface &interface : packing.interfaces())
     if (ground == Ground::connects || interface.cell_plus != packing.ground())
       sets.union_set(interface.cell_minus, interface.cell_plus);
@@ -24,8 +20,7 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
   for (unsigned int c = 0; c < n; ++c)
   {
     unsigned int &first = lowest[sets.find_set(c)];
-    first = std::min(first, c);
-    group[c] = first;
+    group[c] = first = std::min(first, c);
   }
   return group;
 }

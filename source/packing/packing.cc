@@ -41,7 +41,6 @@ struct Halfedge
            std::tie(other.low, other.high, other.cell);
   }
 };
-
 } // namespace
 
 Tensor<1, 2> Packing::Interface::tangent() const
@@ -50,16 +49,6 @@ Tensor<1, 2> Packing::Interface::tangent() const
   t[0] = 0. - normal[1]; // not -0
   t[1] = normal[0];
   return t;
-}
-
-Point<2> Packing::Interface::midpoint() const
-{
-  return start + 0.5 * (end - start);
-}
-
-Point<2> Packing::BoundaryEdge::midpoint() const
-{
-  return start + 0.5 * (end - start);
 }
 
 Packing::Packing(CellLoops cells) : mesh(std::move(cells))
@@ -272,49 +261,9 @@ void Packing::refuse(const unsigned int cell,
   throw InputError(text(name, " at ", text_of_point(place), " ", fault));
 }
 
-unsigned int Packing::n_cells() const
-{
-  return mesh.first.size() - 1;
-}
-
-unsigned int Packing::ground() const
-{
-  return n_cells();
-}
-
-unsigned int Packing::n_supports() const
-{
-  return support_count;
-}
-
-const std::vector<Packing::Interface> &Packing::interfaces() const
-{
-  return interface_list;
-}
-
-const std::vector<Packing::BoundaryEdge> &Packing::boundary_edges() const
-{
-  return boundary_list;
-}
-
-const Point<2> &Packing::centre(const unsigned int cell) const
-{
-  return mesh.centres[cell];
-}
-
-double Packing::area(const unsigned int cell) const
-{
-  return areas[cell];
-}
-
 double Packing::area() const
 {
   return std::accumulate(areas.begin(), areas.end(), 0.);
-}
-
-const std::vector<std::string> &Packing::group_names() const
-{
-  return mesh.group_names;
 }
 
 unsigned int Packing::group(const unsigned int cell) const
@@ -322,11 +271,6 @@ unsigned int Packing::group(const unsigned int cell) const
   if (cell == ground())
     return mesh.group_names.size() - 1;
   return mesh.group.empty() ? 0 : mesh.group[cell];
-}
-
-const std::string &Packing::group_name(const unsigned int cell) const
-{
-  return mesh.group_names[group(cell)];
 }
 
 void Packing::set_group(const unsigned int cell, const std::string &name)
@@ -346,38 +290,6 @@ double Packing::distance(const Interface &interface) const
                            ? interface.midpoint()
                            : centre(interface.cell_plus);
   return (far - centre(interface.cell_minus)) * interface.normal;
-}
-
-unsigned int Packing::n_sides(const unsigned int cell) const
-{
-  return mesh.first[cell + 1] - mesh.first[cell];
-}
-
-unsigned int Packing::first_side(const unsigned int cell) const
-{
-  return mesh.first[cell];
-}
-
-dealii::ArrayView<const Packing::Side>
-Packing::sides(const unsigned int cell) const
-{
-  return {side_list.data() + mesh.first[cell], n_sides(cell)};
-}
-
-const Point<2> &Packing::vertex(const unsigned int cell,
-                                const unsigned int i) const
-{
-  return mesh.vertices[mesh.loops[mesh.first[cell] + i % n_sides(cell)]];
-}
-
-const std::vector<unsigned int> &Packing::not_convex() const
-{
-  return star_shaped;
-}
-
-const std::vector<std::string> &Packing::notices() const
-{
-  return mesh.notices;
 }
 
 std::string Packing::describe(const unsigned int cell) const

@@ -25,8 +25,7 @@ Team::Team(MPI_Comm communicator)
     : processes(communicator),
       n_processes(dealii::Utilities::MPI::n_mpi_processes(communicator)),
       own_rank(dealii::Utilities::MPI::this_mpi_process(communicator))
-{
-}
+{}
 
 MPI_Comm Team::communicator() const
 {

@@ -21,13 +21,6 @@ Patch box_of(const Packing &packing, const unsigned int c)
   return box_around(vertices);
 }
 
-/** True if a jump may cross the box around a cell. */
-bool is_near(const Jumps &jumps, const Packing &packing, const unsigned int c)
-{
-  return !jumps.empty() &&
-         !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty();
-}
-
 /** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Jumps &jumps,
@@ -69,7 +62,8 @@ bool integrate_quickly(const Packing &packing,
                        std::vector<TriangleIntegral> &parts)
 {
   parts.clear();
-  if (is_near(jumps, packing, c))
+  if (!jumps.empty() &&
+      !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty())
     return false;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
   {
@@ -94,20 +88,6 @@ void integrate(const Packing &packing,
     parts.push_back(
         triangle_integral(corners(packing, c, i), packing.centre(c), b, jumps));
 }
-
-/** A sub-cell: the triangle of the centre and side i of a cell. */
-struct Triangle
-{
-  Triangle(const Packing &packing, const unsigned int c, const unsigned int i)
-      : a(packing.vertex(c, i) - packing.centre(c)),
-        b(packing.vertex(c, i + 1) - packing.centre(c)), area(0.5 * cross(a, b))
-  {
-  }
-
-  /** The corners, from the centre. */
-  Tensor<1, 2> a, b;
-  double area;
-};
 } // namespace
 
 BodyForce::BodyForce(
@@ -121,9 +101,7 @@ BodyForce::BodyForce(
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
-        [&](const Point<2> &x) {
-          return b(x, c);
-        };
+        [&](const Point<2> &x) { return b(x, c); };
     if (!integrate_quickly(packing, c, b_c, jumps, parts))
       integrate(packing, c, b_c, jumps, parts);
     double error = 0., size = 0., uncertain = 0.;
@@ -151,11 +129,11 @@ void BodyForce::add(const Packing &packing,
     allocate(packing);
   for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
   {
-    const Triangle triangle(packing, cell, i);
-    const Tensor<1, 2> share = triangle.area / packing.area(cell) * f;
+    const Tensor<1, 2> a = packing.vertex(cell, i) - packing.centre(cell);
+    const Tensor<1, 2> b = packing.vertex(cell, i + 1) - packing.centre(cell);
+    const Tensor<1, 2> share = 0.5 * cross(a, b) / packing.area(cell) * f;
     on_sub_cell[packing.first_side(cell) + i] += share;
-    moment_of_cell[cell] +=
-        outer_product(share, (triangle.a + triangle.b) / 3.);
+    moment_of_cell[cell] += outer_product(share, (a + b) / 3.);
   }
 }
 
@@ -163,11 +141,6 @@ void BodyForce::allocate(const Packing &packing)
 {
   on_sub_cell.resize(packing.first_side(packing.n_cells()));
   moment_of_cell.resize(packing.n_cells());
-}
-
-bool BodyForce::empty() const
-{
-  return on_sub_cell.empty();
 }
 
 Tensor<1, 2> BodyForce::force(const Packing &packing,

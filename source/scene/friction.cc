@@ -27,8 +27,7 @@ public:
       : s_T(formula, {"x", "y", "nx", "ny"}, parameter),
         jumps({s_T.formula()}, {0., 0.}), formula(formula),
         parameter(parameter), inaccuracies(parameter)
-  {
-  }
+  {}
 
   /** The mean of s_T over the interface @p i. */
   double mean(const Packing &packing, const Packing::Interface &i)
@@ -55,10 +54,7 @@ public:
   }
 
   /** Warnings on the means computed so far. */
-  std::vector<std::string> warnings() const
-  {
-    return inaccuracies.warnings();
-  }
+  std::vector<std::string> warnings() const { return inaccuracies.warnings(); }
 
 private:
   Expression s_T;

@@ -15,7 +15,6 @@
 
 #include <boost/lexical_cast.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <utility>
@@ -35,34 +34,20 @@ public:
                    const std::vector<std::string> &variables,
                    const std::string &parameter)
       : components(dealii::Utilities::split_string_list(formulas, ';')),
-        parameter(parameter), n_variables(variables.size())
+        parameter(parameter)
   {
     for (const std::string &component : components)
       f.emplace_back(component, variables, parameter);
   }
 
   /** True if both are zero everywhere by their form. */
-  bool is_zero() const
-  {
-    return std::all_of(f.begin(), f.end(), [&](const Expression &component) {
-      return component.is_constant() &&
-             component(std::vector<double>(n_variables, 0.)) == 0.;
-    });
-  }
+  bool is_zero() const { return f[0].is_zero() && f[1].is_zero(); }
 
   /** True if both are the same everywhere by their form. */
-  bool is_constant() const
-  {
-    return std::all_of(f.begin(), f.end(), [](const Expression &component) {
-      return component.is_constant();
-    });
-  }
+  bool is_constant() const { return f[0].is_constant() && f[1].is_constant(); }
 
   /** The operations of a component, to know where it jumps. */
-  const Formula &formula(const unsigned int i) const
-  {
-    return f[i].formula();
-  }
+  const Formula &formula(const unsigned int i) const { return f[i].formula(); }
 
   /** @throws InputError that ends with @p where if the value is not finite. */
   template <typename Where>
@@ -82,7 +67,6 @@ public:
 private:
   std::vector<std::string> components;
   std::string parameter;
-  std::size_t n_variables;
   std::vector<Expression> f;
 };
 
@@ -280,24 +264,20 @@ LoadParameters::forces_on_cells(const Packing &packing) const
   std::vector<CellForce> forces;
   for (const auto &[name, value] : split_named_list(cell_forces, parameter))
   {
-    const auto components = dealii::Utilities::split_string_list(value, ',');
-    CellForce f = {name, cells_of_name(packing, name, parameter), {}};
-    bool valid = components.size() == 2;
-    for (unsigned int i = 0; valid && i < 2; ++i)
-      valid =
-          boost::conversion::try_lexical_convert(components[i], f.force[i]) &&
-          std::isfinite(f.force[i]);
-    if (!valid)
+    const std::vector<unsigned int> cells =
+        cells_of_name(packing, name, parameter);
+    const auto force = pair_of_text(value);
+    if (!force)
       throw InputError("The parameter '" + parameter + "' gives '" + name +
                        "' the force '" + value +
                        "'; two finite numbers \"F_x, F_y\" are expected, "
                        "with a comma between.");
-    if (f.cells.empty())
+    if (cells.empty())
       throw InputError("The parameter '" + parameter + "' gives a force to '" +
                        name +
                        "', which has no cells to take it; name another group, "
                        "or a cell by its number.");
-    forces.push_back(std::move(f));
+    forces.push_back({name, cells, *force});
   }
   return forces;
 }

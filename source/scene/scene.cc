@@ -39,13 +39,47 @@ void check_size(const Tensor<1, 2> &force, const What &what)
              "units in which it is between 1e-150 and 1e150."));
 }
 
-/** Torque (x - centre) x f about the centre, positive counterclockwise. */
-double torque(const dealii::Point<2> &x,
-              const dealii::Point<2> &centre,
-              const Tensor<1, 2> &f)
+/** The load on a connected group of cells. */
+struct GroupLoad
 {
-  const Tensor<1, 2> arm = x - centre;
-  return arm[0] * f[1] - arm[1] * f[0];
+  Tensor<1, 2> total;
+  /** The sum of the sizes of all forces. */
+  double size = 0.;
+  unsigned int n_members = 0;
+};
+
+/** The message that the groups @p floating, by their first cells, move. */
+std::string describe_unbalanced(const Packing &packing,
+                                const std::vector<GroupLoad> &loads,
+                                const std::vector<unsigned int> &floating)
+{
+  const GroupLoad &first = loads[floating.front()];
+  const auto name = [&](const unsigned int g) {
+    return text(loads[g].n_members > 1 ? "the connected group of cells around "
+                                       : "",
+                packing.describe(g), " at ", text_of_point(packing.centre(g)));
+  };
+  const bool is_all = first.n_members == packing.n_cells();
+  std::string message =
+      text("The loads are not balanced: on ",
+           is_all ? "the packing" : name(floating.front()),
+           first.n_members == 1 && !is_all ? ", which touches no other," : "",
+           " their sum is (", first.total[0], ", ", first.total[1], "), ",
+           first.total.norm() / first.size, " of the sum of their sizes.");
+  if (floating.size() > 1)
+    message += text(" So it is on ", floating.size() - 1, " more:");
+  for (unsigned int k = 1; k < floating.size() && k < n_named_groups; ++k)
+    message += text(k > 1 ? "; " : " ", name(floating[k]));
+  if (floating.size() > 1)
+    message += floating.size() > n_named_groups ? "; ...." : ".";
+  return message +
+         (packing.n_supports() == 0
+              ? " Nothing supports the packing, so the total force must be "
+                "zero; change the loads, or choose 'Supports/Where'."
+              : " What floats touches neither the ground nor what rests on it: "
+                "support it by 'Supports/Where', balance its loads, or, if it "
+                "was read from a file with gaps, close them or enlarge "
+                "'Packing/polygons/Matching tolerance'.");
 }
 /** The largest distance of a point of a cell from its centre. */
 double reach(const Packing &packing, const unsigned int c)
@@ -120,54 +154,20 @@ void Scene::add_up_loads()
 
 void Scene::check_balance() const
 {
-  std::vector<Tensor<1, 2>> total(group.size());
-  std::vector<double> sizes(group.size(), 0.);
-  std::vector<unsigned int> n_members(group.size(), 0);
+  std::vector<GroupLoad> loads(group.size());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    total[group[c]] += load[c];
-    sizes[group[c]] += load_size[c];
-    ++n_members[group[c]];
+    loads[group[c]].total += load[c];
+    loads[group[c]].size += load_size[c];
+    ++loads[group[c]].n_members;
   }
-
   std::vector<unsigned int> floating;
   for (unsigned int g = 0; g < packing.n_cells(); ++g)
     if (g != group[packing.ground()] &&
-        total[g].norm() > balance_tolerance * sizes[g])
+        loads[g].total.norm() > balance_tolerance * loads[g].size)
       floating.push_back(g);
-  if (floating.empty())
-    return;
-
-  const unsigned int g = floating.front();
-  const auto name = [&](const unsigned int first) {
-    return text(
-        n_members[first] > 1 ? "the connected group of cells around " : "",
-        packing.describe(first), " at ", text_of_point(packing.centre(first)));
-  };
-  std::string message = text(
-      "The loads are not balanced: on ",
-      n_members[g] == packing.n_cells() ? "the packing" : name(g),
-      n_members[g] == 1 && packing.n_cells() > 1 ? ", which touches no other,"
-                                                 : "",
-      " their sum is (", total[g][0], ", ", total[g][1], "), ",
-      total[g].norm() / sizes[g], " of the sum of their sizes.");
-  if (floating.size() > 1)
-    message += text(" So it is on ", floating.size() - 1, " more:");
-  for (unsigned int k = 1; k < floating.size() && k < n_named_groups; ++k)
-    message += text(k > 1 ? "; " : " ", name(floating[k]));
-  if (floating.size() > n_named_groups)
-    message += "; ...";
-  if (floating.size() > 1)
-    message += ".";
-  throw InputError(
-      message +
-      (packing.n_supports() == 0
-           ? " Nothing supports the packing, so the total force must be zero; "
-             "change the loads, or choose 'Supports/Where'."
-           : " What floats touches neither the ground nor what rests on it: "
-             "support it by 'Supports/Where', balance its loads, or, if it was "
-             "read from a file with gaps, close them or enlarge 'Packing/"
-             "polygons/Matching tolerance'."));
+  if (!floating.empty())
+    throw InputError(describe_unbalanced(packing, loads, floating));
 }
 
 /**
@@ -181,7 +181,7 @@ void Scene::check_moments() const
   {
     const unsigned int g = group[c];
     const dealii::Point<2> &about = packing.centre(g);
-    moment[g] += load_torque[c] + torque(packing.centre(c), about, load[c]);
+    moment[g] += load_torque[c] + cross(packing.centre(c) - about, load[c]);
     size[g] +=
         load_size[c] * (reach(packing, c) + packing.centre(c).distance(about));
   }
@@ -225,11 +225,11 @@ InterfaceForces::torque_on_cell_minus(const Packing::Interface &interface,
                                       const dealii::Point<2> &centre) const
 {
   if (at_ends.empty())
-    return torque(interface.midpoint(), centre, on_cell_minus(interface, e));
-  return torque(interface.midpoint(), centre,
-                tangential[e] * interface.tangent()) +
-         torque(interface.start, centre, at_ends[e][0] * interface.normal) +
-         torque(interface.end, centre, at_ends[e][1] * interface.normal);
+    return cross(interface.midpoint() - centre, on_cell_minus(interface, e));
+  return cross(interface.midpoint() - centre,
+               tangential[e] * interface.tangent()) +
+         cross(interface.start - centre, at_ends[e][0] * interface.normal) +
+         cross(interface.end - centre, at_ends[e][1] * interface.normal);
 }
 
 double utilisation(const Scene &scene,
@@ -259,8 +259,8 @@ std::vector<double> residual_torques(const Scene &scene,
   {
     const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
     torques[edge.cell] +=
-        torque(edge.midpoint(), packing.centre(edge.cell),
-               edge.length * scene.traction[b]) +
+        cross(edge.midpoint() - packing.centre(edge.cell),
+              edge.length * scene.traction[b]) +
         cross((edge.end - edge.start) / edge.length, scene.traction_moment[b]);
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)

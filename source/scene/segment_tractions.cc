@@ -31,18 +31,6 @@ constexpr double largest_distance = 1e-6;
 /** The share of the line that its parts may leave out, or cover twice. */
 constexpr double largest_gap = 1e-6;
 
-/** Two finite numbers "a, b", or nothing. */
-std::optional<Point<2>> pair_of_text(const std::string &text)
-{
-  const auto words = dealii::Utilities::split_string_list(text, ',');
-  Point<2> pair;
-  bool is_valid = words.size() == 2;
-  for (unsigned int i = 0; is_valid && i < 2; ++i)
-    is_valid = boost::conversion::try_lexical_convert(words[i], pair[i]) &&
-               std::isfinite(pair[i]);
-  return is_valid ? std::optional<Point<2>>(pair) : std::nullopt;
-}
-
 /** The two sides of "a to b". */
 std::vector<std::string> sides_of_to(const std::string &text)
 {
@@ -121,6 +109,17 @@ void add_part(const Packing &packing,
   tractions.mean[part.edge] += length / edge.length * traction(middle);
 }
 } // namespace
+
+std::optional<Point<2>> pair_of_text(const std::string &text)
+{
+  const auto words = dealii::Utilities::split_string_list(text, ',');
+  Point<2> pair;
+  bool is_valid = words.size() == 2;
+  for (unsigned int i = 0; is_valid && i < 2; ++i)
+    is_valid = boost::conversion::try_lexical_convert(words[i], pair[i]) &&
+               std::isfinite(pair[i]);
+  return is_valid ? std::optional<Point<2>>(pair) : std::nullopt;
+}
 
 std::vector<SegmentTraction>
 segment_tractions_of_text(const std::string &list, const std::string &parameter)

@@ -207,14 +207,11 @@ std::optional<double> carried_by_centre(const Scene &scene, Terminal &terminal)
     return force / load;
   }
   catch (const InputError &)
-  {
-  }
+  {}
   catch (const SolverError &)
-  {
-  }
+  {}
   catch (const std::bad_alloc &)
-  {
-  }
+  {}
   return {}; // whoever asked has no second opinion
 }
 } // namespace Voussoir

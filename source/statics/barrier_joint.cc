@@ -10,8 +10,7 @@ namespace Voussoir
 BarrierJoint::BarrierJoint(const Structure &structure,
                            const BarrierWeights weights)
     : fixed(structure.n_all_rows(), 0), structure(&structure), weights(weights)
-{
-}
+{}
 
 double BarrierJoint::weight(const unsigned int e) const
 {

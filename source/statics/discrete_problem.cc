@@ -14,8 +14,7 @@ using dealii::Tensor;
 
 DiscreteProblem::DiscreteProblem(const Scene &scene)
     : DiscreteProblem(scene, std::vector<bool>(scene.packing.n_cells(), true))
-{
-}
+{}
 
 DiscreteProblem::DiscreteProblem(const Scene &scene,
                                  const std::vector<bool> &moves)

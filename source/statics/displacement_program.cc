@@ -61,22 +61,14 @@ Stop stop_of(const IpoptResult &result)
 {
   switch (result.outcome)
   {
-  case IpoptOutcome::converged:
-    return Stop::Reason::converged;
-  case IpoptOutcome::looser_tolerance:
-    return Stop::Reason::looser_tolerance;
-  case IpoptOutcome::rounding:
-    return Stop::Reason::rounding;
-  case IpoptOutcome::most_iterations:
-    return Stop::Reason::most_iterations;
-  case IpoptOutcome::diverged:
-    return Stop::Reason::diverged;
-  case IpoptOutcome::infeasible:
-    return Stop::Reason::infeasible;
-  case IpoptOutcome::no_step:
-    return Stop::Reason::no_step;
-  default:
-    return {Stop::Reason::other, result.status};
+  case IpoptOutcome::converged: return Stop::Reason::converged;
+  case IpoptOutcome::looser_tolerance: return Stop::Reason::looser_tolerance;
+  case IpoptOutcome::rounding: return Stop::Reason::rounding;
+  case IpoptOutcome::most_iterations: return Stop::Reason::most_iterations;
+  case IpoptOutcome::diverged: return Stop::Reason::diverged;
+  case IpoptOutcome::infeasible: return Stop::Reason::infeasible;
+  case IpoptOutcome::no_step: return Stop::Reason::no_step;
+  default: return {Stop::Reason::other, result.status};
   }
 }
 } // namespace

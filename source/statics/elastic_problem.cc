@@ -49,9 +49,7 @@ constexpr unsigned int n_easy = 5, n_hard = 20, n_patience = 4;
 class ProximalSteps
 {
 public:
-  explicit ProximalSteps(Newton &newton) : newton(newton), centre(newton.u())
-  {
-  }
+  explicit ProximalSteps(Newton &newton) : newton(newton), centre(newton.u()) {}
 
   void advance()
   {
@@ -100,9 +98,7 @@ private:
 };
 } // namespace
 
-ElasticJoint::ElasticJoint(const Structure &structure) : structure(structure)
-{
-}
+ElasticJoint::ElasticJoint(const Structure &structure) : structure(structure) {}
 
 void ElasticJoint::find_forces(const unsigned int e,
                                const double *jumps,

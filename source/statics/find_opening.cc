@@ -39,9 +39,7 @@ constexpr double n_roundings = 32.;
 class PushingJoint : public JointLaw
 {
 public:
-  explicit PushingJoint(const DiscreteProblem &problem) : problem(problem)
-  {
-  }
+  explicit PushingJoint(const DiscreteProblem &problem) : problem(problem) {}
 
   void find_forces(const unsigned int e,
                    const double *jumps,

@@ -64,8 +64,7 @@ HardJoint::HardJoint(const SmoothedJoint &friction,
                      const unsigned int n_contacts,
                      const double mu)
     : friction(friction), n_contacts(n_contacts), mu(mu)
-{
-}
+{}
 
 void HardJoint::find_forces(const unsigned int e,
                             const double *jumps,

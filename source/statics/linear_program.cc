@@ -57,10 +57,7 @@ public:
     return g;
   }
 
-  std::vector<Entry> hessian(const double * /*x*/) const override
-  {
-    return {};
-  }
+  std::vector<Entry> hessian(const double * /*x*/) const override { return {}; }
 
   unsigned int n_constraints() const override
   {
@@ -102,10 +99,7 @@ public:
   }
 
 private:
-  unsigned int n_unknowns() const
-  {
-    return problem.n_dofs() + rough.size();
-  }
+  unsigned int n_unknowns() const { return problem.n_dofs() + rough.size(); }
 
   unsigned int n_contacts() const
   {
@@ -152,9 +146,7 @@ std::string LinearProgram::selection() const
   return "linear program: none; the forces depend on where Ipopt stops";
 }
 
-void LinearProgram::add_parameters(dealii::ParameterHandler & /*prm*/)
-{
-}
+void LinearProgram::add_parameters(dealii::ParameterHandler & /*prm*/) {}
 
 Solution LinearProgram::select(const DiscreteProblem &problem,
                                const SolverControls &controls,

@@ -83,9 +83,7 @@ void transfer(Part &part, const Pass &pass)
 }
 } // namespace
 
-SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole)
-{
-}
+SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole) {}
 
 SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
     : whole(whole), team(team)

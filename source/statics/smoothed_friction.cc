@@ -55,8 +55,7 @@ public:
       : problem(problem), of_joints(problem, false), contact(contact),
         law(problem, contact), controls(controls),
         barrier_parameter(barrier_parameter), terminal(terminal)
-  {
-  }
+  {}
 
   /** Hard contact starts where every joint is open. */
   std::vector<double> start() const override

@@ -8,12 +8,9 @@ std::string Status::word() const
 {
   switch (kind)
   {
-  case Kind::solved:
-    return "solved";
-  case Kind::carried_within:
-    return "carried to within";
-  default:
-    return "collapse";
+  case Kind::solved: return "solved";
+  case Kind::carried_within: return "carried to within";
+  default: return "collapse";
   }
 }
 

@@ -42,6 +42,31 @@ std::vector<Point<2>> regular_polygon(const unsigned int n_sides)
   }
   return vertices;
 }
+/**
+ * The coefficients of the basis functions on a face for which the normal trace
+ * is one over its length; in the reference square they are the same for every
+ * shape of the cell.
+ */
+dealii::Vector<double> even_flux(const dealii::FEFaceValues<2> &on_face,
+                                 const unsigned int face)
+{
+  const dealii::FiniteElement<2> &element = on_face.get_fe();
+  const dealii::FEValuesExtractors::Vector row(0);
+  const unsigned int n = element.dofs_per_face;
+  double length = 0.;
+  for (unsigned int q = 0; q < n; ++q)
+    length += on_face.JxW(q);
+  dealii::FullMatrix<double> trace(n, n);
+  for (unsigned int q = 0; q < n; ++q)
+    for (unsigned int f = 0; f < n; ++f)
+      trace(q, f) = on_face[row].value(element.face_to_cell_index(f, face), q) *
+                    on_face.normal_vector(q);
+  trace.gauss_jordan();
+  dealii::Vector<double> coefficients(n), even(n);
+  even = 1. / length;
+  trace.vmult(coefficients, even);
+  return coefficients;
+}
 } // namespace
 
 CellSpaces::CellSpaces(const SubTriangulation &cut,
@@ -76,28 +101,10 @@ CellSpaces::CellSpaces(const SubTriangulation &cut,
   make_triangulation(triangulation, n_sides);
   dealii::DoFHandler<2> dof_handler(triangulation);
   dof_handler.distribute_dofs(element);
-  number_fluxes(dof_handler, n_sides);
+  find_divergences(dof_handler);
+  prescribe_fluxes(dof_handler, n_sides);
+  number_fluxes(dof_handler);
   find_orientations(dof_handler, n_sides);
-}
-
-unsigned int CellSpaces::n_sub_cells() const
-{
-  return all_integrals.size();
-}
-
-unsigned int CellSpaces::n_fluxes_per_sub_cell() const
-{
-  return element.dofs_per_cell;
-}
-
-unsigned int CellSpaces::n_multipliers_per_sub_cell() const
-{
-  return multiplier.dofs_per_cell;
-}
-
-unsigned int CellSpaces::n_unknown_fluxes() const
-{
-  return unknown_fluxes;
 }
 
 /**
@@ -136,79 +143,73 @@ void CellSpaces::make_triangulation(dealii::Triangulation<2> &triangulation,
   triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
 }
 
-void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler,
-                               const unsigned int n_sides)
+void CellSpaces::find_divergences(const dealii::DoFHandler<2> &dof_handler)
 {
-  const unsigned int degree = multiplier.degree;
+  const unsigned int n_multipliers = multiplier.dofs_per_cell;
+  const dealii::FEValuesExtractors::Vector row(0);
   dealii::FEValues<2> inside(
       element, gauss, dealii::update_gradients | dealii::update_JxW_values);
-  const dealii::QGauss<1> on_line(degree + 1);
-  dealii::FEFaceValues<2> on_face(element, on_line,
-                                  dealii::update_values |
-                                      dealii::update_normal_vectors |
-                                      dealii::update_JxW_values);
-  const dealii::FEValuesExtractors::Vector row(0);
-  std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
-  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
-  fluxes.assign(n_sub_cells() * element.dofs_per_cell, {none, none, 0.});
-  divergences.reinit(n_sub_cells() * multiplier.dofs_per_cell,
-                     element.dofs_per_cell);
-
+  divergences.reinit(n_sub_cells() * n_multipliers, element.dofs_per_cell);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
-    const unsigned int sub_cell = cell->active_cell_index();
     inside.reinit(cell);
-    cell->get_dof_indices(indices);
+    const unsigned int first = cell->active_cell_index() * n_multipliers;
     for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
-      for (unsigned int j = 0; j < multiplier.dofs_per_cell; ++j)
+      for (unsigned int j = 0; j < n_multipliers; ++j)
         for (unsigned int q = 0; q < gauss.size(); ++q)
-          divergences(sub_cell * multiplier.dofs_per_cell + j, k) +=
+          divergences(first + j, k) +=
               multipliers(j, q) * inside[row].divergence(k, q) * inside.JxW(q);
+  }
+}
 
-    std::vector<bool> prescribed(element.dofs_per_cell, false);
+/** Set the fluxes through the faces of sub-cells that lie on a side. */
+void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
+                                  const unsigned int n_sides)
+{
+  fluxes.assign(n_sub_cells() * element.dofs_per_cell, {none, none, 0.});
+  const double length_of_side = 2. * std::sin(dealii::numbers::PI / n_sides);
+  dealii::FEFaceValues<2> on_face(
+      element, dealii::QGauss<1>(element.dofs_per_face),
+      dealii::update_values | dealii::update_normal_vectors |
+          dealii::update_JxW_values);
+  for (const auto &cell : dof_handler.active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
     {
       if (!cell->face(face)->at_boundary())
         continue;
-      // The coefficients for which the normal trace is one over the length of
-      // the face; in the reference square they are the same for every shape.
       on_face.reinit(cell, face);
-      const unsigned int n = element.dofs_per_face;
-      dealii::FullMatrix<double> trace(n, n);
-      dealii::Vector<double> coefficients(n), even(n);
-      double length = 0.;
-      for (unsigned int q = 0; q < n; ++q)
-        length += on_face.JxW(q);
-      for (unsigned int q = 0; q < n; ++q)
-      {
-        even[q] = 1. / length;
-        for (unsigned int f = 0; f < n; ++f)
-          trace(q, f) =
-              on_face[row].value(element.face_to_cell_index(f, face), q) *
-              on_face.normal_vector(q);
-      }
-      trace.gauss_jordan();
-      trace.vmult(coefficients, even);
+      const dealii::Vector<double> coefficients = even_flux(on_face, face);
+      const unsigned int sub_cell = cell->active_cell_index();
       const unsigned int side = sub_cell / cut.of_triangle().size();
-      const double share =
-          cell->face(face)->measure() /
-          (2. * std::sin(dealii::numbers::PI / n_sides)); // of the side
-      for (unsigned int f = 0; f < n; ++f)
-      {
-        const unsigned int k = element.face_to_cell_index(f, face);
-        fluxes[sub_cell * element.dofs_per_cell + k] = {
-            none, side, share * coefficients[f]};
-        prescribed[k] = true;
-      }
+      const double share = cell->face(face)->measure() / length_of_side;
+      for (unsigned int f = 0; f < coefficients.size(); ++f)
+        fluxes[sub_cell * element.dofs_per_cell +
+               element.face_to_cell_index(f, face)] = {none, side,
+                                                       share * coefficients[f]};
     }
+}
+
+/**
+ * Number the fluxes that are not prescribed. By deal.II's numbers a flux
+ * through a line between two sub-cells is recognised from its other side.
+ */
+void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler)
+{
+  std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
+  std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    cell->get_dof_indices(indices);
     for (unsigned int k = 0; k < element.dofs_per_cell; ++k)
-      if (!prescribed[k])
-      {
-        if (unknown[indices[k]] == none)
-          unknown[indices[k]] = unknown_fluxes++;
-        fluxes[sub_cell * element.dofs_per_cell + k].unknown =
-            unknown[indices[k]];
-      }
+    {
+      Flux &flux =
+          fluxes[cell->active_cell_index() * element.dofs_per_cell + k];
+      if (flux.side != none)
+        continue;
+      if (unknown[indices[k]] == none)
+        unknown[indices[k]] = unknown_fluxes++;
+      flux.unknown = unknown[indices[k]];
+    }
   }
 }
 
@@ -298,38 +299,33 @@ void CellSpaces::integrate(Integrals &result, const bool with_flux_mass) const
 {
   const unsigned int n_fluxes = element.dofs_per_cell;
   const unsigned int n_multipliers = multiplier.dofs_per_cell;
-  result.area = 0.;
-  for (const double weight : result.weights)
-    result.area += weight;
+  const auto sum = [&](const auto &at_point) {
+    decltype(at_point(0)) total{};
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      total += at_point(q);
+    return total;
+  };
+  const auto &w = multipliers;
+  const auto &weight = result.weights;
+  const auto &phi = result.at_points;
+  result.area = sum([&](unsigned int q) { return weight[q]; });
   for (unsigned int j = 0; j < n_multipliers; ++j)
   {
-    result.mean[j] = 0.;
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-      result.mean[j] += multipliers(j, q) * result.weights[q];
+    result.mean[j] = sum([&](unsigned int q) { return w(j, q) * weight[q]; });
     for (unsigned int l = 0; l < n_multipliers; ++l)
-    {
-      result.mass(j, l) = 0.;
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        result.mass(j, l) +=
-            multipliers(j, q) * multipliers(l, q) * result.weights[q];
-    }
+      result.mass(j, l) =
+          sum([&](unsigned int q) { return w(j, q) * w(l, q) * weight[q]; });
     for (unsigned int k = 0; k < n_fluxes; ++k)
-    {
-      result.moment(j, k) = Tensor<1, 2>();
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        result.moment(j, k) +=
-            multipliers(j, q) * result.weights[q] * result.at_points(q, k);
-    }
+      result.moment(j, k) = sum([&](unsigned int q) -> Tensor<1, 2> {
+        return w(j, q) * weight[q] * phi(q, k);
+      });
   }
   if (with_flux_mass)
     for (unsigned int k = 0; k < n_fluxes; ++k)
       for (unsigned int l = 0; l <= k; ++l)
-      {
-        double sum = 0.;
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          sum += result.weights[q] *
-                 (result.at_points(q, k) * result.at_points(q, l));
-        result.flux_mass(k, l) = result.flux_mass(l, k) = sum;
-      }
+        result.flux_mass(k, l) = result.flux_mass(l, k) =
+            sum([&](unsigned int q) -> double {
+              return weight[q] * (phi(q, k) * phi(q, l));
+            });
 }
 } // namespace Voussoir

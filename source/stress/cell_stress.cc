@@ -11,8 +11,6 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
 /**
  * The area of a triangle over the square of its longest side below which the
  * rounding of the coordinates begins to decide its shape.
@@ -33,7 +31,6 @@ constexpr double turn = 1.;
  * a sub-cell against that of the cell turned, relative to largest_stress().
  */
 constexpr double largest_error = 1e-6;
-} // namespace
 
 CellStress::CellStress(const SubTriangulation &cut,
                        const unsigned int n_sides,
@@ -41,37 +38,30 @@ CellStress::CellStress(const SubTriangulation &cut,
                        const bool with_flux_mass)
     : spaces(cut, n_sides, degree), with_flux_mass(with_flux_mass),
       n_per_side(cut.of_triangle().size())
-{
-}
+{}
 
-bool CellStress::solve(const Point<2> &centre,
-                       const std::vector<Point<2>> &vertices,
-                       const std::vector<Tensor<1, 2>> &all_forces,
-                       const std::vector<Tensor<1, 2>> &body_forces,
+bool CellStress::solve(const LoadedCell &cell,
                        const dealii::ArrayView<SubCellStress> &sub_cells)
 {
-  AssertDimension(vertices.size() * n_per_side, n_sub_cells());
-  AssertDimension(all_forces.size(), vertices.size());
-  AssertDimension(body_forces.size(), vertices.size());
+  AssertDimension(cell.vertices.size() * n_per_side, n_sub_cells());
+  AssertDimension(cell.forces.size(), cell.vertices.size());
+  AssertDimension(cell.body_forces.size(), cell.vertices.size());
   AssertDimension(sub_cells.size(), n_sub_cells());
 
-  if (!solve_once(centre, vertices, all_forces, body_forces, found))
+  if (!solve_once(cell, found))
     return false;
-  if (slenderness < doubtful_slenderness &&
-      !is_same_turned(centre, vertices, all_forces, body_forces))
+  if (slenderness < doubtful_slenderness && !is_same_turned(cell))
     return false;
   std::copy(found.begin(), found.end(), sub_cells.begin());
   return true;
 }
 
-bool CellStress::solve_once(const Point<2> &centre,
-                            const std::vector<Point<2>> &vertices,
-                            const std::vector<Tensor<1, 2>> &all_forces,
-                            const std::vector<Tensor<1, 2>> &body_forces,
+bool CellStress::solve_once(const LoadedCell &cell,
                             std::vector<SubCellStress> &result)
 {
-  if (!take_out_mean(centre, vertices, all_forces, body_forces))
+  if (!scale(cell))
     return false;
+  take_out_mean(cell);
   spaces.place(corners, with_flux_mass);
   if (!find_fluxes() || !mean_is_right())
     return false;
@@ -112,21 +102,19 @@ SubCellStress CellStress::stress_in(const unsigned int s) const
 }
 
 /**
- * Scale the cell to unit area, so that all coefficients are of order one, and
- * leave in forces what the symmetric mean stress does not account for.
+ * Scale the cell to unit area, so that all coefficients are of order one.
+ *
+ * @return false if a triangle is too slender.
  */
-bool CellStress::take_out_mean(const Point<2> &centre,
-                               const std::vector<Point<2>> &vertices,
-                               const std::vector<Tensor<1, 2>> &all_forces,
-                               const std::vector<Tensor<1, 2>> &body_forces)
+bool CellStress::scale(const LoadedCell &cell)
 {
-  const unsigned int n_sides = vertices.size();
+  const unsigned int n_sides = cell.vertices.size();
   double area = 0.;
   slenderness = std::numeric_limits<double>::infinity();
   for (unsigned int i = 0; i < n_sides; ++i)
   {
-    const Tensor<1, 2> a = vertices[i] - centre;
-    const Tensor<1, 2> b = vertices[(i + 1) % n_sides] - centre;
+    const Tensor<1, 2> a = cell.vertices[i] - cell.centre;
+    const Tensor<1, 2> b = cell.vertices[(i + 1) % n_sides] - cell.centre;
     const double triangle = 0.5 * cross(a, b);
     const double longest =
         std::max({a.norm_square(), b.norm_square(), (b - a).norm_square()});
@@ -137,9 +125,15 @@ bool CellStress::take_out_mean(const Point<2> &centre,
   }
   size = std::sqrt(area);
   corners.clear();
-  for (const Point<2> &vertex : vertices)
-    corners.emplace_back((vertex - centre) / size);
+  for (const Point<2> &vertex : cell.vertices)
+    corners.emplace_back((vertex - cell.centre) / size);
+  return true;
+}
 
+/** Leave in forces what the symmetric mean stress does not account for. */
+void CellStress::take_out_mean(const LoadedCell &cell)
+{
+  const unsigned int n_sides = cell.vertices.size();
   mean = Tensor<2, 2>();
   forces.clear();
   sources.clear();
@@ -147,8 +141,8 @@ bool CellStress::take_out_mean(const Point<2> &centre,
   {
     const Point<2> &a = corners[i];
     const Point<2> &b = corners[(i + 1) % n_sides];
-    const Tensor<1, 2> source = body_forces[i] / size;
-    forces.push_back(all_forces[i] / size);
+    const Tensor<1, 2> source = cell.body_forces[i] / size;
+    forces.push_back(cell.forces[i] / size);
     sources.push_back(source / (0.5 * cross(a, b)));
     mean += outer_product(forces[i], 0.5 * (a + b)) +
             outer_product(source, (a + b) / 3.);
@@ -159,10 +153,9 @@ bool CellStress::take_out_mean(const Point<2> &centre,
     // From the vertices, since corners have the rounding of the whole cell,
     // which on a short side is a large traction.
     const Tensor<1, 2> side =
-        (vertices[(i + 1) % n_sides] - vertices[i]) / size;
+        (cell.vertices[(i + 1) % n_sides] - cell.vertices[i]) / size;
     forces[i] -= mean * Tensor<1, 2>({side[1], -side[0]});
   }
-  return true;
 }
 
 /** Of the symmetric mean and of the tractions that remain. */
@@ -207,33 +200,28 @@ bool CellStress::mean_is_right() const
  * forces on it. A check of all that rounding does, in the equations as in their
  * solution, and of each sub-cell.
  */
-bool CellStress::is_same_turned(const Point<2> &centre,
-                                const std::vector<Point<2>> &vertices,
-                                const std::vector<Tensor<1, 2>> &all_forces,
-                                const std::vector<Tensor<1, 2>> &body_forces)
+bool CellStress::is_same_turned(const LoadedCell &cell)
 {
   Tensor<2, 2> rotation;
   rotation[0][0] = rotation[1][1] = std::cos(turn);
   rotation[1][0] = std::sin(turn);
   rotation[0][1] = -rotation[1][0];
-  std::vector<Point<2>> turned_vertices;
-  std::vector<Tensor<1, 2>> turned_forces, turned_body_forces;
-  for (unsigned int i = 0; i < vertices.size(); ++i)
+  LoadedCell turned;
+  for (unsigned int i = 0; i < cell.vertices.size(); ++i)
   {
-    turned_vertices.emplace_back(rotation * (vertices[i] - centre));
-    turned_forces.push_back(rotation * all_forces[i]);
-    turned_body_forces.push_back(rotation * body_forces[i]);
+    turned.vertices.emplace_back(rotation * (cell.vertices[i] - cell.centre));
+    turned.forces.push_back(rotation * cell.forces[i]);
+    turned.body_forces.push_back(rotation * cell.body_forces[i]);
   }
-  if (!solve_once({}, turned_vertices, turned_forces, turned_body_forces,
-                  found_turned))
+  if (!solve_once(turned, found_turned))
     return false;
-  const double scale = largest_stress();
+  const double largest = largest_stress();
   for (unsigned int s = 0; s < n_sub_cells(); ++s)
   {
     const Tensor<2, 2> turned_back =
         transpose(rotation) * found_turned[s].stress * rotation;
     if (!((found[s].stress - turned_back).norm() <=
-          largest_error * std::max(scale, found[s].stress.norm())))
+          largest_error * std::max(largest, found[s].stress.norm())))
       return false;
   }
   return true;

@@ -12,29 +12,6 @@ namespace
 /** Ratio of the pivots of B B^T below which a cell counts as undetermined. */
 constexpr double smallest_pivot_ratio = 1e-12;
 
-/** The sparsity pattern of the mixed problem. */
-dealii::DynamicSparsityPattern couplings(const CellSpaces &spaces)
-{
-  const unsigned int n = spaces.n_unknown_fluxes();
-  dealii::DynamicSparsityPattern pattern(2 * n + spaces.n_sub_cells());
-  for (unsigned int s = 0; s < spaces.n_sub_cells(); ++s)
-    for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
-    {
-      const unsigned int flux = spaces.flux(s, k).unknown;
-      if (flux == none)
-        continue;
-      for (unsigned int row = 0; row < 2; ++row)
-      {
-        for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
-          if (spaces.flux(s, l).unknown != none)
-            pattern.add(row * n + flux, row * n + spaces.flux(s, l).unknown);
-        pattern.add(row * n + flux, 2 * n + s);
-        pattern.add(2 * n + s, row * n + flux);
-      }
-    }
-  return pattern;
-}
-
 /** The integral of tau : j(1) for tau with phi_k in the given row. */
 double
 skew_moment(const CellSpaces &spaces, unsigned int s, unsigned int row, int k)
@@ -46,55 +23,81 @@ skew_moment(const CellSpaces &spaces, unsigned int s, unsigned int row, int k)
 
 Fan::Fan(const unsigned int n_sides)
     : CellStress(SubTriangulation::fan(), n_sides, 0, false), n_sides(n_sides),
-      system(couplings(spaces))
+      system(couplings())
 {
   unknowns.reinit(2 * spaces.n_unknown_fluxes() + n_sides);
   gram.reinit(n_sides, n_sides);
   first_of_flux.resize(2 * spaces.n_unknown_fluxes());
 }
 
-bool Fan::find_fluxes()
+/**
+ * The divergence of phi_k is its flux, +-1, over det J, and det J the area of
+ * the sub-cell times a function of the reference coordinates that is the same
+ * in all. So the integral of the product of two is +-1 over the area times a
+ * common factor, which the minimiser does not see; without it the divergence is
+ * compared with the body force in the mean over each sub-cell.
+ */
+template <typename Visitor>
+void Fan::for_each_entry(const Visitor &visit) const
 {
-  if (!is_determined())
-    return false;
-
   const unsigned int n = spaces.n_unknown_fluxes();
   const unsigned int n_local = spaces.n_fluxes_per_sub_cell();
-  system.clear();
-  unknowns = 0.; // holds the right hand side until it is solved
   for (unsigned int s = 0; s < n_sides; ++s)
     for (unsigned int row = 0; row < 2; ++row)
-    {
-      // The divergence of phi_k is its flux, +-1, over det J, and det J the
-      // area of the sub-cell times a function of the reference coordinates that
-      // is the same in all. So the integral of the product of two is +-1 over
-      // the area times a common factor, which the minimiser does not see;
-      // without it the divergence is compared with the body force in the mean
-      // over each sub-cell.
-      const double area = spaces.integrals(s).area;
-      double known_divergence = body_force(s)[row] * area, known_skew = 0.;
-      for (unsigned int l = 0; l < n_local; ++l)
-        if (spaces.flux(s, l).unknown == none)
-        {
-          const double c = coefficient(row, s, l);
-          known_divergence += c * spaces.divergence(s, 0, l);
-          known_skew += c * skew_moment(spaces, s, row, l);
-        }
       for (unsigned int k = 0; k < n_local; ++k)
       {
         if (spaces.flux(s, k).unknown == none)
           continue;
         const unsigned int i = row * n + spaces.flux(s, k).unknown;
-        const double divergence = spaces.divergence(s, 0, k) / area;
-        unknowns[i] -= divergence * known_divergence;
+        const double divergence =
+            spaces.divergence(s, 0, k) / spaces.integrals(s).area;
         for (unsigned int l = 0; l < n_local; ++l)
           if (spaces.flux(s, l).unknown != none)
-            system.add(i, row * n + spaces.flux(s, l).unknown,
-                       divergence * spaces.divergence(s, 0, l));
+            visit(i, row * n + spaces.flux(s, l).unknown,
+                  divergence * spaces.divergence(s, 0, l));
         const double moment = skew_moment(spaces, s, row, k);
-        system.add(i, 2 * n + s, moment);
-        system.add(2 * n + s, i, moment);
+        visit(i, 2 * n + s, moment);
+        visit(2 * n + s, i, moment);
       }
+}
+
+/** The sparsity pattern of the matrix. */
+dealii::DynamicSparsityPattern Fan::couplings() const
+{
+  dealii::DynamicSparsityPattern pattern(2 * spaces.n_unknown_fluxes() +
+                                         n_sides);
+  for_each_entry([&](const unsigned int i, const unsigned int j, double) {
+    pattern.add(i, j);
+  });
+  return pattern;
+}
+
+bool Fan::find_fluxes()
+{
+  if (!is_determined())
+    return false;
+  system.clear();
+  for_each_entry([&](const unsigned int i, const unsigned int j,
+                     const double value) { system.add(i, j, value); });
+
+  const unsigned int n = spaces.n_unknown_fluxes();
+  unknowns = 0.; // holds the right hand side until it is solved
+  for (unsigned int s = 0; s < n_sides; ++s)
+    for (unsigned int row = 0; row < 2; ++row)
+    {
+      const double area = spaces.integrals(s).area;
+      double known_divergence = body_force(s)[row] * area;
+      for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
+        if (spaces.flux(s, l).unknown == none)
+          known_divergence +=
+              coefficient(row, s, l) * spaces.divergence(s, 0, l);
+      double known_skew = 0.;
+      for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
+        if (const unsigned int flux = spaces.flux(s, k).unknown; flux != none)
+          unknowns[row * n + flux] -=
+              spaces.divergence(s, 0, k) / area * known_divergence;
+        else
+          known_skew += coefficient(row, s, k) * skew_moment(spaces, s, row, k);
       unknowns[2 * n + s] -= known_skew;
     }
   return system.solve(unknowns);

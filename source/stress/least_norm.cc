@@ -2,6 +2,7 @@
 #include <voussoir/base/none.h>
 #include <voussoir/stress/least_norm.h>
 
+#include <algorithm>
 #include <array>
 
 namespace Voussoir
@@ -27,38 +28,6 @@ Tensor<1, 2> rigid_motion(const unsigned int m, const dealii::Point<2> &x)
   return v;
 }
 
-/** The sparsity pattern of the matrix. */
-dealii::DynamicSparsityPattern couplings(const CellSpaces &spaces)
-{
-  const unsigned int n = spaces.n_unknown_fluxes();
-  const unsigned int n_local = spaces.n_multipliers_per_sub_cell();
-  const unsigned int m = spaces.n_sub_cells() * n_local;
-  dealii::DynamicSparsityPattern pattern(2 * n + 3 * m);
-  for (unsigned int i = 2 * n; i < pattern.n_rows(); ++i)
-    pattern.add(i, i);
-  const auto add = [&](const unsigned int i, const unsigned int j) {
-    pattern.add(i, j);
-    pattern.add(j, i);
-  };
-  for (unsigned int s = 0; s < spaces.n_sub_cells(); ++s)
-    for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
-      for (unsigned int row = 0; row < 2; ++row)
-      {
-        if (spaces.flux(s, k).unknown == none)
-          continue;
-        const unsigned int i = row * n + spaces.flux(s, k).unknown;
-        for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
-          if (spaces.flux(s, l).unknown != none)
-            add(i, row * n + spaces.flux(s, l).unknown);
-        for (unsigned int j = 0; j < n_local; ++j)
-        {
-          add(i, 2 * n + row * m + s * n_local + j);
-          add(i, 2 * n + 2 * m + s * n_local + j);
-        }
-      }
-  return pattern;
-}
-
 /** j(1) : tau for a row of tau. */
 double skew_of(const unsigned int row, const Tensor<1, 2> &tau)
 {
@@ -73,7 +42,7 @@ LeastNorm::LeastNorm(const unsigned int n_sides,
           SubTriangulation::thirds(n_refinements), n_sides, degree, true),
       n_fluxes(spaces.n_unknown_fluxes()),
       n_multipliers(spaces.n_sub_cells() * spaces.n_multipliers_per_sub_cell()),
-      system(couplings(spaces))
+      system(couplings())
 {
   unknowns.reinit(2 * n_fluxes + 3 * n_multipliers);
 }
@@ -86,22 +55,13 @@ unsigned int LeastNorm::velocity(const unsigned int row,
          s * spaces.n_multipliers_per_sub_cell() + j;
 }
 
-unsigned int LeastNorm::rotation(const unsigned int s,
-                                 const unsigned int j) const
-{
-  return velocity(2, s, j);
-}
-
 bool LeastNorm::find_fluxes()
 {
   set_known();
   add_rigid_acceleration();
   assemble();
-  // Rigid motions are in the kernel of the matrix, and the right-hand side is
-  // orthogonal to them. Three unknowns are held.
-  for (const unsigned int held :
-       {velocity(0, 0, 0), velocity(1, 0, 0), rotation(0, 0)})
-    unknowns[held] = 0.;
+  for (const unsigned int i : held())
+    unknowns[i] = 0.;
   return system.solve(unknowns);
 }
 
@@ -176,19 +136,13 @@ void LeastNorm::add_rigid_acceleration()
   });
 }
 
-void LeastNorm::assemble()
+template <typename Visitor>
+void LeastNorm::for_each_entry(const Visitor &visit) const
 {
-  system.clear();
-  const auto is_held = [&](const unsigned int i) {
-    return i == velocity(0, 0, 0) || i == velocity(1, 0, 0) ||
-           i == rotation(0, 0);
-  };
-  const auto add = [&](const unsigned int i, const unsigned int j,
-                       const double value) {
-    if (is_held(j))
-      return;
-    system.add(i, j, value);
-    system.add(j, i, value);
+  const auto visit_both = [&](const unsigned int i, const unsigned int j,
+                              const double value) {
+    visit(i, j, value);
+    visit(j, i, value);
   };
   for (unsigned int s = 0; s < spaces.n_sub_cells(); ++s)
   {
@@ -202,18 +156,43 @@ void LeastNorm::assemble()
         const unsigned int i = row * n_fluxes + spaces.flux(s, k).unknown;
         for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
           if (spaces.flux(s, l).unknown != none)
-            system.add(i, row * n_fluxes + spaces.flux(s, l).unknown,
-                       integrals.flux_mass(k, l));
+            visit(i, row * n_fluxes + spaces.flux(s, l).unknown,
+                  integrals.flux_mass(k, l));
         for (unsigned int j = 0; j < integrals.mean.size(); ++j)
         {
-          add(i, velocity(row, s, j), spaces.divergence(s, j, k));
-          add(i, rotation(s, j), skew_of(row, integrals.moment(j, k)));
+          visit_both(i, velocity(row, s, j), spaces.divergence(s, j, k));
+          visit_both(i, rotation(s, j), skew_of(row, integrals.moment(j, k)));
         }
       }
     }
   }
-  for (const unsigned int held :
-       {velocity(0, 0, 0), velocity(1, 0, 0), rotation(0, 0)})
-    system.add(held, held, 1.);
+}
+
+/** The sparsity pattern of the matrix. */
+dealii::DynamicSparsityPattern LeastNorm::couplings() const
+{
+  dealii::DynamicSparsityPattern pattern(2 * n_fluxes + 3 * n_multipliers);
+  for (unsigned int i = 2 * n_fluxes; i < pattern.n_rows(); ++i)
+    pattern.add(i, i);
+  for_each_entry([&](const unsigned int i, const unsigned int j, double) {
+    pattern.add(i, j);
+  });
+  return pattern;
+}
+
+void LeastNorm::assemble()
+{
+  system.clear();
+  const std::array<unsigned int, 3> fixed = held();
+  const auto is_held = [&](const unsigned int i) {
+    return std::find(fixed.begin(), fixed.end(), i) != fixed.end();
+  };
+  for_each_entry(
+      [&](const unsigned int i, const unsigned int j, const double value) {
+        if (!is_held(i) && !is_held(j))
+          system.add(i, j, value);
+      });
+  for (const unsigned int i : fixed)
+    system.add(i, i, 1.);
 }
 } // namespace Voussoir

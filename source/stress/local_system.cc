@@ -7,11 +7,8 @@
 
 namespace Voussoir
 {
-namespace
-{
 /** The size up to which elimination without a sparse ordering is faster. */
 constexpr unsigned int largest_small_system = 80;
-} // namespace
 
 LocalSystem::LocalSystem(const dealii::DynamicSparsityPattern &entries)
     : is_small(entries.n_rows() <= largest_small_system)
@@ -76,28 +73,21 @@ bool LocalSystem::eliminate(dealii::Vector<double> &x)
 }
 
 bool LocalSystem::solve(dealii::Vector<double> &x)
+try
 {
-  try
-  {
-    if (is_small)
-    {
-      if (!eliminate(x))
-        return false;
-    }
-    else
-    {
-      dealii::SparseDirectUMFPACK factor;
-      factor.factorize(sparse);
-      factor.solve(x);
-    }
-  }
-  catch (const dealii::SparseDirectUMFPACK::ExcUMFPACKError &)
-  {
+  if (is_small && !eliminate(x))
     return false;
+  if (!is_small)
+  {
+    dealii::SparseDirectUMFPACK factor;
+    factor.factorize(sparse);
+    factor.solve(x);
   }
-  for (const double value : x)
-    if (!std::isfinite(value))
-      return false;
-  return true;
+  return std::all_of(x.begin(), x.end(),
+                     [](const double value) { return std::isfinite(value); });
+}
+catch (const dealii::SparseDirectUMFPACK::ExcUMFPACKError &)
+{
+  return false;
 }
 } // namespace Voussoir

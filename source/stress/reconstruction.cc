@@ -19,14 +19,64 @@ using dealii::Tensor;
 
 namespace
 {
-/** The objects that a thread keeps from cell to cell, by number of sides. */
-struct Scratch
+/** Set @p cell to cell @p c of a packing. */
+void read(const Packing &packing,
+          const CellForces &of_all,
+          const unsigned int c,
+          LoadedCell &cell)
 {
-  explicit Scratch(const Reconstruction &how)
-      : how(how), short_sides(how.cut(), how.shortest_side())
+  const unsigned int first = packing.first_side(c);
+  cell.centre = packing.centre(c);
+  cell.vertices.clear();
+  cell.forces.clear();
+  cell.body_forces.assign(packing.n_sides(c), Tensor<1, 2>());
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
   {
+    cell.vertices.push_back(packing.vertex(c, i));
+    cell.forces.push_back(of_all.on_side[first + i]);
+    if (!of_all.body.empty())
+      cell.body_forces[i] = of_all.body[first + i];
+  }
+}
+
+/** The mean stress of a cell by itself; see cell_mean_stresses(). */
+Tensor<2, 2> mean_stress(const LoadedCell &cell, const double area)
+{
+  Tensor<2, 2> sum;
+  const unsigned int n = cell.vertices.size();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const Tensor<1, 2> a = cell.vertices[i] - cell.centre;
+    const Tensor<1, 2> b = cell.vertices[(i + 1) % n] - cell.centre;
+    sum += outer_product(cell.forces[i], 0.5 * (a + b)) +
+           outer_product(cell.body_forces[i], (a + b) / 3.);
+  }
+  return sum / area;
+}
+
+/** The solvers that a thread keeps from cell to cell, by number of sides. */
+class Solvers
+{
+public:
+  explicit Solvers(const Reconstruction &how)
+      : how(how), short_sides(how.cut(), how.shortest_side())
+  {}
+
+  /** Find the stress in a cell; see CellStress::solve(). */
+  bool solve(const LoadedCell &cell,
+             const dealii::ArrayView<SubCellStress> &sub_cells)
+  {
+    if (!short_sides.leave_out(cell))
+      return cell_stress(cell.vertices.size()).solve(cell, sub_cells);
+    CellStress &of_rest = cell_stress(short_sides.rest().vertices.size());
+    in_rest.resize(of_rest.n_sub_cells());
+    if (!of_rest.solve(short_sides.rest(), {in_rest.data(), in_rest.size()}))
+      return false;
+    short_sides.fill(in_rest, sub_cells);
+    return true;
   }
 
+private:
   CellStress &cell_stress(const unsigned int n_sides)
   {
     if (n_sides >= by_sides.size())
@@ -37,65 +87,18 @@ struct Scratch
     return *with_n_sides;
   }
 
-  /** Take vertices and forces of a cell. */
-  void read(const Packing &packing, const CellForces &of_all, unsigned int c)
-  {
-    const unsigned int first = packing.first_side(c);
-    vertices.clear();
-    forces.clear();
-    body_forces.assign(packing.n_sides(c), Tensor<1, 2>());
-    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-    {
-      vertices.push_back(packing.vertex(c, i));
-      forces.push_back(of_all.on_side[first + i]);
-      if (!of_all.body.empty())
-        body_forces[i] = of_all.body[first + i];
-    }
-  }
-
-  /** Find the stress in the cell that was read; see CellStress::solve(). */
-  bool solve(const Point<2> &centre,
-             const dealii::ArrayView<SubCellStress> &sub_cells)
-  {
-    if (!short_sides.leave_out(vertices, forces, body_forces))
-      return cell_stress(vertices.size())
-          .solve(centre, vertices, forces, body_forces, sub_cells);
-    CellStress &of_rest = cell_stress(short_sides.vertices().size());
-    in_rest.resize(of_rest.n_sub_cells());
-    if (!of_rest.solve(centre, short_sides.vertices(), short_sides.forces(),
-                       short_sides.body_forces(),
-                       {in_rest.data(), in_rest.size()}))
-      return false;
-    short_sides.fill(in_rest, sub_cells);
-    return true;
-  }
-
-  /** The mean stress of the cell that was read; see cell_mean_stresses(). */
-  Tensor<2, 2> mean(const Point<2> &centre, const double area) const
-  {
-    Tensor<2, 2> sum;
-    for (unsigned int i = 0; i < vertices.size(); ++i)
-    {
-      const Tensor<1, 2> a = vertices[i] - centre;
-      const Tensor<1, 2> b = vertices[(i + 1) % vertices.size()] - centre;
-      sum += outer_product(forces[i], 0.5 * (a + b)) +
-             outer_product(body_forces[i], (a + b) / 3.);
-    }
-    return sum / area;
-  }
-
   const Reconstruction &how;
   std::vector<std::unique_ptr<CellStress>> by_sides;
-  std::vector<Point<2>> vertices;
-  std::vector<Tensor<1, 2>> forces, body_forces;
   ShortSides short_sides;
   std::vector<SubCellStress> in_rest;
 };
 
-double skew_part(const Tensor<2, 2> &stress)
+/** The objects that a thread keeps from cell to cell. */
+struct Scratch
 {
-  return 0.5 * std::abs(stress[0][1] - stress[1][0]);
-}
+  Solvers solvers;
+  LoadedCell cell;
+};
 
 /** Cells per task: a millisecond of work, or more. */
 constexpr unsigned int chunk_size = 256;
@@ -139,16 +142,6 @@ void StressParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-bool StressParameters::reconstruct() const
-{
-  return accuracy != Accuracy::draft;
-}
-
-Reconstruction StressParameters::reconstruction() const
-{
-  return {accuracy == Accuracy::fine, n_refinements, degree};
-}
-
 SubTriangulation Reconstruction::cut() const
 {
   return is_refined ? SubTriangulation::thirds(n_refinements)
@@ -181,17 +174,18 @@ StressField reconstruct_stress(const Packing &packing,
   std::vector<char> determined(n_cells, true);
 
   const auto reconstruct_cell = [&](const unsigned int c, Scratch &scratch) {
-    scratch.read(packing, forces, c);
+    LoadedCell &cell = scratch.cell;
+    read(packing, forces, c, cell);
     const std::size_t first = field.first(packing, c, 0);
     const dealii::ArrayView<SubCellStress> sub_cells(
         field.sub_cells.data() + first, field.first(packing, c + 1, 0) - first);
-    determined[c] = scratch.solve(packing.centre(c), sub_cells);
+    determined[c] = scratch.solvers.solve(cell, sub_cells);
     if (!determined[c])
     {
-      const Tensor<2, 2> mean =
-          scratch.mean(packing.centre(c), packing.area(c));
-      std::fill(sub_cells.begin(), sub_cells.end(),
-                SubCellStress{mean, {}, skew_part(mean)});
+      const Tensor<2, 2> mean = mean_stress(cell, packing.area(c));
+      std::fill(
+          sub_cells.begin(), sub_cells.end(),
+          SubCellStress{mean, {}, 0.5 * std::abs(mean[0][1] - mean[1][0])});
     }
   };
 
@@ -205,7 +199,7 @@ StressField reconstruct_stress(const Packing &packing,
                                        const unsigned int e) {
       std::unique_ptr<Scratch> &scratch = scratches.get();
       if (!scratch)
-        scratch = std::make_unique<Scratch>(how);
+        scratch = std::make_unique<Scratch>(Scratch{Solvers(how), {}});
       for (unsigned int c = b; c < e; ++c)
         reconstruct_cell(c, *scratch);
     };

@@ -52,7 +52,7 @@ ShortSides::ShortSides(const SubTriangulation &cut, const double shortest)
 }
 
 /**
- * Set corner_of and corners: the vertices in a row that are nearer than the
+ * Set corner_of and the corners: the vertices in a row that are nearer than the
  * shortest side to the first of them become one corner. It lies between the
  * first and the last, so that leave_out() shares out the force of a uniform
  * stress as the sides do.
@@ -72,6 +72,7 @@ bool ShortSides::find_corners(const std::vector<Point<2>> &vertices)
   if (!has_short)
     return false;
 
+  std::vector<Point<2>> &corners = remains.vertices;
   corners.clear();
   corner_of.resize(n);
   Point<2> first;
@@ -90,15 +91,14 @@ bool ShortSides::find_corners(const std::vector<Point<2>> &vertices)
   return corners.size() >= 3;
 }
 
-bool ShortSides::leave_out(const std::vector<Point<2>> &vertices,
-                           const std::vector<Tensor<1, 2>> &forces,
-                           const std::vector<Tensor<1, 2>> &body_forces)
+bool ShortSides::leave_out(const LoadedCell &cell)
 {
-  if (!find_corners(vertices))
+  if (!find_corners(cell.vertices))
     return false;
-  const unsigned int n = vertices.size(), n_corners = corners.size();
-  forces_on_sides.assign(n_corners, Tensor<1, 2>());
-  forces_on_triangles.assign(n_corners, Tensor<1, 2>());
+  remains.centre = cell.centre;
+  const unsigned int n = corner_of.size(), n_corners = remains.vertices.size();
+  remains.forces.assign(n_corners, Tensor<1, 2>());
+  remains.body_forces.assign(n_corners, Tensor<1, 2>());
   for (unsigned int i = 0; i < n; ++i)
   {
     // Twice the same side if it remains.
@@ -108,8 +108,8 @@ bool ShortSides::leave_out(const std::vector<Point<2>> &vertices,
                                     : after;
     for (const unsigned int side : {before, after})
     {
-      forces_on_sides[side] += 0.5 * forces[i];
-      forces_on_triangles[side] += 0.5 * body_forces[i];
+      remains.forces[side] += 0.5 * cell.forces[i];
+      remains.body_forces[side] += 0.5 * cell.body_forces[i];
     }
   }
   return true;
@@ -118,17 +118,17 @@ bool ShortSides::leave_out(const std::vector<Point<2>> &vertices,
 void ShortSides::fill(const std::vector<SubCellStress> &found,
                       const dealii::ArrayView<SubCellStress> &sub_cells) const
 {
-  const unsigned int n = corner_of.size(), n_corners = corners.size();
+  const unsigned int n = corner_of.size(), n_corners = remains.vertices.size();
   AssertDimension(found.size(), n_corners * n_per_side);
   AssertDimension(sub_cells.size(), n * n_per_side);
   for (unsigned int i = 0; i < n; ++i)
   {
     const unsigned int after = corner_of[i];
     const unsigned int before = (after + n_corners - 1) % n_corners;
-    const bool remains = corner_of[(i + 1) % n] != after;
+    const bool is_kept = corner_of[(i + 1) % n] != after;
     for (unsigned int k = 0; k < n_per_side; ++k)
       sub_cells[i * n_per_side + k] =
-          remains ? found[after * n_per_side + k]
+          is_kept ? found[after * n_per_side + k]
                   : mean(found[before * n_per_side + nearest_before[k]],
                          found[after * n_per_side + nearest_after[k]]);
   }

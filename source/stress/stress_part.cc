@@ -5,6 +5,7 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/split.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace Voussoir
@@ -21,6 +22,20 @@ struct Message
   std::vector<Tensor<1, 2>> displacement;
 };
 
+/** Visit all of a message that is a list of numbers or vectors. */
+template <typename MessageType, typename Visitor>
+void for_each_list(MessageType &message, const Visitor &visit)
+{
+  visit(message.cells.vertices);
+  visit(message.cells.first);
+  visit(message.cells.loops);
+  visit(message.cells.centres);
+  visit(message.cells.group);
+  visit(message.forces.on_side);
+  visit(message.forces.body);
+  visit(message.displacement);
+}
+
 /** No name of a group has it; see check_group_name(). */
 constexpr char between_names = '\n';
 
@@ -30,14 +45,7 @@ void send(const Team &team, const unsigned int process, const Message &message)
       message.cells.group_names, std::string(1, between_names));
   team.send(std::vector<char>(names.begin(), names.end()), process);
   team.send(std::vector<double>{message.cells.tolerance}, process);
-  team.send(message.cells.vertices, process);
-  team.send(message.cells.first, process);
-  team.send(message.cells.loops, process);
-  team.send(message.cells.centres, process);
-  team.send(message.cells.group, process);
-  team.send(message.forces.on_side, process);
-  team.send(message.forces.body, process);
-  team.send(message.displacement, process);
+  for_each_list(message, [&](const auto &list) { team.send(list, process); });
 }
 
 Message receive(const Team &team)
@@ -47,14 +55,9 @@ Message receive(const Team &team)
   boost::algorithm::split(message.cells.group_names, names,
                           [](const char c) { return c == between_names; });
   message.cells.tolerance = team.receive<double>(0).front();
-  message.cells.vertices = team.receive<dealii::Point<2>>(0);
-  message.cells.first = team.receive<unsigned int>(0);
-  message.cells.loops = team.receive<unsigned int>(0);
-  message.cells.centres = team.receive<dealii::Point<2>>(0);
-  message.cells.group = team.receive<unsigned int>(0);
-  message.forces.on_side = team.receive<Tensor<1, 2>>(0);
-  message.forces.body = team.receive<Tensor<1, 2>>(0);
-  message.displacement = team.receive<Tensor<1, 2>>(0);
+  for_each_list(message, [&](auto &list) {
+    list = team.receive<typename std::decay_t<decltype(list)>::value_type>(0);
+  });
   return message;
 }
 
@@ -68,12 +71,10 @@ StressPart reconstruct(Message message,
   Packing packing(std::move(message.cells));
   StressField stress =
       reconstruct_stress(packing, message.forces, how, terminal);
-  std::vector<unsigned int> undetermined;
-  for (const unsigned int c : stress.undetermined)
-    undetermined.push_back(first_cell + c);
+  for (unsigned int &c : stress.undetermined)
+    c += first_cell;
   const auto n_sub_cells = team.sum<unsigned long long>(stress.n_sub_cells);
-  const auto of_all = team.gather(undetermined);
-  stress.undetermined = undetermined;
+  const auto of_all = team.gather(stress.undetermined);
   if (team.is_root())
   {
     stress.n_sub_cells = n_sub_cells;

@@ -43,12 +43,6 @@ SubTriangulation SubTriangulation::thirds(const unsigned int n_refinements)
   return cut;
 }
 
-const std::vector<SubTriangulation::Quadrilateral> &
-SubTriangulation::of_triangle() const
-{
-  return quadrilaterals;
-}
-
 std::array<Point<2>, 4>
 SubTriangulation::corners(const unsigned int k,
                           const Point<2> &centre,

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
-#include <cstring>
 #include <fcntl.h>
+#include <iterator>
 #include <poll.h>
 #include <system_error>
 #include <unistd.h>
@@ -36,15 +36,9 @@ constexpr int patience_with_terminal = 1000;
  */
 constexpr auto head_start = std::chrono::seconds(2);
 
-struct Signal
-{
-  int number;
-  const char *name;
-};
-
-constexpr Signal signals[] = {
+constexpr std::pair<int, const char *> signals[] = {
     {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}};
-constexpr std::size_t n_signals = sizeof(signals) / sizeof(signals[0]);
+constexpr std::size_t n_signals = std::size(signals);
 
 /** The state that the thread shares with the rest of the program. */
 struct Shared
@@ -96,9 +90,9 @@ void write_to(const int file_descriptor, const std::string &text)
 void say(const int number)
 {
   const char *name = "a signal";
-  for (const Signal &signal : signals)
-    if (signal.number == number)
-      name = signal.name;
+  for (const auto &[signal, its_name] : signals)
+    if (signal == number)
+      name = its_name;
   const std::string message = std::string("voussoir: Interrupted by ") + name +
                               "; " + shared().state + "\n";
   // Clear the line of progress, and the terminal's echo of Ctrl-C.
@@ -122,8 +116,7 @@ void say(const int number)
       say(signal);
   }
   catch (...) // no memory: then at least end
-  {
-  }
+  {}
   _exit(status_of_signals + signal);
 }
 
@@ -153,14 +146,14 @@ Interruption::Interruption()
   waiting = std::thread(wait_for_signals, read_end);
 
   for (std::size_t i = 0; i < n_signals; ++i)
-    sigaction(signals[i].number, nullptr, &previous[i]);
+    sigaction(signals[i].first, nullptr, &previous[i]);
   listen();
 }
 
 Interruption::~Interruption()
 {
   for (std::size_t i = 0; i < n_signals; ++i)
-    sigaction(signals[i].number, &previous[i], nullptr);
+    sigaction(signals[i].first, &previous[i], nullptr);
   wake(no_signal);
   waiting.join();
   close(read_end);
@@ -177,8 +170,8 @@ void Interruption::listen()
   for (std::size_t i = 0; i < n_signals; ++i)
   {
     const bool stays_ignored =
-        signals[i].number == SIGHUP && previous[i].sa_handler == SIG_IGN;
-    sigaction(signals[i].number, stays_ignored ? &previous[i] : &action,
+        signals[i].first == SIGHUP && previous[i].sa_handler == SIG_IGN;
+    sigaction(signals[i].first, stays_ignored ? &previous[i] : &action,
               nullptr);
   }
 }
@@ -195,9 +188,7 @@ void Interruption::clear_screen()
   shared().screen = true;
 }
 
-Uninterrupted::Uninterrupted() : lock(shared().mutex)
-{
-}
+Uninterrupted::Uninterrupted() : lock(shared().mutex) {}
 
 void Uninterrupted::on_interruption(std::function<void()> undo)
 {

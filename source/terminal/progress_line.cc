@@ -33,10 +33,8 @@ double seconds_of(const ProgressLine::Clock::duration time)
 std::string text_of_rate(const double rate)
 {
   std::ostringstream out;
-  if (rate >= 100.)
-    out << std::fixed << std::setprecision(0) << rate;
-  else
-    out << std::setprecision(3) << rate;
+  out << (rate >= 100. ? std::fixed : std::defaultfloat)
+      << std::setprecision(rate >= 100. ? 0 : 3) << rate;
   return out.str();
 }
 } // namespace
@@ -62,8 +60,7 @@ ProgressLine::ProgressLine(std::ostream &out,
                            const Clock::duration interval)
     : out(out), width(screen.width), patience(patience), interval(interval),
       thread([this] { run(); })
-{
-}
+{}
 
 ProgressLine::~ProgressLine()
 {

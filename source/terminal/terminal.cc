@@ -8,38 +8,19 @@
 
 namespace Voussoir
 {
-namespace
-{
 constexpr int name_width = 14;
-} // namespace
 
 Terminal::Terminal(std::ostream &out,
                    const unsigned int verbosity,
                    const Screen &screen)
     : out(out), screen(screen), level(verbosity)
-{
-}
+{}
 
 Terminal &Terminal::silent()
 {
   static std::ostream nowhere(nullptr);
   static Terminal terminal(nowhere, 0);
   return terminal;
-}
-
-void Terminal::be_quiet()
-{
-  quiet = true;
-}
-
-void Terminal::set_verbosity(const unsigned int verbosity)
-{
-  level = verbosity;
-}
-
-unsigned int Terminal::verbosity() const
-{
-  return quiet ? 0 : level;
 }
 
 void Terminal::begin(const std::string &name)

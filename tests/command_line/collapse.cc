@@ -50,9 +50,7 @@ void check_proof()
   const Table joints = read_table("output/mechanism_joints.csv");
   for (unsigned int e = 0; e < joints.at("nx").size(); ++e)
   {
-    const auto of = [&](const std::string &name) {
-      return joints.at(name)[e];
-    };
+    const auto of = [&](const std::string &name) { return joints.at(name)[e]; };
     const unsigned int minus = of("cell_minus"), plus = of("cell_plus");
     const double x = ux[plus] - ux[minus], y = uy[plus] - uy[minus];
     const double opening = x * of("nx") + y * of("ny");

@@ -207,8 +207,7 @@ void failures(const std::string &scene)
 {
   std::cout << "Refused" << std::endl;
   solve(scene, "Output directory=good | Accuracy=draft");
-  const auto nothing = [] {
-  };
+  const auto nothing = [] {};
   const std::string interfaces = "bad/interfaces.csv", cells = "bad/cells.csv";
 
   // Not there

@@ -305,9 +305,7 @@ int main()
          "subsection Friction\n set Strength = 0.5\nend\n";
 
   // Where nothing is yet, in CGAL, MUMPS and CHOLMOD
-  const auto at_once = [](const Process &) {
-    return true;
-  };
+  const auto at_once = [](const Process &) { return true; };
   const auto computing = [](const Process &process) {
     return process.computed() > 3.;
   };

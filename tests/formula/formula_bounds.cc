@@ -32,14 +32,11 @@ random_formula(Numbers &numbers, const unsigned int depth, const bool is_real)
   if (depth == 0)
     return numbers() % 3 == 0 ? text(between(numbers, 0., 2.))
                               : choice({"x", "y"});
-  const auto part = [&] {
-    return random_formula(numbers, depth - 1, is_real);
-  };
+  const auto part = [&] { return random_formula(numbers, depth - 1, is_real); };
   const std::string positive = is_real ? "0.1+abs" : "";
   switch (numbers() % 7)
   {
-  case 0:
-    return "(" + part() + choice({"+", "-", "*"}) + part() + ")";
+  case 0: return "(" + part() + choice({"+", "-", "*"}) + part() + ")";
   case 1:
     // Whether two formulas are the same function, bounds do not know.
     return "(" + part() +

@@ -35,9 +35,7 @@ int main()
   fs::remove_all("results");
   fs::remove_all("new");
   const auto writer = [](const std::string &content) {
-    return [content](std::ostream &out) {
-      out << content << '\n';
-    };
+    return [content](std::ostream &out) { out << content << '\n'; };
   };
   {
     ResultDirectory files("results", all_files);
@@ -55,8 +53,7 @@ int main()
     throw std::runtime_error("the run fails");
   }
   catch (const std::runtime_error &)
-  {
-  }
+  {}
   show("after a failure");
   show_refusal([&] {
     ResultDirectory files("results", all_files);

@@ -132,9 +132,7 @@ void check_refusal(const std::string &what,
   check(what + " is refused", says_what_to_install(file));
 }
 
-void write_squares(const std::string &, const std::string &)
-{
-}
+void write_squares(const std::string &, const std::string &) {}
 #endif
 
 void test_wkt()

@@ -4,17 +4,13 @@
 // what lies nearest to its generator, and vertices on a side are on it,
 // whatever the polygon and wherever the generators.
 
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/random.h>
 
 #include "tests.h"
 
 using namespace Voussoir;
 using dealii::Point;
-
-double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 /** How far @p p lies beyond the sides of a cell at most; negative inside. */
 double beyond(const Packing &packing, const unsigned int c, const Point<2> &p)

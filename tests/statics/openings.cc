@@ -143,9 +143,7 @@ int main()
   // Held on all sides nothing opens: the flux through a closed frame is zero.
   Tensor<1, 2> down;
   down[1] = -1.;
-  const auto all_sides = [](const auto &) {
-    return true;
-  };
+  const auto all_sides = [](const auto &) { return true; };
   for (const unsigned int seed : {1u, 2u, 3u})
   {
     const Scene scene = held(random_packing(200, seed), down, all_sides);

@@ -13,14 +13,8 @@ using namespace Voussoir;
 class Idle : public Kinematics
 {
 public:
-  std::string name() const override
-  {
-    return "idle";
-  }
-  unsigned int n_unknowns() const override
-  {
-    return 3;
-  }
+  std::string name() const override { return "idle"; }
+  unsigned int n_unknowns() const override { return 3; }
   unsigned int n_contacts() const override
   {
     return translations().n_contacts();
@@ -46,10 +40,7 @@ public:
 class Twice : public FrictionLaw
 {
 public:
-  std::string name() const override
-  {
-    return "twice";
-  }
+  std::string name() const override { return "twice"; }
   double limit(const double strength, const double /*normal*/) const override
   {
     return 2. * strength;

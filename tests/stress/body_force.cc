@@ -61,9 +61,7 @@ int main()
   // that all is symmetric: sigma = -p(y) I, b = (0, p').
   for (const unsigned int n : {3U, 4U, 5U, 8U, 11U})
   {
-    const auto p = [](const double y) {
-      return 3. - y + 0.2 * y * y * y;
-    };
+    const auto p = [](const double y) { return 3. - y + 0.2 * y * y * y; };
     Packing packing = polygon(n);
     Loads loads;
     const dealii::QGauss<1> gauss(4);

@@ -87,8 +87,7 @@ struct Spaces
          const unsigned int degree)
       : cut(cut), spaces(cut, n_sides, degree), element(degree),
         multiplier(degree), gauss(degree + 2), on_line(degree + 2)
-  {
-  }
+  {}
 
   void compare_with_fe_values(const std::vector<Point<2>> &polygon);
 

@@ -30,8 +30,9 @@ double error_of(CellStress &cell_stress,
     diameter = std::max(diameter, vertices[i].distance(vertices[0]));
   }
   std::vector<SubCellStress> sub_cells(cell_stress.n_sub_cells());
-  if (!cell_stress.solve(centre, vertices, forces, std::vector<Tensor<1, 2>>(n),
-                         {sub_cells.data(), sub_cells.size()}))
+  if (!cell_stress.solve(
+          {centre, vertices, forces, std::vector<Tensor<1, 2>>(n)},
+          {sub_cells.data(), sub_cells.size()}))
     return std::numeric_limits<double>::infinity();
   double error = 0.;
   for (const auto &sub_cell : sub_cells)

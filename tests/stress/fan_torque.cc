@@ -26,7 +26,7 @@ int main()
   Fan fan(4);
   std::vector<SubCellStress> sub_cells(4);
   const bool unique =
-      fan.solve(centre, square, forces, no_body_force,
+      fan.solve({centre, square, forces, no_body_force},
                 dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   check("a unique answer", unique);
 
@@ -55,7 +55,7 @@ int main()
   // Without torque the same cell is free of divergence.
   forces[1][1] = 1.;
   forces[3][1] = -1.;
-  fan.solve(centre, square, forces, no_body_force,
+  fan.solve({centre, square, forces, no_body_force},
             dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   double divergence = 0.;
   for (const auto &sub_cell : sub_cells)
@@ -66,7 +66,7 @@ int main()
   const Point<2> edge(0.5, 1e-15);
   const auto before = sub_cells;
   const bool degenerate =
-      fan.solve(edge, square, forces, no_body_force,
+      fan.solve({edge, square, forces, no_body_force},
                 dealii::ArrayView<SubCellStress>(sub_cells.data(), 4));
   double change = 0.;
   for (unsigned int i = 0; i < 4; ++i)

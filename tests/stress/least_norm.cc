@@ -70,9 +70,9 @@ std::vector<SubCellStress> solve(CellStress &cell_stress,
 {
   std::vector<SubCellStress> sub_cells(cell_stress.n_sub_cells());
   check("a unique answer",
-        cell_stress.solve({}, vertices, forces,
-                          std::vector<Tensor<1, 2>>(vertices.size()),
-                          {sub_cells.data(), sub_cells.size()}));
+        cell_stress.solve(
+            {{}, vertices, forces, std::vector<Tensor<1, 2>>(vertices.size())},
+            {sub_cells.data(), sub_cells.size()}));
   return sub_cells;
 }
 

@@ -83,17 +83,18 @@ double distance(const Stress stress,
   const unsigned int n_per_side = cut.of_triangle().size();
   std::vector<SubCellStress> wanted(4 * n_per_side), rest(4 * n_per_side);
   const std::vector<Tensor<1, 2>> nothing(4);
-  const bool is_solved_with_corners =
-      cell_stress.solve({}, with_corners, forces_of(stress, with_corners),
-                        nothing, {wanted.data(), wanted.size()});
+  const bool is_solved_with_corners = cell_stress.solve(
+      {{}, with_corners, forces_of(stress, with_corners), nothing},
+      {wanted.data(), wanted.size()});
   const std::vector<Point<2>> vertices = without_corners(h, n_cut);
   ShortSides short_sides(cut, 1e-4);
   if (!is_solved_with_corners ||
-      !short_sides.leave_out(vertices, forces_of(stress, vertices),
-                             std::vector<Tensor<1, 2>>(vertices.size())) ||
-      short_sides.vertices().size() != 4 ||
-      !cell_stress.solve({}, short_sides.vertices(), short_sides.forces(),
-                         short_sides.body_forces(), {rest.data(), rest.size()}))
+      !short_sides.leave_out({{},
+                              vertices,
+                              forces_of(stress, vertices),
+                              std::vector<Tensor<1, 2>>(vertices.size())}) ||
+      short_sides.rest().vertices.size() != 4 ||
+      !cell_stress.solve(short_sides.rest(), {rest.data(), rest.size()}))
     return HUGE_VAL;
   std::vector<SubCellStress> all(vertices.size() * n_per_side);
   short_sides.fill(rest, {all.data(), all.size()});
@@ -131,8 +132,10 @@ bool is_solved(const double h, CellStress &cell_stress)
 {
   const std::vector<Point<2>> vertices = without_corners(h, 1);
   std::vector<SubCellStress> sub_cells(cell_stress.n_sub_cells());
-  return cell_stress.solve({}, vertices, forces_of(uneven, vertices),
-                           std::vector<Tensor<1, 2>>(vertices.size()),
+  return cell_stress.solve({{},
+                            vertices,
+                            forces_of(uneven, vertices),
+                            std::vector<Tensor<1, 2>>(vertices.size())},
                            {sub_cells.data(), sub_cells.size()});
 }
 
@@ -167,12 +170,13 @@ int main()
     round.emplace_back(std::cos(2. * dealii::numbers::PI * i / 1000),
                        std::sin(2. * dealii::numbers::PI * i / 1000));
   const std::vector<Tensor<1, 2>> nothing(round.size());
+  const LoadedCell round_cell = {{}, round, nothing, nothing};
   ShortSides fine_chain(SubTriangulation::fan(), 1e-3);
-  check("no side is short", !fine_chain.leave_out(round, nothing, nothing));
+  check("no side is short", !fine_chain.leave_out(round_cell));
   ShortSides coarse_chain(SubTriangulation::fan(), 0.1);
   check("a chain is cut where it is as long as the shortest side",
-        coarse_chain.leave_out(round, nothing, nothing) &&
-            std::abs(signed_area(coarse_chain.vertices()) -
+        coarse_chain.leave_out(round_cell) &&
+            std::abs(signed_area(coarse_chain.rest().vertices) -
                      dealii::numbers::PI) < 0.05);
 
   Fan fan(6);

@@ -37,19 +37,12 @@ public:
    */
   JointBlocks(const Structure &structure, bool apart)
       : structure(&structure), unknowns(apart ? 1 : structure.n_unknowns())
-  {
-  }
+  {}
 
   /** The structure. */
-  const Structure &of() const
-  {
-    return *structure;
-  }
+  const Structure &of() const { return *structure; }
   /** The number of unknowns of a body. */
-  unsigned int n() const
-  {
-    return unknowns;
-  }
+  unsigned int n() const { return unknowns; }
   /** Find those of joint @p e for @p coefficients of all rows of all joints. */
   void find(unsigned int e, const double *coefficients, Blocks &blocks) const;
 

@@ -59,10 +59,7 @@ public:
   /** The number of points in which the bodies of a joint touch. */
   virtual unsigned int n_contacts() const = 0;
   /** The rows of a joint: the normal one of each point, and a tangential one.*/
-  unsigned int n_rows() const
-  {
-    return n_contacts() + 1;
-  }
+  unsigned int n_rows() const { return n_contacts() + 1; }
   /** Find the n_rows() @p rows of a joint, the tangential one at last. */
   virtual void find_rows(const JointFrame &joint, ContactRow *rows) const = 0;
   /**

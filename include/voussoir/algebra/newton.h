@@ -30,8 +30,7 @@ public:
                           "solved: the strengths or the sizes of the "
                           "interfaces differ by too much."),
         cause(cause)
-  {
-  }
+  {}
   /** The reason. */
   const Cause cause;
 };
@@ -89,20 +88,11 @@ public:
   void full_step();
 
   /** The displacement: n_dofs() numbers, with the ghosts. */
-  const std::vector<double> &u() const
-  {
-    return present.u;
-  }
+  const std::vector<double> &u() const { return present.u; }
   /** Of each row of each joint of this process. */
-  const std::vector<double> &jumps() const
-  {
-    return present.jumps;
-  }
+  const std::vector<double> &jumps() const { return present.jumps; }
   /** Of each row of each joint of this process. */
-  const std::vector<double> &forces() const
-  {
-    return present.forces;
-  }
+  const std::vector<double> &forces() const { return present.forces; }
   /** The largest component of the sum of all forces on a cell. */
   double imbalance() const;
   /** The same with the force -shift (u - centre) of the proximal term. */
@@ -112,30 +102,15 @@ public:
    *
    * It is (r . A^{-1} r)^(1/2), where r is what the step had to balance.
    */
-  double decrement() const
-  {
-    return last_decrement;
-  }
+  double decrement() const { return last_decrement; }
   /** The largest change of a force in the last step. */
-  double force_change() const
-  {
-    return last_force_change;
-  }
+  double force_change() const { return last_force_change; }
   /** The number of steps taken. */
-  unsigned int n_iterations() const
-  {
-    return iterations;
-  }
+  unsigned int n_iterations() const { return iterations; }
   /** The number of evaluations of the forces. */
-  unsigned int n_evaluations() const
-  {
-    return evaluations;
-  }
+  unsigned int n_evaluations() const { return evaluations; }
   /** The time of the linear systems so far, in seconds; see JointSystem. */
-  double seconds_of_systems() const
-  {
-    return system.seconds();
-  }
+  double seconds_of_systems() const { return system.seconds(); }
 
 private:
   /** A displacement and what follows from it. */

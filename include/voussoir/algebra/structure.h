@@ -44,10 +44,7 @@ public:
     /** s_e |e|, the strength; see FrictionLaw. */
     double strength;
     /** k_e = |e| / d_e, of a joint with modulus one. */
-    double stiffness() const
-    {
-      return length / distance;
-    }
+    double stiffness() const { return length / distance; }
   };
 
   /** All joints with their rows; see ContactRow. */
@@ -94,20 +91,11 @@ public:
   Structure(const Team &team, Part part);
 
   /** The processes that share the structure. */
-  const Team &team() const
-  {
-    return processes;
-  }
+  const Team &team() const { return processes; }
   /** The motions of the bodies. */
-  const Kinematics &kinematics() const
-  {
-    return *own.kinematics;
-  }
+  const Kinematics &kinematics() const { return *own.kinematics; }
   /** The law of friction of the joints. */
-  const FrictionLaw &friction() const
-  {
-    return *own.friction;
-  }
+  const FrictionLaw &friction() const { return *own.friction; }
   /** The largest tangential force of joint @p e without compression. */
   double limit(const unsigned int e) const
   {
@@ -119,50 +107,26 @@ public:
     return own.joints.list[e].stiffness() / n_contacts();
   }
   /** Kinematics::n_unknowns(). */
-  unsigned int n_unknowns() const
-  {
-    return unknowns_per_body;
-  }
+  unsigned int n_unknowns() const { return unknowns_per_body; }
   /** Kinematics::n_contacts(). */
-  unsigned int n_contacts() const
-  {
-    return rows_per_joint - 1;
-  }
+  unsigned int n_contacts() const { return rows_per_joint - 1; }
   /** Kinematics::n_rows(). */
-  unsigned int n_rows() const
-  {
-    return rows_per_joint;
-  }
+  unsigned int n_rows() const { return rows_per_joint; }
   /** The number of bodies of this process, with the ground if it has it. */
   unsigned int n_own_bodies() const
   {
     return own.loads.size() / unknowns_per_body;
   }
   /** The number of own bodies and ghosts. */
-  unsigned int n_bodies() const
-  {
-    return n_own_bodies() + own.ghosts.size();
-  }
+  unsigned int n_bodies() const { return n_own_bodies() + own.ghosts.size(); }
   /** The number of unknowns of own bodies. */
-  unsigned int n_own_dofs() const
-  {
-    return own.loads.size();
-  }
+  unsigned int n_own_dofs() const { return own.loads.size(); }
   /** The number of unknowns of all bodies: the size of a vector of them. */
-  unsigned int n_dofs() const
-  {
-    return unknowns_per_body * n_bodies();
-  }
+  unsigned int n_dofs() const { return unknowns_per_body * n_bodies(); }
   /** The number of the first own body among those of all processes. */
-  unsigned int first_body() const
-  {
-    return own.first;
-  }
+  unsigned int first_body() const { return own.first; }
   /** The numbers of the ghosts, ascending. */
-  const std::vector<unsigned int> &ghosts() const
-  {
-    return own.ghosts;
-  }
+  const std::vector<unsigned int> &ghosts() const { return own.ghosts; }
   /** The number of @p body among those of all processes. */
   unsigned int number_of(const unsigned int body) const
   {
@@ -170,15 +134,9 @@ public:
                                  : own.ghosts[body - n_own_bodies()];
   }
   /** All joints that touch an own body. */
-  const std::vector<Joint> &joints() const
-  {
-    return own.joints.list;
-  }
+  const std::vector<Joint> &joints() const { return own.joints.list; }
   /** The number of all their rows. */
-  std::size_t n_all_rows() const
-  {
-    return own.joints.direction.size();
-  }
+  std::size_t n_all_rows() const { return own.joints.direction.size(); }
   /** Row @p r of joint @p e. */
   ContactRow row(unsigned int e, unsigned int r) const;
   /** n_e, the direction of the first row of joint @p e. */
@@ -192,10 +150,7 @@ public:
     return joint.cell_minus < n_own_bodies();
   }
   /** The load on each own unknown: F_c for the displacement. */
-  const std::vector<double> &loads() const
-  {
-    return own.loads;
-  }
+  const std::vector<double> &loads() const { return own.loads; }
   /** x_c of each own body; that of the ground is zero. */
   const std::vector<dealii::Tensor<1, 2>> &centres() const
   {

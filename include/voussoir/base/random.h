@@ -15,15 +15,10 @@ class Random
 {
 public:
   /** Equal seeds give equal numbers. */
-  explicit Random(const unsigned int seed) : engine(seed)
-  {
-  }
+  explicit Random(const unsigned int seed) : engine(seed) {}
 
   /** A number drawn uniformly from [0, 1). */
-  double operator()()
-  {
-    return uniform(engine);
-  }
+  double operator()() { return uniform(engine); }
 
 private:
   boost::random::mt19937_64 engine;

@@ -20,6 +20,15 @@ std::string text(const Arguments &...arguments)
   return out.str();
 }
 
+/** A number with digits enough to be copied, and to see what differs. */
+inline std::string text_to_copy(const double x)
+{
+  std::ostringstream out;
+  out.precision(12);
+  out << x;
+  return out.str();
+}
+
 /** A number that may be none: without the sign that a NaN may have. */
 inline std::string text_of_number(const double x)
 {

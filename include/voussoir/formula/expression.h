@@ -48,6 +48,9 @@ public:
   /** True if the formula uses none of the variables. */
   bool is_constant() const;
 
+  /** True if it is zero everywhere by its form. */
+  bool is_zero() const;
+
   /** Its operations, to know where it jumps. */
   const Formula &formula() const;
 
@@ -75,11 +78,10 @@ public:
   bool operator()(const std::vector<double> &values) const;
 
   /** True if it holds nowhere by its form, as 0 does. */
-  bool is_never() const;
+  bool is_never() const { return expression.is_zero(); }
 
 private:
   Expression expression;
-  std::size_t n_variables;
   std::string formula, parameter;
 };
 } // namespace Voussoir

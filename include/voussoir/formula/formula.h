@@ -6,12 +6,8 @@
 #include <voussoir/formula/functions.h>
 
 #include <array>
+#include <optional>
 #include <vector>
-
-namespace mu
-{
-class Parser;
-}
 
 namespace Voussoir
 {
@@ -47,7 +43,7 @@ public:
   using Limits = std::vector<Interval>;
 
   /** The number of its jumps. */
-  unsigned int n_jumps() const;
+  unsigned int n_jumps() const { return jump_nodes.size(); }
 
   /** The argument of @p jump, for values of the variables. */
   double argument(unsigned int jump, const std::vector<double> &values) const;
@@ -118,8 +114,6 @@ private:
   };
 
   friend class FormulaReader;
-  friend Formula read_formula(const mu::Parser &parser,
-                              const std::vector<double> &variables);
 
   static unsigned int n_operands(Kind kind);
   static bool has_jump(Kind kind);
@@ -137,6 +131,10 @@ private:
                        const Bounds &argument,
                        const std::vector<double> &middle) const;
   void mark_needed() const;
+  /** The level of @p jump that was met in the last box, if there is one. */
+  std::optional<double> level_of(unsigned int jump,
+                                 const Interval &limit) const;
+  Crossing crossing(unsigned int jump, double level) const;
 
   std::vector<Node> nodes;
   /** The node of each jump. */

@@ -4,6 +4,7 @@
 
 #include <voussoir/formula/bounds.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct SmoothFunction
   /** The function. */
   double (*value)(double);
   /** The bounds of the function of what has the bounds given. */
-  Bounds (*bounds)(const Bounds &);
+  std::function<Bounds(const Bounds &)> bounds;
 };
 
 /** All smooth functions. */

@@ -24,10 +24,7 @@ struct Integrals
   std::array<double, N + 1> values;
 
   /** All of them @p value; Boost begins with zero. */
-  Integrals(const double value = 0.)
-  {
-    values.fill(value);
-  }
+  Integrals(const double value = 0.) { values.fill(value); }
 
   /** @{ */
   /** Element by element. */
@@ -37,10 +34,7 @@ struct Integrals
       values[k] += other.values[k];
     return *this;
   }
-  friend Integrals operator+(Integrals a, const Integrals &b)
-  {
-    return a += b;
-  }
+  friend Integrals operator+(Integrals a, const Integrals &b) { return a += b; }
   friend Integrals operator-(Integrals a, const Integrals &b)
   {
     for (unsigned int k = 0; k <= N; ++k)
@@ -57,10 +51,7 @@ struct Integrals
   {
     return a * factor;
   }
-  friend Integrals operator-(const Integrals &a)
-  {
-    return a * -1.;
-  }
+  friend Integrals operator-(const Integrals &a) { return a * -1.; }
   /** @} */
 
   /** The largest size of an element. */

@@ -59,17 +59,17 @@ public:
   void set_constants(const std::vector<double> &constants);
 
   /** True if there is none at all. */
-  bool empty() const;
+  bool empty() const { return first.back() == 0; }
 
   /** True if there are formulas, and so bounds_in(). */
-  bool has_formulas() const;
+  bool has_formulas() const { return !formulas.empty(); }
 
   /** Those of each formula in @p patch within @p limits; the slopes are along
    * the half axes. */
   std::vector<Bounds> bounds_in(const Patch &patch, const Limits &limits) const;
 
   /** No limits to the argument of any jump. */
-  Limits no_limits() const;
+  Limits no_limits() const { return Limits(first.back(), Interval::whole()); }
 
   /**
    * Those that may cross @p patch within @p limits; see Formula::bounds(). The

@@ -39,7 +39,7 @@ public:
    */
   bool next();
   /** The number in the chosen column @p i of the line that was read last. */
-  double operator[](unsigned int i) const;
+  double operator[](const unsigned int i) const { return values[i]; }
 
   /** @throws InputError "Line 3 of 'file.csv' " and the @p fault. */
   [[noreturn]] void refuse(const std::string &fault) const;
@@ -59,13 +59,6 @@ private:
   std::vector<std::size_t> chosen;
   std::vector<double> values;
 };
-
-// ------------------------------------------------------------------- inline
-
-inline double CsvReader::operator[](const unsigned int i) const
-{
-  return values[i];
-}
 } // namespace Voussoir
 
 #endif

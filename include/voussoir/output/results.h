@@ -18,9 +18,7 @@ namespace Voussoir
 struct RunRecord : SolverRecord
 {
   /** @param scene must outlive this object. */
-  explicit RunRecord(const Scene &scene) : scene(scene)
-  {
-  }
+  explicit RunRecord(const Scene &scene) : scene(scene) {}
 
   /** The scene that was given. */
   const Scene &scene;
@@ -41,8 +39,7 @@ struct Results : RunRecord, Carried
   /** Without what follows from the forces. */
   Results(RunRecord run, Carried found)
       : RunRecord(std::move(run)), Carried(std::move(found))
-  {
-  }
+  {}
 
   /** Of each straight support. */
   std::vector<Reaction> reactions;
@@ -60,8 +57,7 @@ struct Collapse : RunRecord, NotCarried
   /** All of it. */
   Collapse(RunRecord run, NotCarried found)
       : RunRecord(std::move(run)), NotCarried(std::move(found))
-  {
-  }
+  {}
 };
 } // namespace Voussoir
 

@@ -55,16 +55,10 @@ public:
   }
 
   /** All that was appended. */
-  const std::string &text() const
-  {
-    return content;
-  }
+  const std::string &text() const { return content; }
 
   /** Begin again, in the memory that there is. */
-  void clear()
-  {
-    content.clear();
-  }
+  void clear() { content.clear(); }
 
 private:
   /** -1.7976931348623157e+308 has 24 letters. */

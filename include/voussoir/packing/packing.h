@@ -48,6 +48,15 @@ struct CellLoops
 
   /** Notices to the user on how the input was understood. */
   std::vector<std::string> notices;
+
+  /** The number of cells. */
+  unsigned int n_cells() const { return first.size() - 1; }
+  /** Add a cell with the vertices @p loop, by their numbers. */
+  void add(const std::vector<unsigned int> &loop)
+  {
+    loops.insert(loops.end(), loop.begin(), loop.end());
+    first.push_back(loops.size());
+  }
 };
 
 /**
@@ -91,7 +100,7 @@ public:
     /** t_e = R(pi/2) n_e = (-n_y, n_x), the unit vector from start to end. */
     dealii::Tensor<1, 2> tangent() const;
     /** x_e, a length. */
-    dealii::Point<2> midpoint() const;
+    dealii::Point<2> midpoint() const { return start + 0.5 * (end - start); }
   };
 
   /** An edge of one cell only, which does not rest on the ground. */
@@ -110,7 +119,7 @@ public:
     double length;
 
     /** The middle between start and end, a length. */
-    dealii::Point<2> midpoint() const;
+    dealii::Point<2> midpoint() const { return start + 0.5 * (end - start); }
   };
 
   /**
@@ -147,31 +156,43 @@ public:
   void support(const std::vector<bool> &is_support);
 
   /** The number F of cells, without the ground. */
-  unsigned int n_cells() const;
+  unsigned int n_cells() const { return mesh.n_cells(); }
   /** The number that stands for the ground, in Interface::cell_plus. */
-  unsigned int ground() const;
+  unsigned int ground() const { return n_cells(); }
   /** The number of interfaces() that are supports, the last ones. */
-  unsigned int n_supports() const;
+  unsigned int n_supports() const { return support_count; }
   /** The edges e that carry forces: those between cells, then the supports. */
-  const std::vector<Interface> &interfaces() const;
+  const std::vector<Interface> &interfaces() const { return interface_list; }
   /** The free boundary, on which tractions act; without the supports. */
-  const std::vector<BoundaryEdge> &boundary_edges() const;
+  const std::vector<BoundaryEdge> &boundary_edges() const
+  {
+    return boundary_list;
+  }
 
   /** x_c, a length: the generator of a Voronoi cell, else the centroid. */
-  const dealii::Point<2> &centre(unsigned int cell) const;
+  const dealii::Point<2> &centre(const unsigned int cell) const
+  {
+    return mesh.centres[cell];
+  }
   /** |c|, positive; L^2. */
-  double area(unsigned int cell) const;
+  double area(const unsigned int cell) const { return areas[cell]; }
   /** The sum of the areas of all cells; L^2. */
   double area() const;
   /**
    * The names of the groups of cells; every cell belongs to one. The last is
    * "ground", whose only member is ground().
    */
-  const std::vector<std::string> &group_names() const;
+  const std::vector<std::string> &group_names() const
+  {
+    return mesh.group_names;
+  }
   /** The group of a cell, as its number among group_names(). */
   unsigned int group(unsigned int cell) const;
   /** The name of that group. */
-  const std::string &group_name(unsigned int cell) const;
+  const std::string &group_name(const unsigned int cell) const
+  {
+    return mesh.group_names[group(cell)];
+  }
   /**
    * Let @p cell belong to the group @p name.
    *
@@ -188,19 +209,32 @@ public:
   double distance(const Interface &interface) const;
 
   /** The number of sides of a cell, which is that of its vertices. */
-  unsigned int n_sides(unsigned int cell) const;
+  unsigned int n_sides(const unsigned int cell) const
+  {
+    return mesh.first[cell + 1] - mesh.first[cell];
+  }
   /** The number of sides of all cells before @p cell (of all, at n_cells()). */
-  unsigned int first_side(unsigned int cell) const;
+  unsigned int first_side(const unsigned int cell) const
+  {
+    return mesh.first[cell];
+  }
   /** The n_sides() sides of a cell, counterclockwise. */
-  dealii::ArrayView<const Side> sides(unsigned int cell) const;
+  dealii::ArrayView<const Side> sides(const unsigned int cell) const
+  {
+    return {side_list.data() + mesh.first[cell], n_sides(cell)};
+  }
 
   /** Vertex @p i of a cell, counted modulo the number of its sides; lengths. */
-  const dealii::Point<2> &vertex(unsigned int cell, unsigned int i) const;
+  const dealii::Point<2> &vertex(const unsigned int cell,
+                                 const unsigned int i) const
+  {
+    return mesh.vertices[mesh.loops[mesh.first[cell] + i % n_sides(cell)]];
+  }
 
   /** The cells that are not convex, only star-shaped; ascending numbers. */
-  const std::vector<unsigned int> &not_convex() const;
+  const std::vector<unsigned int> &not_convex() const { return star_shaped; }
   /** Notices to the user on how the input was understood. */
-  const std::vector<std::string> &notices() const;
+  const std::vector<std::string> &notices() const { return mesh.notices; }
   /** "cell 3", with its line or feature if it was read; "the ground". */
   std::string describe(unsigned int cell) const;
 

@@ -44,7 +44,7 @@ public:
   add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
 
   /** True if there is none, and none was added. */
-  bool empty() const;
+  bool empty() const { return on_sub_cell.empty(); }
 
   /** The force on @p cell; S L. */
   dealii::Tensor<1, 2> force(const Packing &packing, unsigned int cell) const;

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,7 @@ struct EdgeTractions
   /** No traction on @p n_edges edges. */
   explicit EdgeTractions(unsigned int n_edges)
       : mean(n_edges), first_moment(n_edges)
-  {
-  }
+  {}
 
   /** g_e, the mean over each edge; S. */
   std::vector<dealii::Tensor<1, 2>> mean;
@@ -43,6 +43,9 @@ struct SegmentTraction
   dealii::Tensor<1, 2> at_end;
   /** @} */
 };
+
+/** Two finite numbers "a, b"; nothing if the text is anything else. */
+std::optional<dealii::Point<2>> pair_of_text(const std::string &text);
 
 /**
  * Read a list "x, y to x, y: g_x, g_y; ...", or "...: g_x, g_y to g_x, g_y" for

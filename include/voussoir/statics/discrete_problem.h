@@ -50,20 +50,11 @@ public:
   DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
 
   /** The bodies but for the ground, which is there if there are supports. */
-  unsigned int n_cells() const
-  {
-    return n_moving_cells;
-  }
+  unsigned int n_cells() const { return n_moving_cells; }
   /** True if there are supports, and the ground is the last body. */
-  bool has_ground() const
-  {
-    return n_bodies() > n_moving_cells;
-  }
+  bool has_ground() const { return n_bodies() > n_moving_cells; }
   /** True if there is any load at all. */
-  bool is_loaded() const
-  {
-    return has_load;
-  }
+  bool is_loaded() const { return has_load; }
   /**
    * True if @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
@@ -98,20 +89,11 @@ public:
   DiscreteProblem without_loads() const;
 
   /** The unit of length, in the user's; L. */
-  double length_scale() const
-  {
-    return length_unit;
-  }
+  double length_scale() const { return length_unit; }
   /** The unit of stress, in the user's; S. One if there is no load. */
-  double stress_scale() const
-  {
-    return stress_unit;
-  }
+  double stress_scale() const { return stress_unit; }
   /** The rounding of the largest of the user's coordinates; nondimensional. */
-  double rounding_of_coordinates() const
-  {
-    return coordinate_rounding;
-  }
+  double rounding_of_coordinates() const { return coordinate_rounding; }
 
 private:
   void choose_scales(const Scene &scene, const std::vector<bool> &moves);

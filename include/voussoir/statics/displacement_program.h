@@ -20,10 +20,7 @@ public:
   virtual std::vector<double> start() const = 0;
 
   /** The reason to stop after @p iteration; none to go on. */
-  virtual Stop verdict(unsigned int /*iteration*/)
-  {
-    return {};
-  }
+  virtual Stop verdict(unsigned int /*iteration*/) { return {}; }
 };
 
 /**

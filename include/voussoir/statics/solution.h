@@ -50,10 +50,7 @@ struct Solution
   Stop stop;
 
   /** True if the solver met its tolerance. */
-  bool converged() const
-  {
-    return stop == Stop::Reason::converged;
-  }
+  bool converged() const { return stop == Stop::Reason::converged; }
 };
 } // namespace Voussoir
 

@@ -27,7 +27,11 @@ namespace Voussoir
 class CellSpaces
 {
 public:
-  /** A basis function phi in a sub-cell. */
+  /**
+   * A basis function phi in a sub-cell. The fluxes through a line between two
+   * sub-cells are the same unknowns for both; those through the boundary of the
+   * cell are prescribed, by the force on the side.
+   */
   struct Flux
   {
     /** Its unknown, or dealii::numbers::invalid_unsigned_int if prescribed. */
@@ -85,16 +89,19 @@ public:
              unsigned int degree);
 
   /** The number of sub-cells, which are numbered triangle by triangle. */
-  unsigned int n_sub_cells() const;
+  unsigned int n_sub_cells() const { return all_integrals.size(); }
 
   /** The number of basis functions phi in one sub-cell. */
-  unsigned int n_fluxes_per_sub_cell() const;
+  unsigned int n_fluxes_per_sub_cell() const { return element.dofs_per_cell; }
 
   /** The number of basis functions w in one sub-cell. */
-  unsigned int n_multipliers_per_sub_cell() const;
+  unsigned int n_multipliers_per_sub_cell() const
+  {
+    return multiplier.dofs_per_cell;
+  }
 
   /** The number of unknown fluxes of one row of sigma. */
-  unsigned int n_unknown_fluxes() const;
+  unsigned int n_unknown_fluxes() const { return unknown_fluxes; }
 
   /** Basis function phi_k of a sub-cell. */
   const Flux &flux(const unsigned int sub_cell, const unsigned int k) const
@@ -129,8 +136,10 @@ public:
 private:
   void make_triangulation(dealii::Triangulation<2> &triangulation,
                           unsigned int n_sides) const;
-  void number_fluxes(const dealii::DoFHandler<2> &dof_handler,
-                     unsigned int n_sides);
+  void find_divergences(const dealii::DoFHandler<2> &dof_handler);
+  void prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
+                        unsigned int n_sides);
+  void number_fluxes(const dealii::DoFHandler<2> &dof_handler);
   void find_orientations(const dealii::DoFHandler<2> &dof_handler,
                          unsigned int n_sides);
   void map(unsigned int sub_cell,

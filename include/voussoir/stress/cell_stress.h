@@ -22,6 +22,22 @@ struct SubCellStress
   double skew = 0.;
 };
 
+/** A cell with n sides, cut free of all others, and the forces on it. */
+struct LoadedCell
+{
+  /** x_c; a length. */
+  dealii::Point<2> centre;
+  /** Counterclockwise; n points, lengths. */
+  std::vector<dealii::Point<2>> vertices;
+  /** Of n forces on the cell that on side i, from vertex i to i+1; S L. */
+  std::vector<dealii::Tensor<1, 2>> forces;
+  /**
+   * n integrals of the body force, over the triangle of the centre and each
+   * side; S L.
+   */
+  std::vector<dealii::Tensor<1, 2>> body_forces;
+};
+
 /**
  * The stress of one cell with n sides from the forces on its sides.
  *
@@ -52,28 +68,17 @@ public:
   /**
    * Find the stress in one cell.
    *
-   * @param centre of the cell; a length.
-   * @param vertices of the cell, counterclockwise; n points, lengths.
-   * @param forces n forces on the cell, on side i from vertex i to i+1; S L.
-   * @param body_forces n integrals of the body force, over the triangle of the
-   *   centre and each side; S L.
    * @param sub_cells takes the result, n_sub_cells() elements, triangle by
    *   triangle.
    * @return false if the solution would be arbitrary, or has lost its digits:
    *   if its mean is not that which the forces demand, or if in the cell turned
    *   it is another. sub_cells are then left alone.
    */
-  bool solve(const dealii::Point<2> &centre,
-             const std::vector<dealii::Point<2>> &vertices,
-             const std::vector<dealii::Tensor<1, 2>> &forces,
-             const std::vector<dealii::Tensor<1, 2>> &body_forces,
+  bool solve(const LoadedCell &cell,
              const dealii::ArrayView<SubCellStress> &sub_cells);
 
   /** The number of sub-cells, over all n triangles. */
-  unsigned int n_sub_cells() const
-  {
-    return spaces.n_sub_cells();
-  }
+  unsigned int n_sub_cells() const { return spaces.n_sub_cells(); }
 
 protected:
   /** See CellSpaces; @p with_flux_mass says whether find_fluxes() needs it. */
@@ -118,22 +123,13 @@ protected:
   std::vector<dealii::Tensor<1, 2>> forces;
 
 private:
-  bool solve_once(const dealii::Point<2> &centre,
-                  const std::vector<dealii::Point<2>> &vertices,
-                  const std::vector<dealii::Tensor<1, 2>> &all_forces,
-                  const std::vector<dealii::Tensor<1, 2>> &body_forces,
-                  std::vector<SubCellStress> &result);
+  bool solve_once(const LoadedCell &cell, std::vector<SubCellStress> &result);
   SubCellStress stress_in(unsigned int sub_cell) const;
-  bool take_out_mean(const dealii::Point<2> &centre,
-                     const std::vector<dealii::Point<2>> &vertices,
-                     const std::vector<dealii::Tensor<1, 2>> &all_forces,
-                     const std::vector<dealii::Tensor<1, 2>> &body_forces);
+  bool scale(const LoadedCell &cell);
+  void take_out_mean(const LoadedCell &cell);
   double largest_stress() const;
   bool mean_is_right() const;
-  bool is_same_turned(const dealii::Point<2> &centre,
-                      const std::vector<dealii::Point<2>> &vertices,
-                      const std::vector<dealii::Tensor<1, 2>> &all_forces,
-                      const std::vector<dealii::Tensor<1, 2>> &body_forces);
+  bool is_same_turned(const LoadedCell &cell);
 
   const bool with_flux_mass;
   const unsigned int n_per_side;

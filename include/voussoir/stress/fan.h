@@ -44,6 +44,10 @@ public:
 private:
   bool find_fluxes() override;
   bool is_determined();
+  /** Visit the entries (i, j) of the matrix with what each sub-cell adds. */
+  template <typename Visitor>
+  void for_each_entry(const Visitor &visit) const;
+  dealii::DynamicSparsityPattern couplings() const;
 
   const unsigned int n_sides;
   LocalSystem system;

@@ -5,6 +5,8 @@
 #include <voussoir/stress/cell_stress.h>
 #include <voussoir/stress/local_system.h>
 
+#include <array>
+
 namespace Voussoir
 {
 /**
@@ -53,10 +55,28 @@ private:
   void set_known();
   void add_rigid_acceleration();
   void assemble();
+  /**
+   * Visit the entries (i, j) of the matrix, and (j, i) where they differ, with
+   * what each sub-cell adds; no unknown is held.
+   */
+  template <typename Visitor>
+  void for_each_entry(const Visitor &visit) const;
+  dealii::DynamicSparsityPattern couplings() const;
 
   /** The unknown of component @p row of v, and of p: w_j in a sub-cell. */
   unsigned int velocity(unsigned int row, unsigned int s, unsigned int j) const;
-  unsigned int rotation(unsigned int s, unsigned int j) const;
+  unsigned int rotation(const unsigned int s, const unsigned int j) const
+  {
+    return velocity(2, s, j);
+  }
+  /**
+   * The unknowns that are held: rigid motions are in the kernel of the matrix,
+   * and the right-hand side is orthogonal to them.
+   */
+  std::array<unsigned int, 3> held() const
+  {
+    return {{velocity(0, 0, 0), velocity(1, 0, 0), rotation(0, 0)}};
+  }
 
   const unsigned int n_fluxes, n_multipliers;
   LocalSystem system;

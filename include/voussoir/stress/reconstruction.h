@@ -82,9 +82,12 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** True if the stress inside the cells is to be reconstructed at all. */
-  bool reconstruct() const;
+  bool reconstruct() const { return accuracy != Accuracy::draft; }
   /** The method, if it is. */
-  Reconstruction reconstruction() const;
+  Reconstruction reconstruction() const
+  {
+    return {accuracy == Accuracy::fine, n_refinements, degree};
+  }
 
 private:
   enum class Accuracy

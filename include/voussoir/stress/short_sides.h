@@ -32,30 +32,15 @@ public:
   ShortSides(const SubTriangulation &cut, double shortest);
 
   /**
-   * Take a cell and the forces on it; see CellStress::solve().
+   * Take a cell and the forces on it.
    *
    * @return true if it has sides to leave out, and at least three others. Else
    *   the cell is to be taken as it is, and nothing below may be called.
    */
-  bool leave_out(const std::vector<dealii::Point<2>> &vertices,
-                 const std::vector<dealii::Tensor<1, 2>> &forces,
-                 const std::vector<dealii::Tensor<1, 2>> &body_forces);
+  bool leave_out(const LoadedCell &cell);
 
-  /** @{ */
-  /** The rest, as CellStress::solve() takes it. */
-  const std::vector<dealii::Point<2>> &vertices() const
-  {
-    return corners;
-  }
-  const std::vector<dealii::Tensor<1, 2>> &forces() const
-  {
-    return forces_on_sides;
-  }
-  const std::vector<dealii::Tensor<1, 2>> &body_forces() const
-  {
-    return forces_on_triangles;
-  }
-  /** @} */
+  /** The cell that remains; its vertices are the corners. */
+  const LoadedCell &rest() const { return remains; }
 
   /**
    * Carry the stress back to the cell that was taken.
@@ -79,8 +64,7 @@ private:
 
   /** The corner that each vertex has become. */
   std::vector<unsigned int> corner_of;
-  std::vector<dealii::Point<2>> corners;
-  std::vector<dealii::Tensor<1, 2>> forces_on_sides, forces_on_triangles;
+  LoadedCell remains;
 };
 } // namespace Voussoir
 

@@ -43,7 +43,10 @@ public:
   static SubTriangulation thirds(unsigned int n_refinements);
 
   /** The sub-cells of a triangle. */
-  const std::vector<Quadrilateral> &of_triangle() const;
+  const std::vector<Quadrilateral> &of_triangle() const
+  {
+    return quadrilaterals;
+  }
 
   /** The corners of sub-cell @p k of a triangle. */
   std::array<dealii::Point<2>, 4>

@@ -31,11 +31,11 @@ public:
   static Terminal &silent();
 
   /** Show warnings alone from now on, whatever the verbosity. */
-  void be_quiet();
+  void be_quiet() { quiet = true; }
   /** Show what belongs to this verbosity, 0 to 2. */
-  void set_verbosity(unsigned int verbosity);
+  void set_verbosity(const unsigned int verbosity) { level = verbosity; }
   /** The verbosity; 0 also of a quiet one. */
-  unsigned int verbosity() const;
+  unsigned int verbosity() const { return quiet ? 0 : level; }
 
   /** The stage @p name begins; it is in progress until stage() ends it. */
   void begin(const std::string &name);

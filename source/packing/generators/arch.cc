@@ -42,7 +42,8 @@ public:
            unsigned int n_courses,
            double height);
 
-  void add_voussoir(const ArchJoint &next);
+  /** Add the cell up to the next joint. */
+  void add(const ArchJoint &next, Group group);
 
   /** The arch of the half, the keystone if there is one, and the image. */
   CellLoops mirrored(bool has_keystone,
@@ -55,18 +56,12 @@ private:
     unsigned int inner, outer;
   };
 
-  unsigned int add_vertex(const Point<2> &p);
+  Edge add_vertices(const ArchJoint &joint);
 
   std::vector<Point<2>> vertices;
   std::vector<Cell> cells;
   Edge last;
 };
-
-unsigned int LeftHalf::add_vertex(const Point<2> &p)
-{
-  vertices.push_back(p);
-  return vertices.size() - 1;
-}
 
 LeftHalf::LeftHalf(const ArchJoint &springing,
                    const double thickness,
@@ -77,37 +72,39 @@ LeftHalf::LeftHalf(const ArchJoint &springing,
   const double ledge = outer[0] - (inner[0] - thickness);
   const bool has_ledge = ledge > narrowest_ledge * thickness;
   const double back = has_ledge ? inner[0] - thickness : outer[0];
-  const auto add_joint = [this](const Point<2> &inner, const Point<2> &outer) {
-    const unsigned int i = add_vertex(inner);
-    return Edge{i, add_vertex(outer)};
-  };
-
-  if (n_courses > 0)
-    last = add_joint({inner[0], inner[1] - height}, {back, inner[1] - height});
+  if (n_courses == 0)
+  {
+    last = add_vertices(springing);
+    return;
+  }
+  const double ground = inner[1] - height;
+  last = add_vertices({{inner[0], ground}, {back, ground}});
   for (unsigned int k = 1; k < n_courses; ++k)
   {
     const double y = inner[1] - height * (n_courses - k) / n_courses;
-    const Edge next = add_joint({inner[0], y}, {back, y});
-    cells.push_back(
-        {{last.outer, last.inner, next.inner, next.outer}, abutment});
-    last = next;
+    add({{inner[0], y}, {back, y}}, abutment);
   }
-  const Edge top = add_joint(inner, outer);
-  if (n_courses > 0)
+  add(springing, abutment);
+  if (has_ledge)
   {
-    cells.push_back({{last.outer, last.inner, top.inner, top.outer}, abutment});
-    if (has_ledge)
-      cells.back().loop.push_back(add_vertex({back, outer[1]}));
+    cells.back().loop.push_back(vertices.size());
+    vertices.emplace_back(back, outer[1]);
   }
-  last = top;
 }
 
-void LeftHalf::add_voussoir(const ArchJoint &next)
+LeftHalf::Edge LeftHalf::add_vertices(const ArchJoint &joint)
 {
-  const unsigned int inner = add_vertex(next.intrados);
-  const unsigned int outer = add_vertex(next.extrados);
-  cells.push_back({{last.outer, last.inner, inner, outer}, voussoir});
-  last = {inner, outer};
+  const unsigned int n = vertices.size();
+  vertices.push_back(joint.intrados);
+  vertices.push_back(joint.extrados);
+  return {n, n + 1};
+}
+
+void LeftHalf::add(const ArchJoint &joint, const Group group)
+{
+  const Edge next = add_vertices(joint);
+  cells.push_back({{last.outer, last.inner, next.inner, next.outer}, group});
+  last = next;
 }
 
 CellLoops LeftHalf::mirrored(const bool has_keystone,
@@ -128,8 +125,7 @@ CellLoops LeftHalf::mirrored(const bool has_keystone,
 
   const auto add_cell = [&arch](const std::vector<unsigned int> &loop,
                                 const Group group) {
-    arch.loops.insert(arch.loops.end(), loop.begin(), loop.end());
-    arch.first.push_back(arch.loops.size());
+    arch.add(loop);
     arch.group.push_back(group);
   };
   for (const Cell &cell : cells)
@@ -156,16 +152,6 @@ CellLoops LeftHalf::mirrored(const bool has_keystone,
   return arch;
 }
 } // namespace
-
-std::string ArchGenerator::name() const
-{
-  return "arch";
-}
-
-std::string ArchGenerator::meaning() const
-{
-  return "a circular or a pointed arch, with or without piers.";
-}
 
 void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
@@ -228,7 +214,7 @@ CellLoops ArchGenerator::generate(const std::filesystem::path &,
   LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
                 abutment_height);
   for (unsigned int k = 1; k < half.joints.size(); ++k)
-    left.add_voussoir(half.joints[k]);
+    left.add(half.joints[k], voussoir);
   return left.mirrored(n_voussoirs % 2 == 1, half.apex);
 }
 

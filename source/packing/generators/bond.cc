@@ -38,10 +38,8 @@ bool is_joint(const Bond bond,
   const bool odd = course % 2 == 1;
   switch (bond)
   {
-  case Bond::running:
-    return x % stretcher == (odd ? header : 0);
-  case Bond::stack:
-    return x % stretcher == 0;
+  case Bond::running: return x % stretcher == (odd ? header : 0);
+  case Bond::stack: return x % stretcher == 0;
   case Bond::English:
     return odd ? is_joint_of_headers(x, length) : x % stretcher == 0;
   case Bond::Flemish:

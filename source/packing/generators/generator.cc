@@ -5,11 +5,8 @@
 
 namespace Voussoir
 {
-namespace
-{
 /** The number with which a packing needs some 100 GB. */
 constexpr double largest_number_of_cells = 1e8;
-} // namespace
 
 void check_number_of_cells(const double n_cells, const std::string &entries)
 {

@@ -5,21 +5,12 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/honeycomb.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace Voussoir
 {
-std::string HoneycombGenerator::name() const
-{
-  return "honeycomb";
-}
-
-std::string HoneycombGenerator::meaning() const
-{
-  return "whole regular hexagons, every second row shifted by half a cell.";
-}
-
 void HoneycombGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -49,30 +40,13 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
     throw InputError(text("'Packing/honeycomb/Cell size' is ", cell_size,
                           "; it must be positive and finite."));
 
-  // The vertices have whole coordinates (i, j) in units of half a cell along a
-  // line of hexagons, and of a quarter of their largest diameter across it, so
-  // that shared vertices are recognised exactly. Flat tops are the mirror image
-  // of pointed tops in the diagonal.
-  const bool pointed = orientation == Orientation::pointed_top;
-  const unsigned int n_lines = pointed ? n_rows : n_columns;
-  const unsigned int n_in_line = pointed ? n_columns : n_rows;
-  const double unit_along = cell_size / 2.;
-  const double unit_across = cell_size / (2. * std::sqrt(3.));
+  const unsigned int n_lines = pointed() ? n_rows : n_columns;
+  const unsigned int n_in_line = pointed() ? n_columns : n_rows;
   // Counterclockwise from the lowest vertex, and the same for the mirror image.
-  using Offset = std::array<int, 2>;
-  const std::array<Offset, 6> corners =
-      pointed ? std::array<Offset, 6>{{{{0, -2}},
-                                       {{1, -1}},
-                                       {{1, 1}},
-                                       {{0, 2}},
-                                       {{-1, 1}},
-                                       {{-1, -1}}}}
-              : std::array<Offset, 6>{{{{0, -2}},
-                                       {{-1, -1}},
-                                       {{-1, 1}},
-                                       {{0, 2}},
-                                       {{1, 1}},
-                                       {{1, -1}}}};
+  std::array<std::array<int, 2>, 6> corners = {
+      {{{0, -2}}, {{1, -1}}, {{1, 1}}, {{0, 2}}, {{-1, 1}}, {{-1, -1}}}};
+  if (!pointed())
+    std::reverse(corners.begin() + 1, corners.end());
 
   CellLoops cells;
   const std::size_t n_along = 2 * n_in_line + 2;
@@ -80,7 +54,8 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
   for (unsigned int line = 0; line < n_lines; ++line)
     for (unsigned int k = 0; k < n_in_line; ++k)
     {
-      for (const Offset &corner : corners)
+      std::vector<unsigned int> loop;
+      for (const auto &corner : corners)
       {
         const unsigned int i = 2 * k + 1 + line % 2 + corner[0];
         const unsigned int j = 3 * line + 2 + corner[1];
@@ -88,14 +63,21 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
         if (vertex == none)
         {
           vertex = cells.vertices.size();
-          const double along = i * unit_along, across = j * unit_across;
-          cells.vertices.emplace_back(pointed ? along : across,
-                                      pointed ? across : along);
+          cells.vertices.push_back(place(i, j));
         }
-        cells.loops.push_back(vertex);
+        loop.push_back(vertex);
       }
-      cells.first.push_back(cells.loops.size());
+      cells.add(loop);
     }
   return cells;
+}
+
+dealii::Point<2> HoneycombGenerator::place(const unsigned int i,
+                                           const unsigned int j) const
+{
+  const double along = i * (cell_size / 2.);
+  const double across = j * (cell_size / (2. * std::sqrt(3.)));
+  return pointed() ? dealii::Point<2>(along, across)
+                   : dealii::Point<2>(across, along);
 }
 } // namespace Voussoir

@@ -36,18 +36,6 @@ Tensor<1, 2> point_of_disk(Random &random)
 }
 } // namespace
 
-std::string PerturbedGridGenerator::name() const
-{
-  return "perturbed grid";
-}
-
-std::string PerturbedGridGenerator::meaning() const
-{
-  return "a rectangle cut into quadrilaterals by a grid with its vertices "
-         "moved "
-         "at random.";
-}
-
 void PerturbedGridGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -108,9 +96,7 @@ CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &,
     for (unsigned int i = 0; i < n_columns; ++i)
     {
       const unsigned int v = j * above + i;
-      for (const unsigned int corner : {v, v + 1, v + above + 1, v + above})
-        cells.loops.push_back(corner);
-      cells.first.push_back(cells.loops.size());
+      cells.add({v, v + 1, v + above + 1, v + above});
     }
   return cells;
 }

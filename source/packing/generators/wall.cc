@@ -59,25 +59,14 @@ void add_cells(CellLoops &cells,
 {
   for (const Stone &stone : course)
   {
-    const std::vector<unsigned int> lower = below.along(stone);
+    std::vector<unsigned int> loop = below.along(stone);
     const std::vector<unsigned int> upper = above.along(stone);
-    cells.loops.insert(cells.loops.end(), lower.begin(), lower.end());
-    cells.loops.insert(cells.loops.end(), upper.rbegin(), upper.rend());
-    cells.first.push_back(cells.loops.size());
+    loop.insert(loop.end(), upper.rbegin(), upper.rend());
+    cells.add(loop);
     cells.group.push_back(stone.is_lintel ? 1 : 0);
   }
 }
 } // namespace
-
-std::string WallGenerator::name() const
-{
-  return "wall";
-}
-
-std::string WallGenerator::meaning() const
-{
-  return "a rectangular wall of bricks, with openings.";
-}
 
 void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
@@ -139,9 +128,9 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
 
   WallGrid grid(width, height, n_courses, n_bricks);
   const std::vector<WallPart> gaps = place_openings(grid, openings);
-  std::vector<WallPart> lintels;
-  if (has_lintels)
-    lintels = place_lintels(grid, gaps, lintel_bearing);
+  const std::vector<WallPart> lintels =
+      has_lintels ? place_lintels(grid, gaps, lintel_bearing)
+                  : std::vector<WallPart>();
 
   CellLoops cells;
   cells.group_names = {"brick", "lintel"};
@@ -149,9 +138,9 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
   BedJoint below(cells, grid.bed_joint(0), {}, course);
   for (unsigned int k = 0; k < n_courses; ++k)
   {
-    Course next;
-    if (k + 1 < n_courses)
-      next = lay_course(grid, bond, k + 1, gaps, lintels);
+    Course next = k + 1 < n_courses
+                      ? lay_course(grid, bond, k + 1, gaps, lintels)
+                      : Course();
     BedJoint above(cells, grid.bed_joint(k + 1), course, next);
     add_cells(cells, course, below, above);
     course = std::move(next);

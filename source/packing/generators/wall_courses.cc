@@ -9,31 +9,24 @@ namespace Voussoir
 {
 namespace
 {
-/** A part of a course that is not for bricks: a lintel or an opening. */
-struct Reserved
+/** The parts of a course that are not for bricks: lintels and openings. */
+Course reserved_parts(const unsigned int course,
+                      const std::vector<WallPart> &openings,
+                      const std::vector<WallPart> &lintels)
 {
-  double left, right;
-  bool is_lintel;
-};
-
-std::vector<Reserved> reserved_parts(const unsigned int course,
-                                     const std::vector<WallPart> &openings,
-                                     const std::vector<WallPart> &lintels)
-{
-  std::vector<Reserved> reserved;
+  Course reserved;
   for (const bool is_lintel : {false, true})
     for (const WallPart &part : is_lintel ? lintels : openings)
       if (part.first_course <= course && course < part.end_course)
         reserved.push_back({part.left, part.right, is_lintel});
-  std::sort(
-      reserved.begin(), reserved.end(),
-      [](const Reserved &a, const Reserved &b) { return a.left < b.left; });
+  std::sort(reserved.begin(), reserved.end(),
+            [](const Stone &a, const Stone &b) { return a.left < b.left; });
   return reserved;
 }
 
 Course cut_bricks(const WallGrid &grid,
                   const std::vector<unsigned int> &joints,
-                  const std::vector<Reserved> &reserved)
+                  const Course &reserved)
 {
   Course stones;
   double left = 0.;
@@ -48,7 +41,7 @@ Course cut_bricks(const WallGrid &grid,
     if (left < end)
       stones.push_back({left, end, false});
   };
-  for (const Reserved &part : reserved)
+  for (const Stone &part : reserved)
   {
     lay_bricks_until(part.left);
     if (part.is_lintel)

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/generators/bond.h>
 #include <voussoir/packing/generators/wall_grid.h>
 
 #include <cmath>
 
 namespace Voussoir
 {
-namespace
-{
 /**
  * The distance from a joint, relative to the size of the wall, at which a
  * number of the user still means it: ten digits are enough to name one.
  */
 constexpr double relative_resolution = 1e-9;
-} // namespace
 
 WallGrid::WallGrid(const double width,
                    const double height,
@@ -21,33 +17,7 @@ WallGrid::WallGrid(const double width,
                    const unsigned int n_stretchers)
     : total_width(width), total_height(height), courses(n_courses),
       stretchers(n_stretchers)
-{
-}
-
-unsigned int WallGrid::n_courses() const
-{
-  return courses;
-}
-
-unsigned int WallGrid::n_stretchers() const
-{
-  return stretchers;
-}
-
-double WallGrid::width() const
-{
-  return head_joint(quarters_in_stretcher * stretchers);
-}
-
-double WallGrid::bed_joint(const unsigned int level) const
-{
-  return total_height * level / courses;
-}
-
-double WallGrid::head_joint(const unsigned int quarter) const
-{
-  return total_width * quarter / (quarters_in_stretcher * stretchers);
-}
+{}
 
 std::optional<unsigned int> WallGrid::level_at(const double y) const
 {

@@ -4,22 +4,12 @@
 #include <voussoir/packing/generators/wall_openings.h>
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 
 namespace Voussoir
 {
 namespace
 {
-/** A number with digits enough to be copied into the parameters. */
-std::string text_to_copy(const double x)
-{
-  std::ostringstream out;
-  out.precision(12);
-  out << x;
-  return out.str();
-}
-
 std::string describe(const std::array<double, 4> &rectangle)
 {
   return text("opening from ", text_of_point({rectangle[0], rectangle[1]}),
@@ -47,10 +37,9 @@ unsigned int find_level(const WallGrid &grid,
   const double y = rectangle[top ? 3 : 1];
   if (const auto level = grid.level_at(y))
     return *level;
+  const double height = grid.bed_joint(grid.n_courses());
   const auto above =
-      static_cast<unsigned int>(y / grid.bed_joint(grid.n_courses()) *
-                                grid.n_courses()) +
-      1;
+      static_cast<unsigned int>(y / height * grid.n_courses()) + 1;
   refuse(rectangle, text("has its ", top ? "top" : "bottom", " at the height ",
                          text_to_copy(y),
                          ", which is not on a bed joint; the nearest are "
@@ -84,12 +73,6 @@ WallPart place_opening(WallGrid &grid, const std::array<double, 4> &rectangle)
   return {left, right, first, end};
 }
 } // namespace
-
-bool WallPart::overlaps(const WallPart &other) const
-{
-  return left < other.right && other.left < right &&
-         first_course < other.end_course && other.first_course < end_course;
-}
 
 std::vector<WallPart>
 place_openings(WallGrid &grid,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
@@ -13,9 +14,9 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace Voussoir
@@ -51,13 +52,9 @@ struct Contact
 /** The box around two points, wider by @p margin on all sides. */
 Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
 {
-  Point<2> low, high;
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    low[i] = std::min(a[i], b[i]) - margin;
-    high[i] = std::max(a[i], b[i]) + margin;
-  }
-  return Box({low, high});
+  Box box(std::array<Point<2>, 2>{{a, b}});
+  box.extend(margin);
+  return box;
 }
 
 /** The rings of all cells by the numbers of their points. */
@@ -65,9 +62,15 @@ struct Corners
 {
   explicit Corners(const PolygonList &polygons);
 
-  unsigned int n(unsigned int cell) const;
+  unsigned int n(const unsigned int cell) const
+  {
+    return first[cell + 1] - first[cell];
+  }
   /** Corner @p i of a cell, counted modulo their number, as a point. */
-  unsigned int point(unsigned int cell, unsigned int i) const;
+  unsigned int point(const unsigned int cell, const unsigned int i) const
+  {
+    return rings[first[cell] + i % n(cell)];
+  }
 
   /** The different points of all rings, in the order of the file. */
   std::vector<Point<2>> points;
@@ -77,50 +80,30 @@ struct Corners
 
 Corners::Corners(const PolygonList &polygons)
 {
-  std::vector<Point<2>> all;
+  std::map<std::pair<double, double>, unsigned int> numbers;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
   {
-    all.insert(all.end(), polygon.ring.begin(), polygon.ring.end());
-    first.push_back(all.size());
-  }
-  std::vector<unsigned int> order(all.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](unsigned int i, unsigned int j) {
-    return std::tie(all[i][0], all[i][1], i) <
-           std::tie(all[j][0], all[j][1], j);
-  });
-  std::vector<unsigned int> leader(all.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    leader[order[k]] = (k > 0 && all[order[k]] == all[order[k - 1]])
-                           ? leader[order[k - 1]]
-                           : order[k];
-
-  rings.resize(all.size());
-  for (unsigned int i = 0; i < all.size(); ++i)
-    if (leader[i] == i)
+    for (const Point<2> &p : polygon.ring)
     {
-      rings[i] = points.size();
-      points.push_back(all[i]);
+      const auto [entry, is_new] =
+          numbers.emplace(std::make_pair(p[0], p[1]), points.size());
+      if (is_new)
+        points.push_back(p);
+      rings.push_back(entry->second);
     }
-    else
-      rings[i] = rings[leader[i]];
-}
-
-unsigned int Corners::n(const unsigned int cell) const
-{
-  return first[cell + 1] - first[cell];
-}
-
-unsigned int Corners::point(const unsigned int cell, const unsigned int i) const
-{
-  return rings[first[cell] + i % n(cell)];
+    first.push_back(rings.size());
+  }
 }
 
 /** Matches one list; one object, used once. */
 class PolygonMatcher
 {
 public:
-  PolygonMatcher(const PolygonList &polygons, double tolerance);
+  PolygonMatcher(const PolygonList &polygons, const double tolerance)
+      : polygons(polygons), tolerance(tolerance), corners(polygons),
+        points(corners.points), tree(dealii::pack_rtree_of_indices(points))
+  {}
+
   CellLoops match();
 
 private:
@@ -145,21 +128,10 @@ private:
   std::vector<unsigned int> vertex;
 };
 
-PolygonMatcher::PolygonMatcher(const PolygonList &polygons,
-                               const double tolerance)
-    : polygons(polygons), tolerance(tolerance), corners(polygons),
-      points(corners.points), tree(dealii::pack_rtree_of_indices(points))
-{
-}
-
 void PolygonMatcher::find_vertices()
 {
   const unsigned int n = points.size();
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int p = 0; p < n; ++p)
-    sets.make_set(p);
+  boost::disjoint_sets_with_storage<> sets(n);
   std::vector<std::size_t> near;
   for (unsigned int p = 0; p < n; ++p)
   {
@@ -169,7 +141,7 @@ void PolygonMatcher::find_vertices()
                std::back_inserter(near));
     for (const std::size_t q : near)
       if (q < p && points[p].distance(points[q]) <= tolerance)
-        sets.union_set(p, static_cast<unsigned int>(q));
+        sets.union_set(std::size_t(p), q);
   }
 
   std::vector<unsigned int> lowest(n, none);
@@ -177,8 +149,7 @@ void PolygonMatcher::find_vertices()
   for (unsigned int p = 0; p < n; ++p)
   {
     unsigned int &first = lowest[sets.find_set(p)];
-    first = std::min(first, p);
-    vertex[p] = first;
+    vertex[p] = first = std::min(first, p);
   }
 }
 
@@ -195,8 +166,7 @@ void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
       return;
     const dealii::Tensor<1, 2> to_p = points[p] - points[a];
     const double position = (along * to_p) / (length * length);
-    const double distance =
-        std::abs(along[0] * to_p[1] - along[1] * to_p[0]) / length;
+    const double distance = std::abs(cross(along, to_p)) / length;
     if (position > 0. && position < 1. && distance <= tolerance)
       found.push_back({vertex[p], distance, side, position});
   };
@@ -280,16 +250,17 @@ CellLoops PolygonMatcher::match()
   std::vector<unsigned int> number(points.size(), none);
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
   {
-    for (const unsigned int v : loop(c))
+    std::vector<unsigned int> vertices = loop(c);
+    for (unsigned int &v : vertices)
     {
       if (number[v] == none)
       {
         number[v] = cells.vertices.size();
         cells.vertices.push_back(points[v]);
       }
-      cells.loops.push_back(number[v]);
+      v = number[v];
     }
-    cells.first.push_back(cells.loops.size());
+    cells.add(vertices);
   }
   cells.tolerance = deepest_dent * tolerance;
   return cells;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/narrow_gaps.h>
 
@@ -7,10 +8,10 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace Voussoir
@@ -41,37 +42,25 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
 {
   struct Halfedge
   {
-    unsigned int low, high, cell, start, end;
-    bool same_edge(const Halfedge &other) const
-    {
-      return low == other.low && high == other.high;
-    }
+    unsigned int cell, start, end;
   };
-  std::vector<Halfedge> halfedges;
-  halfedges.reserve(cells.loops.size());
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  std::map<std::pair<unsigned int, unsigned int>, Halfedge> by_ends;
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
     for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
     {
       const unsigned int a = cells.loops[i];
       const unsigned int b =
           cells.loops[i + 1 < cells.first[c + 1] ? i + 1 : cells.first[c]];
-      halfedges.push_back({std::min(a, b), std::max(a, b), c, a, b});
+      const auto [entry, is_new] =
+          by_ends.emplace(std::minmax({a, b}), Halfedge{c, a, b});
+      if (!is_new)
+        entry->second.cell = none;
     }
-  std::sort(halfedges.begin(), halfedges.end(),
-            [](const Halfedge &a, const Halfedge &b) {
-              return std::tie(a.low, a.high, a.cell) <
-                     std::tie(b.low, b.high, b.cell);
-            });
 
   std::vector<OpenSide> open;
-  for (std::size_t k = 0; k < halfedges.size(); ++k)
-  {
-    const Halfedge &h = halfedges[k];
-    if ((k > 0 && h.same_edge(halfedges[k - 1])) ||
-        (k + 1 < halfedges.size() && h.same_edge(halfedges[k + 1])))
-      continue;
-    open.push_back({h.cell, cells.vertices[h.start], cells.vertices[h.end]});
-  }
+  for (const auto &[ends, h] : by_ends)
+    if (h.cell != none)
+      open.push_back({h.cell, cells.vertices[h.start], cells.vertices[h.end]});
   std::stable_sort(
       open.begin(), open.end(),
       [](const OpenSide &a, const OpenSide &b) { return a.cell < b.cell; });
@@ -82,7 +71,7 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
 double mean_size(const CellLoops &cells)
 {
   double twice_area = 0.;
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
   {
     const Point<2> &origin = cells.vertices[cells.loops[cells.first[c]]];
     for (unsigned int i = cells.first[c] + 1; i + 1 < cells.first[c + 1]; ++i)
@@ -92,7 +81,7 @@ double mean_size(const CellLoops &cells)
       twice_area += cross(a, b);
     }
   }
-  return std::sqrt(0.5 * twice_area / (cells.first.size() - 1));
+  return std::sqrt(0.5 * twice_area / cells.n_cells());
 }
 
 /**
@@ -110,8 +99,7 @@ gap_between(const OpenSide &one, const OpenSide &other, const double width)
   };
   // Positive to the right, which is outside the cell.
   const auto distance = [&](const Point<2> &p) {
-    const Tensor<1, 2> d = p - one.start;
-    return d[0] * along[1] - d[1] * along[0];
+    return cross(p - one.start, along);
   };
   // The other side runs in the opposite direction.
   const double begin = position(other.end), end = position(other.start);
@@ -136,8 +124,7 @@ std::string describe_narrow_gaps(const CellLoops &cells, const double tolerance)
   std::vector<Box> boxes;
   for (const OpenSide &side : sides)
   {
-    boxes.emplace_back(std::make_pair(side.start, side.start));
-    boxes.back().merge_with(Box(std::make_pair(side.end, side.end)));
+    boxes.emplace_back(std::array<Point<2>, 2>{{side.start, side.end}});
     boxes.back().extend(width);
   }
   const auto tree = dealii::pack_rtree_of_indices(boxes);

@@ -17,10 +17,7 @@ namespace
 class GdalMessages
 {
 public:
-  GdalMessages() : pusher(&GdalMessages::keep, this)
-  {
-    CPLErrorReset();
-  }
+  GdalMessages() : pusher(&GdalMessages::keep, this) { CPLErrorReset(); }
 
   /** The first error, in parentheses; empty if there was none. */
   std::string error() const
@@ -48,7 +45,12 @@ private:
 class OgrReader
 {
 public:
-  explicit OgrReader(const std::filesystem::path &file);
+  explicit OgrReader(const std::filesystem::path &file)
+  {
+    list.file = file;
+    list.record_name = "feature";
+  }
+
   PolygonList read();
 
 private:
@@ -69,12 +71,6 @@ private:
   bool has_z = false;
   bool has_curves = false;
 };
-
-OgrReader::OgrReader(const std::filesystem::path &file)
-{
-  list.file = file;
-  list.record_name = "feature";
-}
 
 void OgrReader::refuse_file(const std::string &fault) const
 {

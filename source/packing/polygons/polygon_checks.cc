@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 namespace Voussoir
 {
@@ -70,26 +72,24 @@ std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
   return points;
 }
 
-/** Find the @p place where two sides meet that should not; true if they do. */
-bool find_contact(const std::vector<Kernel::Point_2> &p,
-                  const std::size_t i,
-                  const std::size_t j,
-                  Point<2> &place)
+/** The place where two sides meet that should not, if they do. */
+std::optional<Point<2>> contact_of(const std::vector<Kernel::Point_2> &p,
+                                   const std::size_t i,
+                                   const std::size_t j)
 {
   const std::size_t n = p.size();
   const Kernel::Segment_2 a(p[i], p[(i + 1) % n]), b(p[j], p[(j + 1) % n]);
   const auto contact = CGAL::intersection(a, b);
   if (!contact)
-    return false;
+    return {};
   // Sides that follow each other meet in a point; a segment is a spike.
   const Kernel::Point_2 *point = boost::get<Kernel::Point_2>(&*contact);
   if (point != nullptr && ((i + 1) % n == j || (j + 1) % n == i))
-    return false;
+    return {};
   const Kernel::Point_2 q =
       point != nullptr ? *point
                        : boost::get<Kernel::Segment_2>(&*contact)->source();
-  place = {q.x(), q.y()};
-  return true;
+  return Point<2>(q.x(), q.y());
 }
 
 /** The point where a ring that is not simple crosses or touches itself. */
@@ -103,28 +103,25 @@ Point<2> place_of_crossing(const std::vector<Kernel::Point_2> &p)
     return std::max(p[i].x(), p[(i + 1) % n].x());
   };
   std::vector<std::size_t> sides(n);
-  for (std::size_t i = 0; i < n; ++i)
-    sides[i] = i;
+  std::iota(sides.begin(), sides.end(), 0);
   std::sort(sides.begin(), sides.end(), [&](std::size_t i, std::size_t j) {
     return std::make_pair(left(i), i) < std::make_pair(left(j), j);
   });
-  Point<2> place(p[0].x(), p[0].y());
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t l = k + 1; l < n && left(sides[l]) <= right(sides[k]); ++l)
-      if (find_contact(p, sides[k], sides[l], place))
-        return place;
-  return place;
+      if (const auto place = contact_of(p, sides[k], sides[l]))
+        return *place;
+  return {p[0].x(), p[0].y()};
 }
 
 void check_vertices(const PolygonList &polygons, const unsigned int cell)
 {
   const Ring &ring = polygons.polygons[cell].ring;
   for (const Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!std::isfinite(p[i]))
-        polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
-                                  text_of_number(p[1]) +
-                                  "); coordinates must be finite.");
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
+                                text_of_number(p[1]) +
+                                "); coordinates must be finite.");
   if (ring.size() < 3)
     polygons.refuse(cell, text("has ", ring.size(),
                                " different vertices; a polygon has at least "

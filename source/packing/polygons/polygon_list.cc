@@ -4,7 +4,7 @@
 #include <voussoir/packing/polygons/polygon_list.h>
 
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace Voussoir
 {
@@ -31,10 +31,7 @@ std::string read_polygon_text(const std::filesystem::path &file)
     throw InputError("The file of polygons '" + file.string() +
                      "' cannot be read. Paths in a .prm file start at the "
                      "directory of that file.");
-  std::ostringstream content;
-  if (in.peek() != std::ifstream::traits_type::eof())
-    content << in.rdbuf();
-  std::string all = content.str();
+  std::string all((std::istreambuf_iterator<char>(in)), {});
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   if (all.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
     all.erase(0, byte_order_mark.size());

@@ -14,16 +14,6 @@
 
 namespace Voussoir
 {
-std::string PolygonGenerator::name() const
-{
-  return "polygons";
-}
-
-std::string PolygonGenerator::meaning() const
-{
-  return "the polygons of a file.";
-}
-
 void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;

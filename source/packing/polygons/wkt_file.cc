@@ -10,6 +10,8 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <boost/geometry/io/wkt/read.hpp>
 
+#include <sstream>
+
 namespace Voussoir
 {
 namespace
@@ -48,12 +50,11 @@ struct Feature
 class WktReader
 {
 public:
-  explicit WktReader(const std::filesystem::path &file);
+  explicit WktReader(const std::filesystem::path &file) { list.file = file; }
   PolygonList read();
 
 private:
   [[noreturn]] void refuse_line(const std::string &fault) const;
-  void read_line(const std::string &content);
   Feature split(const std::string &content) const;
   std::string group_name(const std::string &tail) const;
   std::string plane_body(const Feature &feature);
@@ -67,23 +68,18 @@ private:
   bool ordinates_ignored = false;
 };
 
-WktReader::WktReader(const std::filesystem::path &file)
-{
-  list.file = file;
-}
-
 PolygonList WktReader::read()
 {
-  const std::string all = read_polygon_text(list.file);
-  for (std::size_t begin = 0; begin < all.size();)
+  std::istringstream in(read_polygon_text(list.file));
+  for (std::string content; std::getline(in, content);)
   {
-    const std::size_t end = std::min(all.find('\n', begin), all.size());
     ++line;
-    const std::string content = boost::trim_copy_if(
-        all.substr(begin, end - begin), boost::is_any_of(white_space));
-    if (!content.empty() && content[0] != '#')
-      read_line(content);
-    begin = end + 1;
+    boost::trim_if(content, boost::is_any_of(white_space));
+    if (content.empty() || content[0] == '#')
+      continue;
+    const Feature feature = split(content);
+    for (const Polygon &polygon : parse(feature))
+      add(polygon, feature.group);
   }
   if (list.polygons.empty())
     throw InputError("The file '" + list.file.string() +
@@ -95,13 +91,6 @@ void WktReader::refuse_line(const std::string &fault) const
 {
   throw InputError(text("Cell ", list.polygons.size(), " (",
                         list.describe_record(line), ") ", fault));
-}
-
-void WktReader::read_line(const std::string &content)
-{
-  const Feature feature = split(content);
-  for (const Polygon &polygon : parse(feature))
-    add(polygon, feature.group);
 }
 
 Feature WktReader::split(const std::string &content) const
@@ -251,10 +240,9 @@ void WktReader::add(const Polygon &polygon, const std::string &group)
     refuse_line("has a hole; a cell is one loop, so cut it into cells without "
                 "holes.");
   for (const dealii::Point<2> &p : ring)
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!std::isfinite(p[i]))
-        refuse_line("has the vertex " + text_of_point(p) +
-                    "; coordinates must be finite.");
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      refuse_line("has the vertex " + text_of_point(p) +
+                  "; coordinates must be finite.");
   if (ring.size() == 1 || !(ring.front() == ring.back()))
     refuse_line("is not closed: it ends at " + text_of_point(ring.back()) +
                 "; repeat its first vertex " + text_of_point(ring.front()) +

@@ -15,8 +15,7 @@ CellCutter::CellCutter(const ConvexPolygon &polygon,
                        const unsigned int first_vertex)
     : polygon(polygon), generators(generators), first_vertex(first_vertex),
       corners(polygon.n_sides(), none)
-{
-}
+{}
 
 void CellCutter::cut(const unsigned int cell, std::vector<Corner> &loop)
 {
@@ -117,10 +116,5 @@ unsigned int CellCutter::polygon_corner(const unsigned int i)
     vertices.push_back({polygon.vertex(i), 2});
   }
   return corners[i];
-}
-
-const std::vector<CellCutter::Vertex> &CellCutter::made_vertices() const
-{
-  return vertices;
 }
 } // namespace Voussoir

@@ -10,8 +10,7 @@ namespace Voussoir
 CellSize::CellSize(const std::string &formula, const std::string &parameter)
     : formula(formula), parameter(parameter),
       expression(formula, {"x", "y"}, parameter)
-{
-}
+{}
 
 double CellSize::operator()(const dealii::Point<2> &p) const
 {
@@ -22,11 +21,6 @@ double CellSize::operator()(const dealii::Point<2> &p) const
                      text_of_point(p) +
                      "; it must be positive and finite all over the packing.");
   return size;
-}
-
-bool CellSize::is_constant() const
-{
-  return expression.is_constant();
 }
 
 void CellSize::refuse_as_too_small(const dealii::Point<2> &p) const

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace Voussoir
 {
@@ -82,11 +81,6 @@ void check_corners(const std::vector<Point<2>> &vertices,
 }
 } // namespace
 
-double Rectangle::area() const
-{
-  return (upper_right[0] - lower_left[0]) * (upper_right[1] - lower_left[1]);
-}
-
 ConvexPolygon::ConvexPolygon(std::vector<Point<2>> given)
     : vertices(std::move(given)), shape_name("polygon")
 {
@@ -147,26 +141,6 @@ void ConvexPolygon::measure()
     inner_radius = std::min(inner_radius, -safe_part * beyond(middle, i));
 }
 
-unsigned int ConvexPolygon::n_sides() const
-{
-  return vertices.size();
-}
-
-const Point<2> &ConvexPolygon::vertex(const unsigned int i) const
-{
-  return vertices[i % n_sides()];
-}
-
-double ConvexPolygon::area() const
-{
-  return signed_area(vertices);
-}
-
-double ConvexPolygon::beyond(const Point<2> &p, const unsigned int side) const
-{
-  return normals[side] * (p - vertices[side]);
-}
-
 bool ConvexPolygon::contains(const Point<2> &p, const double margin) const
 {
   if (p.distance(middle) < inner_radius - margin)
@@ -175,11 +149,6 @@ bool ConvexPolygon::contains(const Point<2> &p, const double margin) const
     if (!(beyond(p, i) < -margin))
       return false;
   return true;
-}
-
-const std::string &ConvexPolygon::shape() const
-{
-  return shape_name;
 }
 
 std::string ConvexPolygon::description() const

@@ -25,7 +25,7 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
                                          const CellSize &size)
 {
   std::vector<Point<2>> centroids;
-  for (unsigned int c = 0; c + 1 < cells.first.size(); ++c)
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
   {
     const Point<2> &centre = cells.centres[c];
     const double reference = size(centre);
@@ -50,17 +50,6 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
   return centroids;
 }
 } // namespace
-
-std::string VoronoiGenerator::name() const
-{
-  return "Voronoi";
-}
-
-std::string VoronoiGenerator::meaning() const
-{
-  return "the Voronoi cells of points in a rectangle or a convex polygon, of "
-         "equal or of graded size.";
-}
 
 void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
@@ -141,7 +130,14 @@ ConvexPolygon VoronoiGenerator::make_domain() const
 {
   if (domain == Domain::rectangle)
   {
-    check_rectangle();
+    const auto &[lower_left, upper_right] = rectangle;
+    if (!std::isfinite(rectangle.area()) || !(upper_right[0] > lower_left[0]) ||
+        !(upper_right[1] > lower_left[1]))
+      throw InputError("The rectangle of 'Packing/Voronoi' from " +
+                       text_of_point(lower_left) + " to " +
+                       text_of_point(upper_right) +
+                       " has no area; 'Upper right' must be above and to the "
+                       "right of 'Lower left'.");
     return ConvexPolygon(rectangle);
   }
   if (polygon_vertices.empty())
@@ -163,18 +159,5 @@ VoronoiGenerator::make_points(const ConvexPolygon &polygon,
   if (domain == Domain::rectangle && size.is_constant())
     return random_points(n_points, seed, rectangle);
   return random_points(n_points, seed, polygon, size);
-}
-
-void VoronoiGenerator::check_rectangle() const
-{
-  bool valid = std::isfinite(rectangle.area());
-  for (unsigned int i = 0; i < 2; ++i)
-    valid &= rectangle.upper_right[i] > rectangle.lower_left[i];
-  if (!valid)
-    throw InputError("The rectangle of 'Packing/Voronoi' from " +
-                     text_of_point(rectangle.lower_left) + " to " +
-                     text_of_point(rectangle.upper_right) +
-                     " has no area; 'Upper right' must be above and to the "
-                     "right of 'Lower left'.");
 }
 } // namespace Voussoir

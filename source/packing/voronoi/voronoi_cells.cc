@@ -84,7 +84,6 @@ private:
   void insert_guards();
   void make_vertices();
   void make_loops();
-  bool reaches_outside(Delaunay::Vertex_handle site) const;
   std::vector<CellCutter::Corner>
   corners_of(Delaunay::Vertex_handle site) const;
   std::vector<unsigned int> merge_close_vertices() const;
@@ -207,40 +206,22 @@ void VoronoiBuilder::make_vertices()
   n_sides_at.assign(vertices.size(), 0);
 }
 
-/** Visit the faces around a site, counterclockwise. */
-template <typename Visitor>
-void for_faces_around(const Delaunay &triangulation,
-                      const Delaunay::Vertex_handle site,
-                      const Visitor &visit)
-{
-  Delaunay::Face_circulator face = triangulation.incident_faces(site);
-  const Delaunay::Face_circulator begin = face;
-  do
-    visit(face);
-  while (++face != begin);
-}
-
-bool VoronoiBuilder::reaches_outside(const Delaunay::Vertex_handle site) const
-{
-  bool reaches = false;
-  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
-    reaches |= outside[face->info()];
-  });
-  return reaches;
-}
-
+/** The cell of a site in the whole plane, counterclockwise. */
 std::vector<CellCutter::Corner>
 VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
 {
   std::vector<CellCutter::Corner> corners;
-  for_faces_around(triangulation, site, [&](const Delaunay::Face_handle face) {
+  Delaunay::Face_circulator face = triangulation.incident_faces(site);
+  const Delaunay::Face_circulator begin = face;
+  do
+  {
     CellCutter::Corner corner;
     corner.vertex = face->info();
     corner.position = vertices[corner.vertex];
     corner.neighbour =
         face->vertex(Delaunay::cw(face->index(site)))->info(); // none: a guard
     corners.push_back(corner);
-  });
+  } while (++face != begin);
   return corners;
 }
 
@@ -251,17 +232,12 @@ void VoronoiBuilder::make_loops()
   first.reserve(site_of_cell.size() + 1);
   for (unsigned int c = 0; c < site_of_cell.size(); ++c)
   {
-    if (reaches_outside(site_of_cell[c]))
-    {
-      std::vector<CellCutter::Corner> corners = corners_of(site_of_cell[c]);
+    std::vector<CellCutter::Corner> corners = corners_of(site_of_cell[c]);
+    if (std::any_of(corners.begin(), corners.end(),
+                    [&](const auto &corner) { return outside[corner.vertex]; }))
       cutter.cut(c, corners);
-      for (const CellCutter::Corner &corner : corners)
-        loops.push_back(corner.vertex);
-    }
-    else
-      for_faces_around(
-          triangulation, site_of_cell[c],
-          [&](const Delaunay::Face_handle f) { loops.push_back(f->info()); });
+    for (const CellCutter::Corner &corner : corners)
+      loops.push_back(corner.vertex);
     first.push_back(loops.size());
   }
   for (const CellCutter::Vertex &vertex : cutter.made_vertices())
@@ -275,11 +251,7 @@ void VoronoiBuilder::make_loops()
 std::vector<unsigned int> VoronoiBuilder::merge_close_vertices() const
 {
   const unsigned int n = vertices.size();
-  std::vector<unsigned int> rank(n, 0), parent(n);
-  boost::disjoint_sets<unsigned int *, unsigned int *> sets(rank.data(),
-                                                            parent.data());
-  for (unsigned int v = 0; v < n; ++v)
-    sets.make_set(v);
+  boost::disjoint_sets_with_storage<> sets(n);
   for (unsigned int c = 0; c + 1 < first.size(); ++c)
   {
     unsigned int previous = loops[first[c + 1] - 1];
@@ -339,10 +311,5 @@ CellLoops voronoi_cells(const PointList &generators,
                         const ConvexPolygon &polygon)
 {
   return VoronoiBuilder(generators, polygon).build();
-}
-
-CellLoops voronoi_cells(const PointList &generators, const Rectangle &rectangle)
-{
-  return voronoi_cells(generators, ConvexPolygon(rectangle));
 }
 } // namespace Voussoir

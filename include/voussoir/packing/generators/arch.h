@@ -29,8 +29,11 @@ namespace Voussoir
 class ArchGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "arch"; }
+  std::string meaning() const override
+  {
+    return "a circular or a pointed arch, with or without piers.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;

@@ -19,8 +19,11 @@ namespace Voussoir
 class HoneycombGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "honeycomb"; }
+  std::string meaning() const override
+  {
+    return "whole regular hexagons, every second row shifted by half a cell.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;
@@ -31,6 +34,15 @@ private:
     pointed_top,
     flat_top
   };
+
+  bool pointed() const { return orientation == Orientation::pointed_top; }
+  /**
+   * A vertex by whole numbers, so that shared ones are recognised exactly:
+   * along a line of hexagons in units of half a cell, and across it of a
+   * quarter of their largest diameter. Flat tops are the mirror image of
+   * pointed tops in the diagonal.
+   */
+  dealii::Point<2> place(unsigned int i, unsigned int j) const;
 
   unsigned int n_columns = 10;
   unsigned int n_rows = 10;

@@ -15,8 +15,13 @@ namespace Voussoir
 class PerturbedGridGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "perturbed grid"; }
+  std::string meaning() const override
+  {
+    return "a rectangle cut into quadrilaterals by a grid with its vertices "
+           "moved "
+           "at random.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;

@@ -25,8 +25,11 @@ namespace Voussoir
 class WallGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "wall"; }
+  std::string meaning() const override
+  {
+    return "a rectangular wall of bricks, with openings.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;

@@ -2,6 +2,8 @@
 #ifndef voussoir_packing_generators_wall_grid_h
 #define voussoir_packing_generators_wall_grid_h
 
+#include <voussoir/packing/generators/bond.h>
+
 #include <optional>
 #include <vector>
 
@@ -22,15 +24,24 @@ public:
            unsigned int n_stretchers);
 
   /** The number of courses, the height of the wall in bricks. */
-  unsigned int n_courses() const;
+  unsigned int n_courses() const { return courses; }
   /** The number of stretchers, the width of the wall in bricks. */
-  unsigned int n_stretchers() const;
+  unsigned int n_stretchers() const { return stretchers; }
   /** The width of the wall; a length. */
-  double width() const;
+  double width() const
+  {
+    return head_joint(quarters_in_stretcher * stretchers);
+  }
   /** The height of a bed joint, 0 below the first course; a length. */
-  double bed_joint(unsigned int level) const;
+  double bed_joint(const unsigned int level) const
+  {
+    return total_height * level / courses;
+  }
   /** A position of head joints, in quarters of a stretcher; a length. */
-  double head_joint(unsigned int quarter) const;
+  double head_joint(const unsigned int quarter) const
+  {
+    return total_width * quarter / (quarters_in_stretcher * stretchers);
+  }
   /** The bed joint at the height @p y, if there is one. */
   std::optional<unsigned int> level_at(double y) const;
 

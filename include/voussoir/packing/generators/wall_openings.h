@@ -22,7 +22,11 @@ struct WallPart
   /** @} */
 
   /** True if they have more than a side in common. */
-  bool overlaps(const WallPart &other) const;
+  bool overlaps(const WallPart &other) const
+  {
+    return left < other.right && other.left < right &&
+           first_course < other.end_course && other.first_course < end_course;
+  }
 };
 
 /**

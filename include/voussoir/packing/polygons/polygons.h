@@ -15,8 +15,8 @@ namespace Voussoir
 class PolygonGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "polygons"; }
+  std::string meaning() const override { return "the polygons of a file."; }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;

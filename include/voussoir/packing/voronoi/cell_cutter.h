@@ -70,7 +70,7 @@ public:
   void cut(unsigned int cell, std::vector<Corner> &loop);
 
   /** All vertices made so far, in the order of their numbers. */
-  const std::vector<Vertex> &made_vertices() const;
+  const std::vector<Vertex> &made_vertices() const { return vertices; }
 
 private:
   void cut_at_side(unsigned int cell, unsigned int side);

@@ -31,7 +31,7 @@ public:
   double operator()(const dealii::Point<2> &p) const;
 
   /** True if the formula does not depend on the place. */
-  bool is_constant() const;
+  bool is_constant() const { return expression.is_constant(); }
 
   /**
    * Refuse a size that comes too near to zero, or changes too much, at @p p.

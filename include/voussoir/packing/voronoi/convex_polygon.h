@@ -2,6 +2,8 @@
 #ifndef voussoir_packing_voronoi_convex_polygon_h
 #define voussoir_packing_voronoi_convex_polygon_h
 
+#include <voussoir/base/geometry.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -20,7 +22,10 @@ struct Rectangle
   /** @} */
 
   /** Width times height; L^2. */
-  double area() const;
+  double area() const
+  {
+    return (upper_right[0] - lower_left[0]) * (upper_right[1] - lower_left[1]);
+  }
 };
 
 /**
@@ -43,23 +48,29 @@ public:
   explicit ConvexPolygon(const Rectangle &rectangle);
 
   /** The number of sides, and of vertices. */
-  unsigned int n_sides() const;
+  unsigned int n_sides() const { return vertices.size(); }
   /** Vertex @p i, counted modulo their number. */
-  const dealii::Point<2> &vertex(unsigned int i) const;
+  const dealii::Point<2> &vertex(const unsigned int i) const
+  {
+    return vertices[i % n_sides()];
+  }
   /** Positive; L^2. */
-  double area() const;
+  double area() const { return signed_area(vertices); }
 
   /**
    * The signed distance of @p p from the line of a side, positive outside.
    * Exact to one rounding where the side is axis-parallel.
    */
-  double beyond(const dealii::Point<2> &p, unsigned int side) const;
+  double beyond(const dealii::Point<2> &p, const unsigned int side) const
+  {
+    return normals[side] * (p - vertices[side]);
+  }
 
   /** True if @p p is farther than @p margin inside every side. */
   bool contains(const dealii::Point<2> &p, double margin) const;
 
   /** "rectangle" or "polygon", for messages. */
-  const std::string &shape() const;
+  const std::string &shape() const { return shape_name; }
   /**
    * For messages, such as "rectangle from (0, 0) to (1, 1)" or "polygon with 6
    * vertices from (1, 0) on".

@@ -20,8 +20,12 @@ namespace Voussoir
 class VoronoiGenerator : public PackingGenerator
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "Voronoi"; }
+  std::string meaning() const override
+  {
+    return "the Voronoi cells of points in a rectangle or a convex polygon, of "
+           "equal or of graded size.";
+  }
   void add_parameters(dealii::ParameterHandler &prm) override;
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;
@@ -41,7 +45,6 @@ private:
     polygon
   };
 
-  void check_rectangle() const;
   ConvexPolygon make_domain() const;
   PointList make_points(const ConvexPolygon &polygon,
                         const CellSize &size,

@@ -25,10 +25,6 @@ namespace Voussoir
  */
 CellLoops voronoi_cells(const PointList &generators,
                         const ConvexPolygon &polygon);
-
-/** The same in a rectangle of positive area. */
-CellLoops voronoi_cells(const PointList &generators,
-                        const Rectangle &rectangle);
 } // namespace Voussoir
 
 #endif
