@@ -123,10 +123,13 @@ BodyForce::BodyForce(
 
 void BodyForce::add(const Packing &packing,
                     const unsigned int cell,
-                    const Tensor<1, 2> &f)
+                    const Tensor<1, 2> &f,
+                    const double torque)
 {
   if (empty())
     allocate(packing);
+  if (torque != 0.)
+    add_torque(packing, cell, torque);
   for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
   {
     const Tensor<1, 2> a = packing.vertex(cell, i) - packing.centre(cell);
@@ -134,6 +137,35 @@ void BodyForce::add(const Packing &packing,
     const Tensor<1, 2> share = 0.5 * cross(a, b) / packing.area(cell) * f;
     on_sub_cell[packing.first_side(cell) + i] += share;
     moment_of_cell[cell] += outer_product(share, (a + b) / 3.);
+  }
+}
+
+/** That of the force torque / I R(pi/2) (x - x_c), I the polar moment. */
+void BodyForce::add_torque(const Packing &packing,
+                           const unsigned int cell,
+                           const double torque)
+{
+  const auto quarter_turn = [](const Tensor<1, 2> &x) {
+    return Tensor<1, 2>({-x[1], x[0]});
+  };
+  const unsigned int n = packing.n_sides(cell);
+  std::vector<Tensor<1, 2>> arms(n + 1);
+  for (unsigned int i = 0; i <= n; ++i)
+    arms[i] = packing.vertex(cell, i) - packing.centre(cell);
+  // The integral of the outer product of x - x_c with itself.
+  Tensor<2, 2> second_moment;
+  for (unsigned int i = 0; i < n; ++i)
+    for (const Tensor<1, 2> &x : {arms[i], arms[i + 1], arms[i] + arms[i + 1]})
+      second_moment += cross(arms[i], arms[i + 1]) / 24. * outer_product(x, x);
+  const double density = torque / trace(second_moment);
+  for (unsigned int i = 0; i < n; ++i)
+    on_sub_cell[packing.first_side(cell) + i] +=
+        density * cross(arms[i], arms[i + 1]) / 6. *
+        quarter_turn(arms[i] + arms[i + 1]);
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    moment_of_cell[cell][0][j] -= density * second_moment[1][j];
+    moment_of_cell[cell][1][j] += density * second_moment[0][j];
   }
 }
 

@@ -36,7 +36,11 @@ void add_forces_inside(const Scene &scene,
   {
     LoadPart part = {"the force on '" + f.name + "'", 0.};
     for (const unsigned int c : f.cells)
+    {
       part.work += f.force * motion.displacement[c];
+      if (!motion.rotation.empty())
+        part.work += f.torque * motion.rotation[c];
+    }
     body.work -= part.work;
     parts.push_back(part);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/edge_integral.h>
@@ -26,6 +27,10 @@ using dealii::Tensor;
 
 namespace
 {
+/** The distance of a place from a cell, over the size of it, that is rounding.
+ */
+constexpr double rounding_of_place = 1e-10;
+
 /** Two expressions "f_x; f_y" in x, y, ... */
 class VectorExpression
 {
@@ -93,6 +98,42 @@ std::vector<unsigned int> cells_of_name(const Packing &packing,
       cells.push_back(c);
   return cells;
 }
+bool contains(const Packing &packing, const unsigned int c, const Point<2> &x)
+{
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+  {
+    const Point<2> &a = packing.vertex(c, i), &b = packing.vertex(c, i + 1);
+    if (cross(b - a, x - a) < -rounding_of_place * packing.area(c))
+      return false;
+  }
+  return true;
+}
+
+/** The torque about x_c of a force that acts at @p place. */
+double torque_at(const Packing &packing,
+                 const CellForce &f,
+                 const std::string &place,
+                 const std::string &parameter)
+{
+  const auto x = pair_of_text(place);
+  if (!x)
+    throw InputError("The parameter '" + parameter + "' lets the force on '" +
+                     f.name + "' act at '" + place +
+                     "'; two finite numbers \"x, y\" are expected, with a "
+                     "comma between.");
+  if (f.cells.size() != 1)
+    throw InputError(
+        text("The parameter '", parameter, "' lets the force on '", f.name,
+             "' act at ", text_of_point(*x), ", but there are ", f.cells.size(),
+             " cells of that name; name one cell, as in cell 12."));
+  const unsigned int c = f.cells.front();
+  if (!contains(packing, c, *x))
+    throw InputError(text("The parameter '", parameter, "' lets the force on '",
+                          f.name, "' act at ", text_of_point(*x),
+                          ", which is not a place in ", packing.describe(c),
+                          " at ", text_of_point(packing.centre(c)), "."));
+  return cross(*x - packing.centre(c), f.force);
+}
 } // namespace
 
 void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -137,7 +178,8 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "\"name: F_x, F_y; name: F_x, "
                     "F_y\": on each cell of the group of that name, or on the "
                     "cell with a number, as in cell 12: 0, -5. Per unit "
-                    "thickness; spread evenly over the cell.",
+                    "thickness; spread evenly over the cell. On one cell it "
+                    "may act at a place, as in cell 12: 0, -5 at 0.3, 1.",
                     Anything());
   prm.leave_subsection();
 }
@@ -266,7 +308,8 @@ LoadParameters::forces_on_cells(const Packing &packing) const
   {
     const std::vector<unsigned int> cells =
         cells_of_name(packing, name, parameter);
-    const auto force = pair_of_text(value);
+    const std::size_t at = value.find(" at ");
+    const auto force = pair_of_text(value.substr(0, at));
     if (!force)
       throw InputError("The parameter '" + parameter + "' gives '" + name +
                        "' the force '" + value +
@@ -278,6 +321,9 @@ LoadParameters::forces_on_cells(const Packing &packing) const
                        "', which has no cells to take it; name another group, "
                        "or a cell by its number.");
     forces.push_back({name, cells, *force});
+    if (at != std::string::npos)
+      forces.back().torque =
+          torque_at(packing, forces.back(), value.substr(at + 4), parameter);
   }
   return forces;
 }

@@ -106,7 +106,7 @@ Scene::Scene(Packing packing_in,
   traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
-      body.add(packing, c, f.force);
+      body.add(packing, c, f.force, f.torque);
   add_up_loads();
   check_balance();
   if (turns())

@@ -39,9 +39,15 @@ public:
             const Jumps &jumps = Jumps(),
             Inaccuracies *inaccuracies = nullptr);
 
-  /** Add the force @p f per unit thickness, spread evenly over @p cell. */
-  void
-  add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
+  /**
+   * Add the force @p f and the @p torque about x_c, per unit thickness, spread
+   * over @p cell: as a constant, and as a field that turns about x_c and grows
+   * with the distance from it.
+   */
+  void add(const Packing &packing,
+           unsigned int cell,
+           const dealii::Tensor<1, 2> &f,
+           double torque = 0.);
 
   /** True if there is none, and none was added. */
   bool empty() const { return on_sub_cell.empty(); }
@@ -60,6 +66,7 @@ public:
 
 private:
   void allocate(const Packing &packing);
+  void add_torque(const Packing &packing, unsigned int cell, double torque);
 
   /** By packing.first_side(cell) + i. */
   std::vector<dealii::Tensor<1, 2>> on_sub_cell;

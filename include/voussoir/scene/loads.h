@@ -22,6 +22,8 @@ struct CellForce
   std::vector<unsigned int> cells;
   /** On each cell; per unit thickness. */
   dealii::Tensor<1, 2> force;
+  /** The torque about x_c of the place where it acts; per unit thickness. */
+  double torque = 0.;
 };
 
 /** All that acts on a packing, in the user's units. */
