@@ -78,7 +78,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       "true: blocks also turn, so that moments are balanced, and touch at both "
       "ends of an interface, so that its resultant has a place on it: arches "
       "and towers may overturn. false: they slide only, as in the paper.",
-      Bool());
+      dealii::Patterns::Bool());
   solver.add_parameters(prm);
   packing.add_parameters(prm);
   supports.add_parameters(prm);
