@@ -39,7 +39,7 @@ inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
     if (found.mechanism)
     {
       const MechanismCertificate proof =
-          certify_mechanism(scene, found.mechanism->displacement);
+          certify_mechanism(scene, found.mechanism->motion);
       if (proves_collapse(proof))
         judgement.verdict = Verdict::collapse;
       else

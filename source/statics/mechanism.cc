@@ -29,6 +29,12 @@ constexpr double closing_to_correct = 0.1;
 constexpr double holding_shift = 1e-8;
 constexpr unsigned int n_rounds = 10;
 
+/**
+ * The jumps, relative to the largest displacement, that may be those of joints
+ * that do not move in a mechanism that a solver has nearly found.
+ */
+constexpr double small_jumps[] = {1e-3, 1e-4, 1e-5, 1e-6};
+
 double largest_component(const std::vector<double> &v)
 {
   double largest = 0.;
@@ -68,29 +74,32 @@ double dissipation(const DiscreteProblem &problem, const std::vector<double> &v)
 }
 
 /**
- * Move @p v, in a packing that has no opening, to the nearest displacement in
- * which the joints that close neither close nor open: between supports that
- * clamp the packing they can do nothing else in a mechanism.
+ * Move @p v to the nearest displacement in which joints whose jumps are below
+ * @p small have none: contacts that hardly open, or close, neither close nor
+ * open, and joints that hardly slide do not. If it is negative, these are the
+ * contacts that close more than that.
  *
  * @return true if no joint closes then.
  */
-bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
+bool round_small_jumps(const DiscreteProblem &problem,
+                       const double small,
+                       std::vector<double> &v)
 {
-  if (largest_closing(problem, v) > closing_to_correct ||
-      !(problem.work(v.data()) > dissipation(problem, v)))
-    return false;
-  const unsigned int n_rows = problem.n_rows();
+  const unsigned int n_rows = problem.n_rows(), n = problem.n_contacts();
   std::vector<double> springs(problem.n_all_rows(), 0.);
   JointSystem system(problem, LinearSolver::automatic);
   for (unsigned int round = 0; round < n_rounds; ++round)
   {
+    const double limit = round == 0 ? small : -rounding_of_closing;
     std::vector<double> right(problem.n_dofs(), 0.);
     std::vector<double> forces = problem.jumps(v);
     for (std::size_t e = 0, k = 0; k < forces.size(); ++e, k += n_rows)
     {
-      for (unsigned int r = 0; r < problem.n_contacts(); ++r)
-        if (forces[k + r] < -rounding_of_closing)
+      for (unsigned int r = 0; r < n; ++r)
+        if (forces[k + r] < limit)
           springs[k + r] = problem.contact_stiffness(e);
+      if (std::abs(forces[k + n]) < limit)
+        springs[k + n] = problem.joints()[e].stiffness();
       for (unsigned int r = 0; r < n_rows; ++r)
         forces[k + r] *= -springs[k + r];
       problem.add_jump_gradient(e, &forces[k], right.data());
@@ -104,6 +113,17 @@ bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
       return true;
   }
   return false;
+}
+
+/**
+ * The same in a packing that has no opening, of what closes: between supports
+ * that clamp the packing joints can do nothing else in a mechanism.
+ */
+bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
+{
+  return largest_closing(problem, v) <= closing_to_correct &&
+         problem.work(v.data()) > dissipation(problem, v) &&
+         round_small_jumps(problem, -rounding_of_closing, v);
 }
 
 /**
@@ -131,20 +151,16 @@ double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
     v[k] += share * opening[k];
   return share;
 }
-} // namespace
-
-std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
-                                        const std::vector<double> &u)
+/**
+ * The mechanism @p v, which closes no joint, if its work is beyond rounding.
+ *
+ * @param opening the part of an opening in it.
+ */
+std::optional<Mechanism> mechanism_of(const DiscreteProblem &problem,
+                                      std::vector<double> v,
+                                      const double opening)
 {
-  std::vector<double> v = u;
   problem.remove_rigid_motions(v);
-  if (!divide(v, largest_component(v)) || problem.joints().empty())
-    return {};
-  const double opening = open_joints(problem, v);
-  if (!std::isfinite(opening))
-    return {};
-  problem.remove_rigid_motions(v);
-
   // A motion that the opening all but undoes is lost in rounding.
   const double remainder = largest_component(v) / (1. + opening);
   if (!divide(v, largest_component(v)))
@@ -162,5 +178,41 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
 
   mechanism.motion = problem.motion_of_cells(v, 1.);
   return mechanism;
+}
+
+/** Scale a displacement; false if it is none. */
+bool normalise(const DiscreteProblem &problem, std::vector<double> &v)
+{
+  problem.remove_rigid_motions(v);
+  return divide(v, largest_component(v)) && !problem.joints().empty();
+}
+} // namespace
+
+std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
+                                        const std::vector<double> &u)
+{
+  std::vector<double> v = u;
+  if (!normalise(problem, v))
+    return {};
+  const double opening = open_joints(problem, v);
+  return std::isfinite(opening) ? mechanism_of(problem, v, opening)
+                                : std::nullopt;
+}
+
+std::optional<Mechanism> find_mechanism_near(const DiscreteProblem &problem,
+                                             const std::vector<double> &u)
+{
+  std::vector<double> rough = u;
+  if (!normalise(problem, rough))
+    return {};
+  for (const double small : small_jumps)
+  {
+    std::vector<double> v = rough;
+    if (!round_small_jumps(problem, small, v))
+      continue;
+    if (auto found = mechanism_of(problem, v, 0.))
+      return found;
+  }
+  return {};
 }
 } // namespace Voussoir

@@ -96,8 +96,11 @@ find_collapse_by_load_factor(const DiscreteProblem &problem, Terminal &terminal)
          point.imbalance() <= imbalance_of_load_factor))
       break; // the load is carried, or no digits are left to tell
   }
+  if (!mechanism && !(point.load_factor() > 1.))
+    mechanism = find_mechanism_near(problem, point.u());
   return mechanism;
 }
+
 Solution settle(const DiscreteProblem &problem,
                 const std::vector<JointCost> &costs,
                 const SolverControls &controls,

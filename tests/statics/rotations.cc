@@ -23,8 +23,8 @@ Scene under(Packing packing,
   packing.support(boundary_edges_where(packing, condition, ""));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
-  loads.body = BodyForce(
-      packing, [=](const Point<2> &, unsigned int) { return b; });
+  loads.body =
+      BodyForce(packing, [=](const Point<2> &, unsigned int) { return b; });
   const std::vector<double> strengths(packing.interfaces().size(), strength);
   return Scene(std::move(packing), strengths, std::move(loads), rotations());
 }
