@@ -148,29 +148,38 @@ void DiscreteProblem::choose_scales(const Scene &scene,
 }
 
 /**
- * Spread the total force of a group that rounding leaves over its cells; the
- * ground takes that of its own group.
+ * Spread the total force and moment of a group that rounding leaves over its
+ * cells; the ground takes those of its own group.
  */
 void DiscreteProblem::balance_loads()
 {
   // With many cells the sum of doubles would be off by more than a solver's
   // tolerance.
-  using Sum = std::array<long double, 3>;
-  const unsigned int n = n_unknowns();
-  std::vector<Sum> sum(n_bodies(), Sum{{0., 0., 0.}});
   std::vector<unsigned int> size(n_bodies(), 0);
   for (unsigned int b = 0; b < n_bodies(); ++b)
-  {
-    for (unsigned int i = 0; i < n; ++i)
-      sum[group[b]][i] += own.loads[dof(b, i)];
     ++size[group[b]];
-  }
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < n; ++i)
+  const auto spread = [&](const unsigned int i, const auto &load_of) {
+    std::vector<long double> sum(n_bodies(), 0.);
+    for (unsigned int b = 0; b < n_bodies(); ++b)
+      sum[group[b]] += load_of(b);
+    for (unsigned int b = 0; b < n_bodies(); ++b)
       if (!has_ground() || group[b] != group.back())
-        own.loads[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
+        own.loads[dof(b, i)] -= sum[group[b]] / size[group[b]];
       else if (b == n_cells())
-        own.loads[dof(b, i)] = -sum[group[b]][i];
+        own.loads[dof(b, i)] = -sum[group[b]];
+  };
+  for (unsigned int i = 0; i < 2; ++i)
+    spread(i, [&](const unsigned int b) -> long double {
+      return own.loads[dof(b, i)];
+    });
+  // Torques about x_c; with the arms of the forces their sum is the moment.
+  if (n_unknowns() == 3)
+    spread(2, [&](const unsigned int b) -> long double {
+      const Tensor<1, 2> &x = centres()[b];
+      return own.loads[dof(b, 2)] +
+             static_cast<long double>(x[0]) * own.loads[dof(b, 1)] -
+             static_cast<long double>(x[1]) * own.loads[dof(b, 0)];
+    });
 }
 
 void DiscreteProblem::subtract(const std::vector<RigidMotion> &motion_of_group,
