@@ -36,9 +36,10 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
       own.centres.push_back((packing.centre(c) - centroid) / length_unit);
       const Tensor<1, 2> load = scene.load[c] / (stress_unit * length_unit);
       own.loads.insert(own.loads.end(), {load[0], load[1]});
-      if (n_unknowns() == 3)
+      if (scene.turns())
         own.loads.push_back(scene.load_torque[c] /
                             (stress_unit * length_unit * length_unit));
+      own.loads.resize(n_unknowns() * own.centres.size());
     }
   n_moving_cells = own.centres.size();
   for (unsigned int c = 0; c <= packing.n_cells(); ++c)

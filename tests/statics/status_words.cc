@@ -28,7 +28,7 @@ Status::Kind status_of(const Scene &scene, const Way &way)
     const InterfaceForces forces = dimensional_forces(problem, solution);
     const Assessment found =
         assess(scene, forces, certify(scene, forces), Terminal::silent());
-    if (!found.mechanism.empty() &&
+    if (!found.mechanism.displacement.empty() &&
         !proves_collapse(certify_mechanism(scene, found.mechanism)))
       std::cout << "FAILED: a mechanism that proves nothing" << std::endl;
     return found.status.kind;

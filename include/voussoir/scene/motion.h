@@ -18,7 +18,7 @@ struct Motion
   /** One of rest. */
   Motion(const unsigned int n_cells, const Kinematics &kinematics)
       : displacement(n_cells),
-        rotation(kinematics.n_unknowns() > 2 ? n_cells : 0, 0.)
+        rotation(kinematics.n_rigid_motions() > 2 ? n_cells : 0, 0.)
   {}
   /** One that turns cells if there are rotations. */
   Motion(std::vector<dealii::Tensor<1, 2>> displacement,

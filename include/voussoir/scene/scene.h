@@ -44,7 +44,7 @@ struct Scene
   /** The motions of the blocks. */
   const Kinematics *kinematics;
   /** True if they turn, so that moments are balanced. */
-  bool turns() const { return kinematics->n_unknowns() > 2; }
+  bool turns() const { return kinematics->n_rigid_motions() > 2; }
   /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
   /** EdgeTractions::first_moment of it on each boundary edge; S L^2. */
