@@ -148,29 +148,32 @@ void DiscreteProblem::choose_scales(const Scene &scene,
 }
 
 /**
- * Spread the total force of a group that rounding leaves over its cells; the
- * ground takes that of its own group.
+ * Spread what rounding leaves of the loads on a group, their work along each of
+ * its rigid motions, over its cells; the ground takes that of its own group.
  */
 void DiscreteProblem::balance_loads()
 {
-  // With many cells the sum of doubles would be off by more than a solver's
-  // tolerance.
-  using Sum = std::array<long double, 3>;
-  const unsigned int n = n_unknowns();
-  std::vector<Sum> sum(n_bodies(), Sum{{0., 0., 0.}});
   std::vector<unsigned int> size(n_bodies(), 0);
-  for (unsigned int b = 0; b < n_bodies(); ++b)
+  for (const unsigned int g : group)
+    ++size[g];
+  std::array<double, 3> motion;
+  for (unsigned int k = 0; k < kinematics().n_rigid_motions(); ++k)
   {
-    for (unsigned int i = 0; i < n; ++i)
-      sum[group[b]][i] += own.loads[dof(b, i)];
-    ++size[group[b]];
-  }
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    for (unsigned int i = 0; i < n; ++i)
+    // With many cells the sum of doubles would be off by more than a solver's
+    // tolerance.
+    std::vector<long double> sum(n_bodies(), 0.);
+    for (unsigned int b = 0; b < n_bodies(); ++b)
+    {
+      kinematics().find_rigid_motion(k, centres()[b], motion.data());
+      for (unsigned int i = 0; i < n_unknowns(); ++i)
+        sum[group[b]] += own.loads[dof(b, i)] * motion[i];
+    }
+    for (unsigned int b = 0; b < n_bodies(); ++b)
       if (!has_ground() || group[b] != group.back())
-        own.loads[dof(b, i)] -= sum[group[b]][i] / size[group[b]];
+        own.loads[dof(b, k)] -= sum[group[b]] / size[group[b]];
       else if (b == n_cells())
-        own.loads[dof(b, i)] = -sum[group[b]][i];
+        own.loads[dof(b, k)] = -sum[group[b]];
+  }
 }
 
 void DiscreteProblem::subtract(const std::vector<RigidMotion> &motion_of_group,

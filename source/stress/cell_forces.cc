@@ -12,6 +12,8 @@ CellForces cell_forces(const Scene &scene,
       packing.first_side(cells.end) - packing.first_side(cells.begin);
   CellForces result;
   result.on_side.reserve(n_sides);
+  if (scene.turns())
+    result.shift_on_side.reserve(n_sides);
   if (!scene.body.empty())
     result.body.reserve(n_sides);
   for (unsigned int c = cells.begin; c < cells.end; ++c)
@@ -21,13 +23,23 @@ CellForces cell_forces(const Scene &scene,
     {
       const unsigned int k = sides[i].index;
       if (sides[i].on_boundary)
-        result.on_side.push_back(packing.boundary_edges()[k].length *
-                                 scene.traction[k]);
+      {
+        const double length = packing.boundary_edges()[k].length;
+        result.on_side.push_back(length * scene.traction[k]);
+        if (scene.turns())
+          result.shift_on_side.push_back(2. / length *
+                                         scene.traction_moment[k]);
+      }
       else
       {
         const Packing::Interface &interface = packing.interfaces()[k];
         const dealii::Tensor<1, 2> f = forces.on_cell_minus(interface, k);
         result.on_side.push_back(interface.cell_minus == c ? f : -f);
+        // The same for both cells: force and direction are opposite.
+        if (scene.turns())
+          result.shift_on_side.push_back(-2. / interface.length *
+                                         forces.couple(interface, k) *
+                                         interface.normal);
       }
       if (!scene.body.empty())
         result.body.push_back(scene.body.force(packing, c, i));

@@ -167,7 +167,8 @@ void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
                                   const unsigned int n_sides)
 {
   fluxes.assign(n_sub_cells() * element.dofs_per_cell, {none, none, 0.});
-  const double length_of_side = 2. * std::sin(dealii::numbers::PI / n_sides);
+  const std::vector<Point<2>> polygon = regular_polygon(n_sides);
+  const double length_of_half = std::sin(dealii::numbers::PI / n_sides);
   dealii::FEFaceValues<2> on_face(
       element, dealii::QGauss<1>(element.dofs_per_face),
       dealii::update_values | dealii::update_normal_vectors |
@@ -181,10 +182,16 @@ void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
       const dealii::Vector<double> coefficients = even_flux(on_face, face);
       const unsigned int sub_cell = cell->active_cell_index();
       const unsigned int side = sub_cell / cut.of_triangle().size();
-      const double share = cell->face(face)->measure() / length_of_side;
+      const Point<2> middle = cell->face(face)->center();
+      const unsigned int half =
+          middle.distance(polygon[side]) <
+                  middle.distance(polygon[(side + 1) % n_sides])
+              ? 2 * side
+              : 2 * side + 1;
+      const double share = cell->face(face)->measure() / length_of_half;
       for (unsigned int f = 0; f < coefficients.size(); ++f)
         fluxes[sub_cell * element.dofs_per_cell +
-               element.face_to_cell_index(f, face)] = {none, side,
+               element.face_to_cell_index(f, face)] = {none, half,
                                                        share * coefficients[f]};
     }
 }
@@ -204,7 +211,7 @@ void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler)
     {
       Flux &flux =
           fluxes[cell->active_cell_index() * element.dofs_per_cell + k];
-      if (flux.side != none)
+      if (flux.half != none)
         continue;
       if (unknown[indices[k]] == none)
         unknown[indices[k]] = unknown_fluxes++;

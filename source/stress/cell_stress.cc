@@ -32,6 +32,22 @@ constexpr double turn = 1.;
  */
 constexpr double largest_error = 1e-6;
 
+Tensor<2, 2> LoadedCell::moments() const
+{
+  Tensor<2, 2> sum;
+  const unsigned int n = vertices.size();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const Tensor<1, 2> a = vertices[i] - centre;
+    const Tensor<1, 2> b = vertices[(i + 1) % n] - centre;
+    sum += outer_product(forces[i], 0.5 * (a + b)) +
+           outer_product(body_forces[i], (a + b) / 3.);
+    if (!shifts.empty())
+      sum += outer_product(shifts[i], 0.5 * side(i));
+  }
+  return sum;
+}
+
 CellStress::CellStress(const SubTriangulation &cut,
                        const unsigned int n_sides,
                        const unsigned int degree,
@@ -46,6 +62,8 @@ bool CellStress::solve(const LoadedCell &cell,
   AssertDimension(cell.vertices.size() * n_per_side, n_sub_cells());
   AssertDimension(cell.forces.size(), cell.vertices.size());
   AssertDimension(cell.body_forces.size(), cell.vertices.size());
+  Assert(cell.shifts.empty() || cell.shifts.size() == cell.forces.size(),
+         dealii::ExcDimensionMismatch(cell.shifts.size(), cell.forces.size()));
   AssertDimension(sub_cells.size(), n_sub_cells());
 
   if (!solve_once(cell, found))
@@ -142,19 +160,27 @@ void CellStress::take_out_mean(const LoadedCell &cell)
     const Point<2> &a = corners[i];
     const Point<2> &b = corners[(i + 1) % n_sides];
     const Tensor<1, 2> source = cell.body_forces[i] / size;
-    forces.push_back(cell.forces[i] / size);
+    const Tensor<1, 2> force = cell.forces[i] / size;
     sources.push_back(source / (0.5 * cross(a, b)));
-    mean += outer_product(forces[i], 0.5 * (a + b)) +
+    mean += outer_product(force, 0.5 * (a + b)) +
             outer_product(source, (a + b) / 3.);
+    forces.insert(forces.end(), 2, 0.5 * force);
+    if (cell.shifts.empty())
+      continue;
+    const Tensor<1, 2> shift = cell.shifts[i] / size;
+    mean += outer_product(shift, 0.5 * (b - a));
+    forces[2 * i] -= shift;
+    forces[2 * i + 1] += shift;
   }
   mean = symmetrize(mean);
   for (unsigned int i = 0; i < n_sides; ++i)
   {
     // From the vertices, since corners have the rounding of the whole cell,
     // which on a short side is a large traction.
-    const Tensor<1, 2> side =
-        (cell.vertices[(i + 1) % n_sides] - cell.vertices[i]) / size;
-    forces[i] -= mean * Tensor<1, 2>({side[1], -side[0]});
+    const Tensor<1, 2> half = 0.5 * (cell.side(i) / size);
+    const Tensor<1, 2> of_mean = mean * Tensor<1, 2>({half[1], -half[0]});
+    forces[2 * i] -= of_mean;
+    forces[2 * i + 1] -= of_mean;
   }
 }
 
@@ -162,10 +188,14 @@ void CellStress::take_out_mean(const LoadedCell &cell)
 double CellStress::largest_stress() const
 {
   double largest = mean.norm();
-  for (unsigned int i = 0; i < corners.size(); ++i)
+  for (unsigned int h = 0; h < forces.size(); ++h)
+  {
+    const unsigned int i = h / 2;
     largest = std::max(
-        largest, forces[i].norm() /
-                     corners[i].distance(corners[(i + 1) % corners.size()]));
+        largest,
+        forces[h].norm() /
+            (0.5 * corners[i].distance(corners[(i + 1) % corners.size()])));
+  }
   return largest;
 }
 
@@ -178,8 +208,13 @@ bool CellStress::mean_is_right() const
 {
   Tensor<2, 2> error;
   for (unsigned int i = 0; i < corners.size(); ++i)
-    error -= outer_product(
-        forces[i], 0.5 * (corners[i] + corners[(i + 1) % corners.size()]));
+  {
+    const Point<2> &a = corners[i];
+    const Point<2> &b = corners[(i + 1) % corners.size()];
+    const Tensor<1, 2> &first = forces[2 * i], &second = forces[2 * i + 1];
+    error -= outer_product(first + second, 0.5 * (a + b)) +
+             outer_product(second - first, 0.25 * (b - a));
+  }
   for (unsigned int s = 0; s < n_sub_cells(); ++s)
   {
     const CellSpaces::Integrals &integrals = spaces.integrals(s);
@@ -212,6 +247,8 @@ bool CellStress::is_same_turned(const LoadedCell &cell)
     turned.vertices.emplace_back(rotation * (cell.vertices[i] - cell.centre));
     turned.forces.push_back(rotation * cell.forces[i]);
     turned.body_forces.push_back(rotation * cell.body_forces[i]);
+    if (!cell.shifts.empty())
+      turned.shifts.push_back(rotation * cell.shifts[i]);
   }
   if (!solve_once(turned, found_turned))
     return false;

@@ -29,29 +29,17 @@ void read(const Packing &packing,
   cell.centre = packing.centre(c);
   cell.vertices.clear();
   cell.forces.clear();
+  cell.shifts.clear();
   cell.body_forces.assign(packing.n_sides(c), Tensor<1, 2>());
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
   {
     cell.vertices.push_back(packing.vertex(c, i));
     cell.forces.push_back(of_all.on_side[first + i]);
+    if (!of_all.shift_on_side.empty())
+      cell.shifts.push_back(of_all.shift_on_side[first + i]);
     if (!of_all.body.empty())
       cell.body_forces[i] = of_all.body[first + i];
   }
-}
-
-/** The mean stress of a cell by itself; see cell_mean_stresses(). */
-Tensor<2, 2> mean_stress(const LoadedCell &cell, const double area)
-{
-  Tensor<2, 2> sum;
-  const unsigned int n = cell.vertices.size();
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    const Tensor<1, 2> a = cell.vertices[i] - cell.centre;
-    const Tensor<1, 2> b = cell.vertices[(i + 1) % n] - cell.centre;
-    sum += outer_product(cell.forces[i], 0.5 * (a + b)) +
-           outer_product(cell.body_forces[i], (a + b) / 3.);
-  }
-  return sum / area;
 }
 
 /** The solvers that a thread keeps from cell to cell, by number of sides. */
@@ -182,7 +170,8 @@ StressField reconstruct_stress(const Packing &packing,
     determined[c] = scratch.solvers.solve(cell, sub_cells);
     if (!determined[c])
     {
-      const Tensor<2, 2> mean = mean_stress(cell, packing.area(c));
+      // See cell_mean_stresses().
+      const Tensor<2, 2> mean = cell.moments() / packing.area(c);
       std::fill(
           sub_cells.begin(), sub_cells.end(),
           SubCellStress{mean, {}, 0.5 * std::abs(mean[0][1] - mean[1][0])});

@@ -11,6 +11,13 @@ using dealii::Tensor;
 
 namespace
 {
+/** The torque of the forces on a cell about its centre; S L^2. */
+double torque(const LoadedCell &cell)
+{
+  const Tensor<2, 2> moments = cell.moments();
+  return moments[1][0] - moments[0][1];
+}
+
 /** The middle of a sub-cell, in weights of the ends of its side. */
 Point<2> middle(const SubTriangulation::Quadrilateral &sub_cell)
 {
@@ -96,6 +103,15 @@ bool ShortSides::leave_out(const LoadedCell &cell)
   if (!find_corners(cell.vertices))
     return false;
   remains.centre = cell.centre;
+  share_out_forces(cell);
+  remains.shifts.clear();
+  if (!cell.shifts.empty())
+    keep_torque(cell);
+  return true;
+}
+
+void ShortSides::share_out_forces(const LoadedCell &cell)
+{
   const unsigned int n = corner_of.size(), n_corners = remains.vertices.size();
   remains.forces.assign(n_corners, Tensor<1, 2>());
   remains.body_forces.assign(n_corners, Tensor<1, 2>());
@@ -112,7 +128,31 @@ bool ShortSides::leave_out(const LoadedCell &cell)
       remains.body_forces[side] += 0.5 * cell.body_forces[i];
     }
   }
-  return true;
+}
+
+/**
+ * Keep the couples of the sides that remain. What they and the forces miss of
+ * the torque becomes a couple on each, in proportion to the square of its
+ * length: for a torque the least tractions. Nothing is missing under a uniform
+ * stress.
+ */
+void ShortSides::keep_torque(const LoadedCell &cell)
+{
+  const unsigned int n_corners = remains.vertices.size();
+  remains.shifts.assign(n_corners, Tensor<1, 2>());
+  for (unsigned int i = 0; i < corner_of.size(); ++i)
+    if (corner_of[(i + 1) % corner_of.size()] != corner_of[i])
+      remains.shifts[corner_of[i]] = cell.shifts[i];
+
+  double square = 0.;
+  for (unsigned int i = 0; i < n_corners; ++i)
+    square += remains.side(i).norm_square();
+  const double factor = 2. / square * (torque(cell) - torque(remains));
+  for (unsigned int i = 0; i < n_corners; ++i)
+  {
+    const Tensor<1, 2> side = remains.side(i);
+    remains.shifts[i] += factor * Tensor<1, 2>({-side[1], side[0]});
+  }
 }
 
 void ShortSides::fill(const std::vector<SubCellStress> &found,

@@ -32,6 +32,7 @@ void for_each_list(MessageType &message, const Visitor &visit)
   visit(message.cells.centres);
   visit(message.cells.group);
   visit(message.forces.on_side);
+  visit(message.forces.shift_on_side);
   visit(message.forces.body);
   visit(message.displacement);
 }

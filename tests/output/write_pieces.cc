@@ -22,8 +22,8 @@ int main(int argc, char **argv)
 
   // Enough sub-cells for several blocks of compression.
   const unsigned int n_cells = 30000;
-  const Rectangle rectangle = {{0., 0.}, {1., 1.}};
-  const Packing packing(voronoi_cells(random_points(n_cells, 1), rectangle));
+  const ConvexPolygon square(Rectangle{{0., 0.}, {1., 1.}});
+  const Packing packing(voronoi_cells(random_points(n_cells, 1), square));
   std::vector<dealii::Tensor<1, 2>> displacement;
   StressField stress;
   for (unsigned int c = 0; c < n_cells; ++c)

@@ -66,8 +66,9 @@ class Scene:
             "formulation": "least energy"}
         if seed % 2 == 0:
             self.values.update(
-                supports="y < 1e-9", stress="0, 0; 0, 0",
-                body="{}; -1".format(choice.uniform(-0.3, 0.3)))
+                supports="y < 1e-9", stress="{}, 0; 0, {}".format(
+                    -choice.uniform(0.1, 1.), -choice.uniform(0., 1.)),
+                body="{}; -1".format(choice.uniform(-0.5, 0.5)))
         else:
             shear = choice.uniform(-0.8, 0.8)
             self.values.update(

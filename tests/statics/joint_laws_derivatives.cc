@@ -8,16 +8,16 @@
 #include <voussoir/statics/elastic_problem.h>
 
 #include "tests.h"
-#include <array>
+#include <vector>
 
 using namespace Voussoir;
 
 /** Of a joint with one contact: normal, and tangential. */
-using Pair = std::array<double, 2>;
+using Pair = std::vector<double>;
 
 Pair force(const JointLaw &law, const Pair &jumps)
 {
-  Pair forces;
+  Pair forces(2);
   law.find_forces(0, jumps.data(), forces.data());
   return forces;
 }
@@ -33,7 +33,7 @@ void check_law(const std::string &name,
     for (const double y : openings)
     {
       const Pair jumps = {y, x}, f = force(law, jumps);
-      Pair curvature;
+      Pair curvature(2);
       law.find_second_derivatives(0, jumps.data(), curvature.data());
       const double normal =
           (force(law, {y + h, x})[0] - force(law, {y - h, x})[0]) / (2. * h);

@@ -65,7 +65,7 @@ void check_load(const std::string &what,
                 const double F_y,
                 const double torque)
 {
-  const InterfaceForces none = {{0.}, {0.}};
+  const InterfaceForces none = {{0.}, {0.}, {}};
   check_error(what + ": force",
               (scene.load[0] - Tensor<1, 2>({F_x, F_y})).norm(), 1e-13);
   check_error(what + ": torque",
@@ -119,7 +119,7 @@ void check_body_forces()
   const Scene sheared = block(1., "set Body force = exp(10*y); 0");
   const double torque = -((0.5 * e + 0.5) / 10. - (e - 1.) / 100.);
   check_error("exp(10 y): torque",
-              std::abs(residual_torques(sheared, {{0.}, {0.}})[0] - torque),
+              std::abs(residual_torques(sheared, {{0.}, {0.}, {}})[0] - torque),
               1e-9);
   // A peak of the integral pi that a point of the rule meets on its flank.
   const Scene peaked = block(1., "set Body force = 0; "
@@ -150,7 +150,7 @@ void check_segments()
       9., "set Segment tractions = 0, 1 to 0, 0: 0, 0 to 6, 0; 0, 1 to 1, "
           "1: 0, -3");
   check_load("water and a load", deep, 3., -3., 3. * (0.5 - 1. / 3.));
-  const auto mean = cell_mean_stresses(deep, {{0.}, {0.}})[0];
+  const auto mean = cell_mean_stresses(deep, {{0.}, {0.}, {}})[0];
   // The integrals of g_x x and g_y y over the boundary, from the middle.
   check_error("water and a load: mean stress",
               std::max(std::abs(mean[0][0] + 1.5), std::abs(mean[1][1] + 1.5)),

@@ -7,23 +7,23 @@
 #include <voussoir/statics/smoothed_joint.h>
 
 #include "tests.h"
-#include <array>
+#include <vector>
 
 using namespace Voussoir;
 
 /** Of a joint with one contact: normal, and tangential. */
-using Pair = std::array<double, 2>;
+using Pair = std::vector<double>;
 
 Pair force_of(const SmoothedJoint &law, const Pair &jumps)
 {
-  Pair forces;
+  Pair forces(2);
   law.find_forces(0, jumps.data(), forces.data());
   return forces;
 }
 
 Pair curvature_of(const SmoothedJoint &law, const Pair &jumps)
 {
-  Pair second;
+  Pair second(2);
   law.find_second_derivatives(0, jumps.data(), second.data());
   return second;
 }

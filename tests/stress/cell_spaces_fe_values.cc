@@ -232,8 +232,8 @@ void Spaces::compare_divergences(const unsigned int s,
 }
 
 /**
- * The fluxes prescribed on a side of the cell are even on it, one over its
- * length for a unit force, and those of other sides nothing.
+ * The fluxes prescribed on a half of a side of the cell are even on it, one
+ * over its length for a unit force, and those of others nothing.
  */
 void Spaces::compare_traces(
     const dealii::DoFHandler<2>::active_cell_iterator &cell,
@@ -245,11 +245,15 @@ void Spaces::compare_traces(
                                       dealii::update_JxW_values);
   const unsigned int s = cell->active_cell_index();
   const unsigned int side = s / cut.of_triangle().size();
-  const double length =
-      polygon[side].distance(polygon[(side + 1) % polygon.size()]);
+  const Point<2> &start = polygon[side];
+  const Point<2> &end = polygon[(side + 1) % polygon.size()];
+  const double length = 0.5 * start.distance(end);
   for (const unsigned int face : cell->face_indices())
   {
     on_face.reinit(cell, face);
+    const Point<2> middle = cell->face(face)->center();
+    const unsigned int half =
+        2 * side + (middle.distance(end) < middle.distance(start));
     std::vector<double> found(on_line.size(), 0.), lengths;
     for (unsigned int q = 0; q < on_line.size(); ++q)
       for (const unsigned int k : on_face.dof_indices())
@@ -260,9 +264,12 @@ void Spaces::compare_traces(
         "normal traces", found,
         std::vector<double>(found.size(), cell->at_boundary(face) ? 1. : 0.),
         1.);
-    for (const unsigned int k : on_face.dof_indices())
-      if (spaces.flux(s, k).unknown == dealii::numbers::invalid_unsigned_int)
-        errors["sides"] += (spaces.flux(s, k).side != side);
+    if (cell->at_boundary(face))
+      for (unsigned int f = 0; f < element.dofs_per_face; ++f)
+      {
+        const unsigned int k = element.face_to_cell_index(f, face);
+        errors["halves of sides"] += (spaces.flux(s, k).half != half);
+      }
   }
 }
 

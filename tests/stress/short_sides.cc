@@ -2,7 +2,8 @@
 
 // Cells with corners cut off by sides of 1e-5 to 1e-13 of their size: what
 // remains is the cell with its corners, and under an uneven stress its field,
-// up to the length of the sides; under a uniform one exactly. The elements
+// up to the length of the sides; under a uniform one exactly. With the couples
+// of the sides the torque of the forces remains as well. The elements
 // themselves refuse a cell whose sides they cannot resolve.
 
 #include <voussoir/base/geometry.h>
@@ -42,6 +43,21 @@ std::vector<Tensor<1, 2>> forces_of(const Stress stress,
   return forces;
 }
 
+/** The couples of its tractions, which are linear along each side. */
+std::vector<Tensor<1, 2>> shifts_of(const Stress stress,
+                                    const std::vector<Point<2>> &vertices)
+{
+  std::vector<Tensor<1, 2>> shifts;
+  for (unsigned int i = 0; i < vertices.size(); ++i)
+  {
+    const Point<2> &end = vertices[(i + 1) % vertices.size()];
+    const Tensor<1, 2> side = end - vertices[i];
+    shifts.push_back((stress(end) - stress(vertices[i])) *
+                     Tensor<1, 2>({side[1], -side[0]}) / 6.);
+  }
+  return shifts;
+}
+
 /** A quadrilateral. */
 const std::vector<Point<2>> with_corners = {
     {-0.55, -0.5}, {0.5, -0.47}, {0.46, 0.5}, {-0.48, 0.52}};
@@ -72,9 +88,30 @@ std::vector<Point<2>> without_corners(const double h, const unsigned int n_cut)
   return vertices;
 }
 
+/** A cell under a stress, with couples or without. */
+LoadedCell loaded(const Stress stress,
+                  const bool with_couples,
+                  const std::vector<Point<2>> &vertices)
+{
+  LoadedCell cell = {{},
+                     vertices,
+                     forces_of(stress, vertices),
+                     std::vector<Tensor<1, 2>>(vertices.size())};
+  if (with_couples)
+    cell.shifts = shifts_of(stress, vertices);
+  return cell;
+}
+
+double torque(const LoadedCell &cell)
+{
+  const Tensor<2, 2> moments = cell.moments();
+  return moments[1][0] - moments[0][1];
+}
+
 /** The largest distance from the stress in the cell with its corners, if both
  * cells are solved. */
 double distance(const Stress stress,
+                const bool with_couples,
                 const double h,
                 const unsigned int n_cut,
                 const SubTriangulation &cut,
@@ -82,17 +119,13 @@ double distance(const Stress stress,
 {
   const unsigned int n_per_side = cut.of_triangle().size();
   std::vector<SubCellStress> wanted(4 * n_per_side), rest(4 * n_per_side);
-  const std::vector<Tensor<1, 2>> nothing(4);
-  const bool is_solved_with_corners = cell_stress.solve(
-      {{}, with_corners, forces_of(stress, with_corners), nothing},
-      {wanted.data(), wanted.size()});
+  const bool is_solved_with_corners =
+      cell_stress.solve(loaded(stress, with_couples, with_corners),
+                        {wanted.data(), wanted.size()});
   const std::vector<Point<2>> vertices = without_corners(h, n_cut);
   ShortSides short_sides(cut, 1e-4);
   if (!is_solved_with_corners ||
-      !short_sides.leave_out({{},
-                              vertices,
-                              forces_of(stress, vertices),
-                              std::vector<Tensor<1, 2>>(vertices.size())}) ||
+      !short_sides.leave_out(loaded(stress, with_couples, vertices)) ||
       short_sides.rest().vertices.size() != 4 ||
       !cell_stress.solve(short_sides.rest(), {rest.data(), rest.size()}))
     return HUGE_VAL;
@@ -158,11 +191,32 @@ int main()
                {"2 refinements", SubTriangulation::thirds(2), &fine}})
       {
         check_error("  " + name + ", uneven",
-                    distance(uneven, h, n_cut, cut, *cell_stress), bound);
-        check_error("  " + name + ", even",
-                    distance(even, h, n_cut, cut, *cell_stress), 1e-13);
+                    distance(uneven, false, h, n_cut, cut, *cell_stress),
+                    bound);
+        check_error("  " + name + ", uneven with couples",
+                    distance(uneven, true, h, n_cut, cut, *cell_stress), bound);
+        for (const bool with_couples : {false, true})
+          check_error(
+              with_couples ? "  the same with couples" : "  " + name + ", even",
+              distance(even, with_couples, h, n_cut, cut, *cell_stress), 1e-13);
       }
     }
+
+  // Any forces, with a resultant and a torque.
+  LoadedCell any = loaded(uneven, true, without_corners(1e-2, 3));
+  for (unsigned int i = 0; i < any.forces.size(); ++i)
+    any.shifts[i] += (any.forces[i] += Tensor<1, 2>({0.1, 0.2 + 0.1 * i}));
+  any.body_forces.assign(any.forces.size(), Tensor<1, 2>({0.3, -0.2}));
+  ShortSides short_sides(SubTriangulation::fan(), 0.1);
+  check("sides are left out", short_sides.leave_out(any));
+  Tensor<1, 2> resultant;
+  for (const auto &force : any.forces)
+    resultant += force;
+  for (const auto &force : short_sides.rest().forces)
+    resultant -= force;
+  check_error("resultant", resultant.norm(), 1e-14);
+  check_error("torque", std::abs(torque(short_sides.rest()) - torque(any)),
+              1e-14);
 
   // Long chains of short sides are no corner: a regular polygon stays one.
   std::vector<Point<2>> round;

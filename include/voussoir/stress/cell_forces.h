@@ -10,8 +10,8 @@
 namespace Voussoir
 {
 /**
- * The forces on some cells that are cut free of all others (paper, eq. 14);
- * S L. An element for each side, cell by cell.
+ * The forces on some cells that are cut free of all others (paper, eq. 14), and
+ * where blocks turn their couples; S L. An element for each side, cell by cell.
  */
 struct CellForces
 {
@@ -20,6 +20,14 @@ struct CellForces
    * traction.
    */
   std::vector<dealii::Tensor<1, 2>> on_side;
+  /**
+   * D, the part of each force F that is shifted from the first half of its side
+   * to the second, counterclockwise around the cell: F/2 - D and F/2 + D act on
+   * them, so that D |e| / 2 is the first moment of the tractions along the
+   * side, and t x D |e| / 2 the couple, with the direction t of the side. Empty
+   * where blocks do not turn: F is spread evenly.
+   */
+  std::vector<dealii::Tensor<1, 2>> shift_on_side;
   /**
    * The integral of the body force over the triangle of the centre and each
    * side; empty if there is none.

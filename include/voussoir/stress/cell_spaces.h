@@ -30,17 +30,20 @@ public:
   /**
    * A basis function phi in a sub-cell. The fluxes through a line between two
    * sub-cells are the same unknowns for both; those through the boundary of the
-   * cell are prescribed, by the force on the side.
+   * cell are prescribed, by the force on one half of a side.
    */
   struct Flux
   {
     /** Its unknown, or dealii::numbers::invalid_unsigned_int if prescribed. */
     unsigned int unknown;
-    /** If prescribed: the side of the cell. */
-    unsigned int side;
+    /**
+     * If prescribed: the half of a side of the cell, 2 i for that of side i at
+     * vertex i, 2 i + 1 for that at vertex i + 1.
+     */
+    unsigned int half;
     /**
      * If prescribed: its coefficient for a unit force that is spread evenly
-     * over that side.
+     * over that half.
      */
     double per_force;
   };

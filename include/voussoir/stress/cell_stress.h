@@ -36,14 +36,31 @@ struct LoadedCell
    * side; S L.
    */
   std::vector<dealii::Tensor<1, 2>> body_forces;
+  /**
+   * n parts of the forces, D, shifted from the first half of each side to the
+   * second, or none; S L. See CellForces::shift_on_side.
+   */
+  std::vector<dealii::Tensor<1, 2>> shifts = {};
+
+  /** Side i, from vertex i to vertex i+1; a length. */
+  dealii::Tensor<1, 2> side(const unsigned int i) const
+  {
+    return vertices[(i + 1) % vertices.size()] - vertices[i];
+  }
+  /** The sum of f (x) (x - x_c) over all forces f on it; S L^2. */
+  dealii::Tensor<2, 2> moments() const;
 };
 
 /**
  * The stress of one cell with n sides from the forces on its sides.
  *
- * The rows of sigma are in FE_RaviartThomas, with the flux of row r through a
- * side component r of the force on it, spread evenly, and sigma is symmetric in
- * the weak sense,
+ * The rows of sigma are in FE_RaviartThomas. The trace sigma n is constant on
+ * each half of a side: the force F there over its length where it has no
+ * couple, F/2 -+ D on the halves where it has one. So sigma has the resultant
+ * and the couple through each side. Where the resultant passes outside the
+ * middle half of a side, at more than |e|/4 from its midpoint, the other half
+ * has tension, which the interface has not. And sigma is symmetric in the weak
+ * sense,
  *
  *     (sigma, j(q)) = 0 for all q in FE_DGQ,  j(q) = [[0, q], [-q, 0]].
  *
@@ -102,7 +119,7 @@ protected:
   {
     const CellSpaces::Flux &flux = spaces.flux(sub_cell, k);
     return flux.unknown == dealii::numbers::invalid_unsigned_int
-               ? flux.per_force * forces[flux.side][row]
+               ? flux.per_force * forces[flux.half][row]
                : unknowns[row * spaces.n_unknown_fluxes() + flux.unknown];
   }
 
@@ -119,7 +136,10 @@ protected:
    * derived class solves for.
    */
   dealii::Vector<double> unknowns;
-  /** The rest of the force on each side, over the size of the cell. */
+  /**
+   * The rest of the force on each half of a side, over the size of the cell;
+   * see CellSpaces::Flux::half.
+   */
   std::vector<dealii::Tensor<1, 2>> forces;
 
 private:

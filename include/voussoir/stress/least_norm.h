@@ -25,9 +25,13 @@ namespace Voussoir
  *
  * the rigid acceleration that the unbalanced force and torque would give a
  * block of unit density: a = 0 where the forces balance, omega = 0 where their
- * torque does. The least norm is then the mixed form of an elastic block of
- * unit compliance with weak symmetry (Arnold, Falk and Winther, Mathematics of
- * Computation 76 (2007), 1699): for all tau with zero normal trace, w and q
+ * torque does. So where blocks turn div sigma = -b to rounding in the mean of
+ * every sub-cell, since the trace has the couples of the sides; what is left of
+ * the symmetry inside them is 0.01 of the stress in most cells of random
+ * packings and 0.1 near hinges, and falls by refinement. The least norm is then
+ * the mixed form of an elastic block of unit compliance with weak symmetry
+ * (Arnold, Falk and Winther, Mathematics of Computation 76 (2007), 1699): for
+ * all tau with zero normal trace, w and q
  *
  *     (sigma, tau) + (v, div tau) + (tau, j(p)) = 0,
  *     (div sigma, w) = (-b + a + omega R(pi/2) (x - x_c), w),

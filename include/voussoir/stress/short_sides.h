@@ -20,7 +20,8 @@ namespace Voussoir
  * one corner, half of the force on it goes to the side before and half to the
  * side after, and its triangle, which covers nothing but the spoke to that
  * corner, takes the stress on both sides of the spoke. With sides up to h that
- * changes forces and stresses by h, a uniform stress not at all.
+ * changes forces and stresses by h, a uniform stress not at all. The forces
+ * keep their resultant and, if they have couples, their torque.
  */
 class ShortSides
 {
@@ -53,6 +54,8 @@ public:
 
 private:
   bool find_corners(const std::vector<dealii::Point<2>> &vertices);
+  void share_out_forces(const LoadedCell &cell);
+  void keep_torque(const LoadedCell &cell);
 
   const double shortest;
   const unsigned int n_per_side;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Blocks that turn. A uniform symmetric stress comes back. Under their weight,
+// and tractions that vary along an edge, the mean stress of each block is
+// symmetric, the forces on the cells cut free have the same one, and the
+// refined stress has div sigma = -b.
+
+#include <voussoir/base/geometry.h>
+#include <voussoir/scene/supports.h>
+#include <voussoir/stress/cell_means.h>
+#include <voussoir/stress/reconstruction.h>
+
+#include "tests.h"
+
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+const Reconstruction standard = {};
+const Reconstruction fine = {true, 0, 0};
+
+void compare_uniform(const Tensor<2, 2> &S, const unsigned int seed)
+{
+  Packing packing = random_packing(200, seed);
+  Loads loads;
+  for (const auto &edge : packing.boundary_edges())
+    loads.traction.push_back(S * edge.normal);
+  const std::vector<double> strengths(packing.interfaces().size(), 10.);
+  const Scene scene(std::move(packing), strengths, std::move(loads),
+                    rotations());
+  Solver solver(least_energy, 1e-12);
+  const InterfaceForces forces = solver.forces(scene);
+  for (const Reconstruction &how : {standard, fine})
+  {
+    const StressField field =
+        reconstruct_stress(scene, forces, how, solver.quiet);
+    double error = field.undetermined.size();
+    for (const SubCellStress &sub_cell : field.sub_cells)
+      error = std::max(error, (sub_cell.stress - S).norm());
+    check_error(how.is_refined ? "uniform, fine" : "uniform, standard", error,
+                1e-9);
+  }
+}
+
+/** On the ground, under weight and a traction on top that grows with x. */
+Scene on_the_ground(Packing packing, const double strength)
+{
+  packing.support(boundary_edges_where(packing, "y < 1e-9", "Supports/Where"));
+  Loads loads;
+  for (const auto &edge : packing.boundary_edges())
+  {
+    // (x / 2, -x) there, and its first moment.
+    const double is_top = edge.midpoint()[1] > 1. - 1e-9 ? 1. : 0.;
+    const Tensor<1, 2> slope({0.5 * is_top, -is_top});
+    loads.traction.push_back(edge.midpoint()[0] * slope);
+    loads.traction_moment.push_back(edge.length * edge.length / 12. *
+                                    (edge.end - edge.start)[0] * slope);
+  }
+  loads.body = BodyForce(packing, [](const Point<2> &, unsigned int) {
+    return Tensor<1, 2>({0., -2.});
+  });
+  const std::vector<double> strengths(packing.interfaces().size(), strength);
+  return Scene(std::move(packing), strengths, std::move(loads), rotations());
+}
+
+/** Cell @p c cut free. */
+LoadedCell
+cut_free(const Scene &scene, const CellForces &forces, const unsigned int c)
+{
+  LoadedCell cell;
+  cell.centre = scene.packing.centre(c);
+  for (unsigned int i = 0; i < scene.packing.n_sides(c); ++i)
+  {
+    const unsigned int side = scene.packing.first_side(c) + i;
+    cell.vertices.push_back(scene.packing.vertex(c, i));
+    cell.forces.push_back(forces.on_side[side]);
+    cell.body_forces.push_back(forces.body[side]);
+    cell.shifts.push_back(forces.shift_on_side[side]);
+  }
+  return cell;
+}
+
+/** The root mean square of div sigma + b in a cell; the largest one. */
+double error_of_divergence(const Scene &scene, const InterfaceForces &forces)
+{
+  const StressField field =
+      reconstruct_stress(scene, forces, fine, Terminal::silent());
+  const Packing &packing = scene.packing;
+  const unsigned int per_side = field.cut.of_triangle().size();
+  double largest = field.undetermined.size();
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    double square = 0.;
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      for (unsigned int k = 0; k < per_side; ++k)
+      {
+        const auto corners =
+            field.cut.corners(k, packing.centre(c), packing.vertex(c, i),
+                              packing.vertex(c, (i + 1) % packing.n_sides(c)));
+        const SubCellStress &sub_cell =
+            field.sub_cells[field.first(packing, c, i) + k];
+        square += 0.5 *
+                  cross(corners[3] - corners[0], corners[2] - corners[1]) *
+                  (sub_cell.divergence + Tensor<1, 2>({0., -2.})).norm_square();
+      }
+    largest = std::max(largest, std::sqrt(square / packing.area(c)));
+  }
+  return largest;
+}
+
+void compare_balance(const std::string &name, const Scene &scene)
+{
+  Solver solver(least_energy, 1e-12);
+  const InterfaceForces forces = solver.forces(scene);
+  const auto means = cell_mean_stresses(scene, forces);
+  const CellForces on_cells =
+      cell_forces(scene, forces, all_cells(scene.packing));
+  double size = 0., skew = 0., difference = 0.;
+  for (unsigned int c = 0; c < means.size(); ++c)
+  {
+    size = std::max(size, means[c].norm());
+    skew = std::max(skew, std::abs(means[c][0][1] - means[c][1][0]));
+    difference = std::max(difference,
+                          (means[c] - cut_free(scene, on_cells, c).moments() /
+                                          scene.packing.area(c))
+                              .norm());
+  }
+  check_error(name + ": skew part of the means", skew / size, 1e-12);
+  check_error(name + ": means of the cells cut free", difference / size, 1e-13);
+
+  check_error(name + ": div sigma + b", error_of_divergence(scene, forces),
+              1e-9);
+  // Without couples there is a torque that is not balanced.
+  InterfaceForces at_midpoints = forces;
+  at_midpoints.at_ends.clear();
+  check(name + ": not so without the couples",
+        error_of_divergence(scene, at_midpoints) > 0.1);
+}
+
+int main()
+{
+  compare_uniform(tensor(-1., 0.3, 0.3, -1.2), 4);
+  compare_uniform(tensor(-1., 0., 0., -0.1), 5);
+  compare_balance("random cells", on_the_ground(random_packing(100, 3), 5.));
+  compare_balance("wall", on_the_ground(wall(8, 4), 5.));
+}
