@@ -53,6 +53,11 @@ Solution minimise(const SharedProblem &problem,
     }
   }
 
+  // Beyond the limit the displacement grows along a mechanism.
+  if (solution.stop == Stop::Reason::rounding &&
+      (solution.mechanism = problem.find_mechanism_near(newton.u())))
+    solution.stop = Stop::Reason::collapse;
+
   solution.n_iterations = newton.n_iterations();
   solution.n_evaluations = newton.n_evaluations();
   solution.seconds["linear systems"] = newton.seconds_of_systems();
