@@ -59,12 +59,28 @@ def main(program, top):
         expect(f"the output in {name}", rounded(ended.stdout),
                rounded(quotation(page, "Packing  ")), ended)
 
+    turning = "Rotations=true"
+    ended = run(program, scene, turning)
+    expect("the end of the output with rotations in the tutorial",
+           rounded("\n".join(ended.stdout.splitlines()[-3:]) + "\n"),
+           rounded(quotation(tutorial, "Friction       largest utilisation 0.45")), ended)
+
     push = "Loads/Body force=4; -20"
     ended = run(program, scene, push, "Friction/Strength=10.09")
     expect("the collapse in the tutorial", rounded(ended.stderr),
            rounded(quotation(tutorial, "voussoir: The load is not carried")), ended)
-    # Its answers: no friction is needed under weight, and 10.1 with the push.
+    # Its answers: no friction is needed under weight, 10.1 with the push, and the
+    # pushes with which it overturns, slides and rocks, and only slides.
+    strong = "Friction/Strength=1000"
     for settings, status in ((("Friction/Strength=0",), 0),
+                             ((turning, strong, "Loads/Body force=13.42; -20"), 0),
+                             ((turning, strong, "Loads/Body force=13.5; -20"), 3),
+                             ((turning, "Loads/Body force=7.7; -20"), 0),
+                             ((turning, "Loads/Body force=7.71; -20"), 3),
+                             (("Loads/Body force=7.92; -20",), 0),
+                             (("Loads/Body force=7.921; -20",), 3),
+                             ((turning, push, "Friction/Strength=10.1001"), 0),
+                             ((turning, push, "Friction/Strength=10.0999"), 3),
                              ((push, "Friction/Strength=10.1001"), 0),
                              ((push, "Friction/Strength=10.0999"), 3)):
         ended = run(program, scene, *settings)

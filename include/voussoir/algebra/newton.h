@@ -22,6 +22,7 @@ public:
     /** The linear system has no solution that leads downhill. */
     linear_system
   };
+  /** @param cause the reason, which the message says. */
   explicit NewtonFailure(const Cause cause)
       : SolverError(cause == Cause::stiffness
                         ? "The stiffness of a joint is beyond all numbers: its "
