@@ -48,12 +48,14 @@ Json summary_of(const RunRecord &run, const Status &status)
     summary["rotations"] = true;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
-  summary["packing"] = {{"cells", packing.n_cells()},
-                        {"interfaces", packing.interfaces().size()},
-                        {"supports", packing.n_supports()},
-                        {"boundary_edges", packing.boundary_edges().size()},
-                        {"static_indeterminacy", static_indeterminacy(packing)},
-                        {"groups", groups}};
+  summary["packing"] = {
+      {"cells", packing.n_cells()},
+      {"interfaces", packing.interfaces().size()},
+      {"supports", packing.n_supports()},
+      {"boundary_edges", packing.boundary_edges().size()},
+      {"static_indeterminacy",
+       static_indeterminacy(packing, run.scene.kinematics->n_unknowns())},
+      {"groups", groups}};
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};

@@ -25,13 +25,14 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
   return group;
 }
 
-unsigned int static_indeterminacy(const Packing &packing)
+unsigned int static_indeterminacy(const Packing &packing,
+                                  const unsigned int n_per_cell)
 {
   const std::vector<unsigned int> group = connected_groups(packing);
   unsigned int n_free_groups = 0;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     n_free_groups += (group[c] == c && group[c] != group[packing.ground()]);
-  return 2 * packing.interfaces().size() -
-         2 * (packing.n_cells() - n_free_groups);
+  return n_per_cell *
+         (packing.interfaces().size() + n_free_groups - packing.n_cells());
 }
 } // namespace Voussoir

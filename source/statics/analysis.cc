@@ -19,7 +19,7 @@ namespace
 constexpr double tolerance_allowance = 10.;
 
 /** A ratio of work to dissipation above which the dissipation is rounding. */
-constexpr double frictionless_ratio = 1e9;
+constexpr double frictionless_ratio = 1e6;
 
 std::string faults(const Certificate &certificate)
 {

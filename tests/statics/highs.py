@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whether a load is carried, against HiGHS: highs.py VOUSSOIR [N]
+"""Verdicts on loads against HiGHS: highs.py VOUSSOIR [N]
 
 The program generates random packings of blocks that turn and writes their
 interfaces; HiGHS finds, from these alone, the largest factor on the load that
@@ -152,7 +152,7 @@ def main():
             if factor is None or factor < 1e-6:
                 continue
             n_judged += 1
-            for margin in (1e-6, 0.3):
+            for margin in (1e-6, 0.3) if seed % 5 == 0 else (1e-6,):
                 for strength, expected in (((1. + margin) / factor, SOLVED),
                                            ((1. - margin) / factor, COLLAPSE)):
                     run = scene.run(strength)

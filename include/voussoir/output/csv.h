@@ -26,27 +26,31 @@ inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
  * the length, f_e^n and f_e^t (forces per unit thickness on c-, f_e^n negative
  * in compression), s_e (a stress) and |f_e^t| / (s_e |e|); and, if the
  * formulation finds out, 1 where every admissible and balanced state has
- * f_e^n = 0, and |f_e^t| = s_e |e|.
+ * f_e^n = 0, and |f_e^t| = s_e |e|. Where blocks turn also what of f_e^n acts
+ * at the start and at the end, and InterfaceForces::eccentricity().
  */
 void write_interfaces_csv(std::ostream &out, const Results &results);
 
 /**
  * One line per cell: its number, centre and area, the load F_c (a force per
  * unit thickness), the displacement, the residual torque about the centre (a
- * force), the mean stress and the name of its group.
+ * force), the mean stress and the name of its group; where blocks turn also the
+ * torque of the load and the angle, see Motion.
  */
 void write_cells_csv(std::ostream &out, const Results &results);
 
 /**
  * One line per cell: its number, centre, load F_c, displacement along the
- * mechanism, and the name of its group.
+ * mechanism, and the name of its group; where blocks turn also the torque of
+ * the load and the angle.
  */
 void write_mechanism_csv(std::ostream &out, const Collapse &collapse);
 
 /**
  * One line per interface: the cells (-1: the ground), the normal, the length,
  * s_e, and along the mechanism the opening and the sliding. These are the
- * normal and the tangential component of the jump [u]_e.
+ * normal and the tangential component of the jump [u]_e at the midpoint; where
+ * blocks turn also the openings at the start and at the end.
  */
 void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse);
 } // namespace Voussoir

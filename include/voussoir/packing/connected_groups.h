@@ -29,11 +29,13 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
                                            Ground ground = Ground::connects);
 
 /**
- * The degree of static indeterminacy, of forces without moments: two forces
- * per interface, less the independent equations of force balance, two per cell
- * but for two per connected group of cells that has no support.
+ * The degree of static indeterminacy: as many forces per interface as there are
+ * equations of balance per cell, @p n_per_cell, which is three with moments and
+ * two without, less the independent equations, which are those of all cells but
+ * for one cell in each connected group that has no support.
  */
-unsigned int static_indeterminacy(const Packing &packing);
+unsigned int static_indeterminacy(const Packing &packing,
+                                  unsigned int n_per_cell = 2);
 } // namespace Voussoir
 
 #endif
