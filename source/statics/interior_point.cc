@@ -228,7 +228,7 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
     }
     if (state.friction.exists())
       constant[k + n_contacts] =
-          -stiffness[k + n_contacts] *
+          stiffness[k + n_contacts] *
           (state.short_v - state.friction.constant(target * state.weight));
   }
   std::vector<double> pushes(constant);
