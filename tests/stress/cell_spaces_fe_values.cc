@@ -4,6 +4,8 @@
 // FEFaceValues on the same quadrilaterals: weights, basis functions, their
 // divergences and products, the nodes of the multipliers, the normal traces on
 // the sides, and which fluxes two sub-cells share.
+// In Release only: an assertion of deal.II refuses the quadrilaterals of a fan,
+// whose corner on a side is straight.
 
 #include <voussoir/stress/cell_spaces.h>
 
