@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/kinematics.h>
+#include <voussoir/base/geometry.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -31,11 +32,6 @@ public:
       unknowns[i] = i == k ? 1. : 0.;
   }
 };
-
-double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 class Rotations : public Kinematics
 {

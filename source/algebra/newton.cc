@@ -164,9 +164,7 @@ void Newton::refine(const std::vector<double> &second,
   std::vector<double> f = structure.jumps(d);
   for (std::size_t k = 0; k < f.size(); ++k)
     f[k] *= -second[k];
-  const unsigned int n_rows = structure.n_rows();
-  for (std::size_t e = 0, k = 0; k < f.size(); ++e, k += n_rows)
-    structure.add_jump_gradient(e, &f[k], left.data());
+  structure.add_jump_gradients(1., f, left);
   if (largest(structure, left) > little_left * largest(structure, right))
     return;
   const std::vector<double> correction = system.solve(left);

@@ -33,40 +33,28 @@ Structure::Structure(const Team &team, Part part)
       of_own, of_ghosts, team.communicator());
 }
 
-void Structure::Joints::add(const Structure &other,
-                            const unsigned int e,
-                            const unsigned int minus,
-                            const unsigned int plus)
+void Structure::Joints::add(const Joint &joint,
+                            const ContactRow *rows,
+                            const unsigned int n_rows,
+                            const bool with_turns)
 {
-  list.push_back(other.joints()[e]);
-  list.back().cell_minus = minus;
-  list.back().cell_plus = plus;
-  for (unsigned int r = 0; r < other.n_rows(); ++r)
+  list.push_back(joint);
+  for (unsigned int r = 0; r < n_rows; ++r)
   {
-    const ContactRow row = other.row(e, r);
-    direction.push_back(row.direction);
-    if (other.n_unknowns() == 2)
+    direction.push_back(rows[r].direction);
+    if (!with_turns)
       continue;
-    turn_minus.push_back(row.turn_minus);
-    turn_plus.push_back(row.turn_plus);
+    turn_minus.push_back(rows[r].turn_minus);
+    turn_plus.push_back(rows[r].turn_plus);
   }
 }
 
 void Structure::add_joint(const Joint &joint, const JointFrame &frame)
 {
-  Joints &joints = own.joints;
-  joints.list.push_back(joint);
   std::array<ContactRow, 3> rows;
   Assert(rows_per_joint <= rows.size(), dealii::ExcInternalError());
   own.kinematics->find_rows(frame, rows.data());
-  for (unsigned int r = 0; r < rows_per_joint; ++r)
-  {
-    joints.direction.push_back(rows[r].direction);
-    if (unknowns_per_body == 2)
-      continue;
-    joints.turn_minus.push_back(rows[r].turn_minus);
-    joints.turn_plus.push_back(rows[r].turn_plus);
-  }
+  own.joints.add(joint, rows.data(), rows_per_joint, unknowns_per_body > 2);
 }
 
 void Structure::update_ghosts(std::vector<double> &u) const
@@ -89,11 +77,22 @@ void Structure::update_ghosts(std::vector<double> &u) const
 std::vector<double> Structure::jumps(const std::vector<double> &u) const
 {
   std::vector<double> result(n_all_rows());
-  std::size_t k = 0;
-  for (unsigned int e = 0; e < joints().size(); ++e)
-    for (unsigned int r = 0; r < rows_per_joint; ++r)
-      result[k++] = jump(e, r, u.data());
+  for (std::size_t e = 0; e < joints().size(); ++e)
+    find_jumps(e, u.data(), &result[e * rows_per_joint]);
   return result;
+}
+
+void Structure::add_jump_gradients(const double factor,
+                                   const std::vector<double> &f,
+                                   std::vector<double> &gradient) const
+{
+  std::array<double, 3> of_joint;
+  for (std::size_t e = 0, k = 0; e < joints().size(); ++e)
+  {
+    for (unsigned int r = 0; r < rows_per_joint; ++r, ++k)
+      of_joint[r] = factor * f[k];
+    add_jump_gradient(e, of_joint.data(), gradient.data());
+  }
 }
 
 double Structure::work(const double *u) const

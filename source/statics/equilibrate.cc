@@ -32,10 +32,9 @@ std::vector<double> imbalance(const DiscreteProblem &problem,
                               const std::vector<double> &forces)
 {
   std::vector<double> sum(problem.n_dofs());
-  for (std::size_t e = 0; e < problem.joints().size(); ++e)
-    problem.add_jump_gradient(e, &forces[e * problem.n_rows()], sum.data());
+  problem.add_jump_gradients(-1., forces, sum);
   for (unsigned int k = 0; k < sum.size(); ++k)
-    sum[k] = problem.loads()[k] - sum[k];
+    sum[k] += problem.loads()[k];
   return sum;
 }
 

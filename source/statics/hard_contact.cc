@@ -60,10 +60,8 @@ std::vector<double> most_balanced(Newton &newton)
 }
 } // namespace
 
-HardJoint::HardJoint(const SmoothedJoint &friction,
-                     const unsigned int n_contacts,
-                     const double mu)
-    : friction(friction), n_contacts(n_contacts), mu(mu)
+HardJoint::HardJoint(const SmoothedJoint &friction, const double mu)
+    : friction(friction), mu(mu)
 {}
 
 void HardJoint::find_forces(const unsigned int e,
@@ -71,7 +69,7 @@ void HardJoint::find_forces(const unsigned int e,
                             double *forces) const
 {
   friction.find_forces(e, jumps, forces);
-  for (unsigned int r = 0; r < n_contacts; ++r)
+  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
     forces[r] = jumps[r] > 0. ? -mu / jumps[r]
                               : -std::numeric_limits<double>::infinity();
 }
@@ -81,7 +79,7 @@ void HardJoint::find_second_derivatives(const unsigned int e,
                                         double *second) const
 {
   friction.find_second_derivatives(e, jumps, second);
-  for (unsigned int r = 0; r < n_contacts; ++r)
+  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
     second[r] = mu / jumps[r] / jumps[r];
 }
 
@@ -90,7 +88,7 @@ double HardJoint::longest_step(const unsigned int /*e*/,
                                const double *steps) const
 {
   double longest = std::numeric_limits<double>::infinity();
-  for (unsigned int r = 0; r < n_contacts; ++r)
+  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
     if (steps[r] < 0.)
       longest = std::min(longest, -jumps[r] / steps[r]);
   return longest;

@@ -102,12 +102,7 @@ std::vector<double> InteriorPoint::missing_forces() const
   std::vector<double> missing(problem.loads());
   for (double &load : missing)
     load *= alpha;
-  std::vector<double> pushes = forces();
-  for (double &force : pushes)
-    force = -force;
-  for (unsigned int e = 0; e < states.size(); ++e)
-    problem.add_jump_gradient(e, &pushes[std::size_t(e) * problem.n_rows()],
-                              missing.data());
+  problem.add_jump_gradients(-1., forces(), missing);
   return missing;
 }
 
@@ -189,8 +184,7 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
       energy += stiffness[k] * f[k] * f[k];
       f[k] *= stiffness[k];
     }
-    for (std::size_t e = 0; e < states.size(); ++e)
-      problem.add_jump_gradient(e, &f[e * problem.n_rows()], force.data());
+    problem.add_jump_gradients(1., f, force);
     const double length = now / energy;
     if (!(now > 0.) || !std::isfinite(length))
       break;
@@ -231,11 +225,7 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
           stiffness[k + n_contacts] *
           (state.short_v - state.friction.constant(target * state.weight));
   }
-  std::vector<double> pushes(constant);
-  for (double &force : pushes)
-    force = -force;
-  for (std::size_t e = 0; e < states.size(); ++e)
-    problem.add_jump_gradient(e, &pushes[e * n_rows], right.data());
+  problem.add_jump_gradients(-1., constant, right);
   Step step = {solve(right), {}, {}, 0.};
   if (aim == Aim::load_factor)
   {

@@ -90,10 +90,9 @@ public:
     for (unsigned int k = 0; k < rough.size(); ++k)
     {
       // The two multipliers add up to minus the limit, but for rounding.
-      const double limit = problem.limit(rough[k]);
-      forces[rough[k] * problem.n_rows() + n] = std::clamp(
-          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)], -limit,
-          limit);
+      forces[rough[k] * problem.n_rows() + n] = problem.friction().projection(
+          problem.joints()[rough[k]].strength, 0.,
+          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)]);
     }
     return forces;
   }

@@ -101,9 +101,9 @@ bool round_small_jumps(const DiscreteProblem &problem,
       if (std::abs(forces[k + n]) < limit)
         springs[k + n] = problem.joints()[e].stiffness();
       for (unsigned int r = 0; r < n_rows; ++r)
-        forces[k + r] *= -springs[k + r];
-      problem.add_jump_gradient(e, &forces[k], right.data());
+        forces[k + r] *= springs[k + r];
     }
+    problem.add_jump_gradients(-1., forces, right);
     if (!system.prepare(springs, holding_shift))
       return false;
     const std::vector<double> correction = system.solve(right);

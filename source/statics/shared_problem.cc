@@ -179,11 +179,16 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
   };
   result.joints.list.reserve(joints.size());
   result.joints.direction.reserve(joints.size() * whole->n_rows());
+  std::array<ContactRow, 3> rows;
   for (const unsigned int e : joints)
   {
-    const Joint &joint = whole->joints()[e];
-    result.joints.add(*whole, e, local(joint.cell_minus),
-                      local(joint.cell_plus));
+    Joint joint = whole->joints()[e];
+    joint.cell_minus = local(joint.cell_minus);
+    joint.cell_plus = local(joint.cell_plus);
+    for (unsigned int r = 0; r < whole->n_rows(); ++r)
+      rows[r] = whole->row(e, r);
+    result.joints.add(joint, rows.data(), whole->n_rows(),
+                      whole->n_unknowns() > 2);
   }
   return result;
 }

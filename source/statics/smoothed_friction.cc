@@ -71,7 +71,10 @@ public:
     long double sum = -problem.work(x);
     std::array<double, 3> jumps;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      sum += law.energy(e, find_jumps(e, x, jumps));
+    {
+      problem.find_jumps(e, x, jumps.data());
+      sum += law.energy(e, jumps.data());
+    }
     return sum;
   }
 
@@ -83,7 +86,8 @@ public:
     std::array<double, 3> jumps, forces;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      law.find_forces(e, find_jumps(e, x, jumps), forces.data());
+      problem.find_jumps(e, x, jumps.data());
+      law.find_forces(e, jumps.data(), forces.data());
       problem.add_jump_gradient(e, forces.data(), g.data());
     }
     if (contact == Contact::compliant)
@@ -108,7 +112,8 @@ public:
     JointBlocks::Blocks blocks;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      law.find_second_derivatives(e, find_jumps(e, x, jumps),
+      problem.find_jumps(e, x, jumps.data());
+      law.find_second_derivatives(e, jumps.data(),
                                   &second[std::size_t(e) * problem.n_rows()]);
       of_joints.find(e, second.data(), blocks);
       const DiscreteProblem::Joint &joint = problem.joints()[e];
@@ -183,14 +188,6 @@ public:
   }
 
 private:
-  const double *find_jumps(const unsigned int e,
-                           const double *x,
-                           std::array<double, 3> &jumps) const
-  {
-    for (unsigned int r = 0; r < problem.n_rows(); ++r)
-      jumps[r] = problem.jump(e, r, x);
-    return jumps.data();
-  }
   /** settle(), with compliant contact by the same state. */
   void ask_interior_point(Solution before)
   {
@@ -220,13 +217,16 @@ private:
     solution.forces.resize(problem.n_all_rows());
     std::array<double, 3> jumps;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      law.find_forces(e, find_jumps(e, x.data(), jumps),
+    {
+      problem.find_jumps(e, x.data(), jumps.data());
+      law.find_forces(e, jumps.data(),
                       &solution.forces[std::size_t(e) * n_rows]);
+    }
     // Ipopt's multiplier of y_e >= 0 is -p_e.
     for (unsigned int k = 0; k < n_constraints(); ++k)
       solution.forces[k / n * n_rows + k % n] = multipliers[k];
     if (contact == Contact::hard)
-      refine_hard_contact(problem, HardJoint(law, n, barrier_parameter), x,
+      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
                           controls.tolerance, solution);
     problem.remove_rigid_motions(x);
     solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());

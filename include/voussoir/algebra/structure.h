@@ -58,11 +58,11 @@ public:
     /** Of each row; empty where bodies have two unknowns. */
     std::vector<double> turn_minus, turn_plus;
     /** @} */
-    /** Add joint @p e of @p other, with its rows, between other bodies. */
-    void add(const Structure &other,
-             unsigned int e,
-             unsigned int minus,
-             unsigned int plus);
+    /** Add a joint with its @p n_rows rows, in which bodies turn if so said. */
+    void add(const Joint &joint,
+             const ContactRow *rows,
+             unsigned int n_rows,
+             bool with_turns);
   };
 
   /** The part that one process gets of a structure that several share. */
@@ -172,6 +172,12 @@ public:
   double opening(unsigned int e, const double *u) const;
   /** The same of its tangential row. */
   double sliding(unsigned int e, const double *u) const;
+  /** Find the jumps in all rows of joint @p e. */
+  void find_jumps(unsigned int e, const double *u, double *jumps) const
+  {
+    for (unsigned int r = 0; r < rows_per_joint; ++r)
+      jumps[r] = jump(e, r, u);
+  }
   /** The jumps in all rows of all joints. */
   std::vector<double> jumps(const std::vector<double> &u) const;
   /**
@@ -180,6 +186,13 @@ public:
    */
   void
   add_jump_gradient(unsigned int e, const double *f, double *gradient) const;
+  /**
+   * The same of all joints: add @p factor times the forces @p f, of each row of
+   * each joint, on the bodies.
+   */
+  void add_jump_gradients(double factor,
+                          const std::vector<double> &f,
+                          std::vector<double> &gradient) const;
   /**
    * The work of the loads along @p u (n_dofs() numbers); collective.
    *

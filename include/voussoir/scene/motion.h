@@ -4,7 +4,6 @@
 
 #include <voussoir/algebra/kinematics.h>
 
-#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -19,11 +18,6 @@ struct Motion
   Motion(const unsigned int n_cells, const Kinematics &kinematics)
       : displacement(n_cells),
         rotation(kinematics.n_rigid_motions() > 2 ? n_cells : 0, 0.)
-  {}
-  /** One that turns cells if there are rotations. */
-  Motion(std::vector<dealii::Tensor<1, 2>> displacement,
-         std::vector<double> rotation = {})
-      : displacement(std::move(displacement)), rotation(std::move(rotation))
   {}
   /**
    * The displacement of cell @p c at @p arm from its centre, to first order in

@@ -23,10 +23,9 @@ class HardJoint : public JointLaw
 public:
   /**
    * @param friction for hard contact; it must outlive this object.
-   * @param n_contacts of a joint.
    * @param mu the barrier parameter, positive.
    */
-  HardJoint(const SmoothedJoint &friction, unsigned int n_contacts, double mu);
+  HardJoint(const SmoothedJoint &friction, double mu);
 
   void find_forces(unsigned int e,
                    const double *jumps,
@@ -40,7 +39,6 @@ public:
 
 private:
   const SmoothedJoint &friction;
-  const unsigned int n_contacts;
   const double mu;
 };
 

@@ -47,6 +47,9 @@ public:
   /** eps_e; zero only where the joint has no strength. */
   double smoothing(unsigned int e) const;
 
+  /** The number of contacts of a joint. */
+  unsigned int n_contacts() const { return problem.n_contacts(); }
+
   /** The displacement that stands for one smoothing length of the user. */
   double displacement_unit() const;
 
