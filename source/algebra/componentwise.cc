@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -15,9 +16,11 @@ Componentwise::Componentwise(std::unique_ptr<LinearMethod> one)
 bool Componentwise::serves(const Structure &structure,
                            const std::vector<double> &coefficients)
 {
-  bool same = structure.n_unknowns() == 2 && structure.n_rows() == 2;
-  for (std::size_t k = 0; k < coefficients.size() && same; k += 2)
-    same = coefficients[k] == coefficients[k + 1];
+  const unsigned int n_contacts = structure.n_contacts();
+  bool same = true;
+  for (auto a = coefficients.begin(); a != coefficients.end() && same;
+       a += n_contacts + 1)
+    same = std::accumulate(a, a + n_contacts, 0.) == a[n_contacts];
   return structure.team().all(same);
 }
 

@@ -12,8 +12,8 @@ void JointBlocks::find(const unsigned int e,
   const double *a = coefficients + std::size_t(e) * n_rows;
   if (unknowns == 1)
   {
-    blocks.minus[0] = blocks.plus[0] = a[0];
-    blocks.mixed[0] = -a[0];
+    blocks.minus[0] = blocks.plus[0] = a[n_rows - 1];
+    blocks.mixed[0] = -a[n_rows - 1];
     return;
   }
   blocks = {};

@@ -4,7 +4,11 @@
 #include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/algebra/joint_system.h>
 #include <voussoir/algebra/multigrid.h>
+#include <voussoir/algebra/rotation_complement.h>
 #include <voussoir/algebra/substructures.h>
+
+#include <limits>
+#include <utility>
 
 namespace Voussoir
 {
@@ -57,25 +61,42 @@ std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
   return std::make_unique<Cholesky>(blocks);
 }
 
+std::unique_ptr<LinearMethod> JointSystem::make_componentwise() const
+{
+  auto translations = std::make_unique<Componentwise>(make(true));
+  if (structure.n_unknowns() == 2)
+    return translations;
+  return std::make_unique<RotationComplement>(structure,
+                                              std::move(translations));
+}
+
 bool JointSystem::prepare(const std::vector<double> &coefficients,
                           const double shift)
 {
   timer.start();
-  if (Componentwise::serves(structure, coefficients))
+  bool is_prepared;
+  if (!is_irregular && Componentwise::serves(structure, coefficients))
   {
     if (!componentwise)
-      componentwise = std::make_unique<Componentwise>(make(true));
+      componentwise = make_componentwise();
     current = componentwise.get();
+    is_prepared = current->prepare(coefficients, shift);
+    if (structure.n_unknowns() > 2)
+      prepared = {coefficients, shift};
   }
   else
-  {
-    if (!coupled)
-      coupled = make(false);
-    current = coupled.get();
-  }
-  const bool is_prepared = current->prepare(coefficients, shift);
+    is_prepared = prepare_coupled(coefficients, shift);
   timer.stop();
   return is_prepared;
+}
+
+bool JointSystem::prepare_coupled(const std::vector<double> &coefficients,
+                                  const double shift)
+{
+  if (!coupled)
+    coupled = make(false);
+  current = coupled.get();
+  return current->prepare(coefficients, shift);
 }
 
 bool JointSystem::is_direct() const
@@ -94,6 +115,18 @@ std::vector<double> JointSystem::solve(const std::vector<double> &r)
   const std::vector<double> of_own(r.begin(),
                                    r.begin() + structure.n_own_dofs());
   std::vector<double> u = current->solve(of_own, 1);
+  if (!structure.team().all(u.size() == of_own.size()))
+  {
+    // From now on the factors of all unknowns take less time.
+    componentwise.reset();
+    is_irregular = true;
+    const bool is_prepared =
+        prepare_coupled(prepared.coefficients, prepared.shift);
+    u = is_prepared
+            ? current->solve(of_own, 1)
+            : std::vector<double>(of_own.size(),
+                                  std::numeric_limits<double>::quiet_NaN());
+  }
   u.resize(structure.n_dofs());
   structure.update_ghosts(u);
   timer.stop();

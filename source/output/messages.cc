@@ -40,6 +40,34 @@ std::string inexact(const Results &results)
               where);
 }
 
+/** The message on forces that would turn blocks. */
+std::string turning(const Packing &packing, const Overturning &found)
+{
+  const unsigned int n = found.cells.size();
+  const std::string cell =
+      text(packing.describe(found.cells.front()), " at ",
+           text_of_point(packing.centre(found.cells.front())));
+  const double share = std::abs(found.moment) / (2. * found.resistance);
+  std::string why;
+  if (!(found.resistance > 0.))
+    why = "nothing presses on the interfaces around";
+  else if (found.interfaces.size() > 1)
+    why = text("the moment on them is ", 2. * share,
+               " times what the normal forces on the ", found.interfaces.size(),
+               " interfaces around them balance when all act at an end");
+  else
+  {
+    const Packing::Interface &i = packing.interfaces()[found.interfaces[0]];
+    why = text("the resultant on the interface from ", text_of_point(i.start),
+               " to ", text_of_point(i.end), " lies ", share - 0.5,
+               " of its length outside it");
+  }
+  return text(
+      "Blocks do not turn in this run, and these forces would overturn ",
+      n > 1 ? text(counted(n, "block"), ", among them ") : "", cell, ": ", why,
+      ". Other forces may hold them, or none: set 'Rotations = true'.");
+}
+
 bool is_loaded(const Scene &scene)
 {
   return scene.has_body_force || !scene.on_cells.empty() ||
@@ -77,6 +105,8 @@ std::vector<std::string> doubts_about(const Results &results)
         "The solver " + outcome +
         ". The forces are balanced and admissible to what is said below, but "
         "may differ from those of the named selection.");
+  if (results.overturning)
+    doubts.push_back(turning(results.scene.packing, *results.overturning));
   return doubts;
 }
 

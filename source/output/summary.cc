@@ -196,9 +196,9 @@ void show_summary(Terminal &terminal, const Results &results)
   terminal.summary("Torque",
                    text("largest residual ", certificate.max_torque,
                         " of load times cell size",
-                        results.scene.turns()
+                        results.scene.turns() || results.overturning ||
+                                certificate.max_torque <= largest_accepted_error
                             ? ""
-                            : "; blocks do not rotate, so overturning is not "
-                              "excluded"));
+                            : ", which couples of the interfaces can balance"));
 }
 } // namespace Voussoir

@@ -120,6 +120,8 @@ Answer judge(const Scene &scene,
   if (!assessment.mechanism.displacement.empty())
     return prove(scene, std::move(assessment.mechanism));
   found.status = assessment.status;
+  if (!scene.turns() && found.certificate.max_torque > largest_accepted_error)
+    found.overturning = find_overturning(scene, found.forces);
   return found;
 }
 

@@ -38,6 +38,9 @@ constexpr double sufficient_strength = 1e3;
 /** The most iterations of the analytic centre, and of what follows it. */
 constexpr unsigned int n_centre_iterations = 100;
 
+/** The distance of forces from their limits that no accepted error uses up. */
+constexpr double slack_beside_errors = 1e-3;
+
 bool is_exact(const Certificate &certificate)
 {
   return certificate.error() <= rounding_of_balance &&
@@ -48,8 +51,8 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 {
   const DiscreteProblem problem(scene);
   Solution solution;
-  solution.forces =
-      equilibrate(problem, nondimensional_forces(problem, forces));
+  solution.forces = equilibrate(problem, nondimensional_forces(problem, forces),
+                                slack_beside_errors);
   return is_exact(certify(scene, dimensional_forces(problem, solution)));
 }
 

@@ -21,9 +21,6 @@ constexpr unsigned int n_max_rounds = 30;
 /** The refinements of a correction, for the shift and the rounding in it. */
 constexpr unsigned int n_refinements = 2;
 
-/** The distance from its limit, as a stress, at which a force moves freely. */
-constexpr double ample_slack = 0.1;
-
 /** The largest shift whose error in the balance the refinements remove. */
 constexpr double largest_shift = 1.;
 
@@ -58,11 +55,18 @@ struct OfJoint
   double normal = 0., tension = 0., tangential = 0.;
 };
 
-/** The largest force that is missing to a balance, or beyond its limit. */
+/**
+ * The largest force that is missing to a balance, or beyond its limit. The
+ * torque on the ground is left out: it has long arms, whose rounding would hide
+ * the rest, and is balanced where all others are.
+ */
 double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 {
+  std::vector<double> left = imbalance(problem, forces);
+  if (problem.has_ground())
+    left.resize(problem.dof(problem.n_cells(), 2));
   double largest = 0.;
-  for (const double component : imbalance(problem, forces))
+  for (const double component : left)
     largest = std::max(largest, std::abs(component));
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
@@ -91,7 +95,8 @@ void move_into_limits(const DiscreteProblem &problem,
 
 /** (|e|/d_e) w_e, which turns a jump into a force. */
 std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
-                                         const std::vector<double> &forces)
+                                         const std::vector<double> &forces,
+                                         const double ample)
 {
   const unsigned int n = problem.n_contacts();
   std::vector<double> stiffness(forces.size());
@@ -100,7 +105,7 @@ std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
     const OfJoint of(problem, e, forces);
     const std::size_t first = std::size_t(e) * problem.n_rows();
     const auto weight = [&](const double slack, const double share) {
-      return std::min(1., slack / (ample_slack * of.joint.length * share));
+      return std::min(1., slack / (ample * of.joint.length * share));
     };
     for (unsigned int r = 0; r < n; ++r)
       stiffness[first + r] =
@@ -117,9 +122,11 @@ std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
 /** Add the smallest correction that balances; false if rounding prevents it. */
 bool correct(const DiscreteProblem &problem,
              JointSystem &system,
-             std::vector<double> &forces)
+             std::vector<double> &forces,
+             const double ample)
 {
-  const std::vector<double> stiffness = weighted_stiffnesses(problem, forces);
+  const std::vector<double> stiffness =
+      weighted_stiffnesses(problem, forces, ample);
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
     if ((shift *= factor_of_shift) > largest_shift)
@@ -137,7 +144,8 @@ bool correct(const DiscreteProblem &problem,
 } // namespace
 
 std::vector<double> equilibrate(const DiscreteProblem &problem,
-                                const std::vector<double> &forces)
+                                const std::vector<double> &forces,
+                                const double ample)
 {
   std::vector<double> best = forces;
   double least = error(problem, best);
@@ -150,7 +158,7 @@ std::vector<double> equilibrate(const DiscreteProblem &problem,
   for (unsigned int k = 0; k < n_max_rounds && least > rounding; ++k)
   {
     move_into_limits(problem, trial);
-    if (!correct(problem, system, trial))
+    if (!correct(problem, system, trial, ample))
       break;
     const double now = error(problem, trial);
     if (now < least)

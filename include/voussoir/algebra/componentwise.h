@@ -11,8 +11,8 @@ namespace Voussoir
 {
 
 /**
- * The systems in which the two components of the displacement come apart: no
- * body turns, and both coefficients of each joint are the same, so that
+ * The translations of systems in which their two components come apart: in each
+ * joint the coefficients of the contacts add up to the tangential one, so that
  * a (n n^T + t t^T) is a times the identity. One matrix of half the size serves
  * both components.
  */
@@ -21,7 +21,10 @@ class Componentwise : public LinearMethod
 public:
   /** @param one the method for the matrix of one component. */
   explicit Componentwise(std::unique_ptr<LinearMethod> one);
-  /** True if the system with these coefficients is one of them; collective. */
+  /**
+   * True if the translations in the system with these coefficients come apart;
+   * collective.
+   */
   static bool serves(const Structure &structure,
                      const std::vector<double> &coefficients);
   bool prepare(const std::vector<double> &coefficients, double shift) override;

@@ -31,9 +31,8 @@ public:
 
   /**
    * @param structure has the joints; it must outlive this object.
-   * @param apart true for the matrix of one component of the displacement, by
-   *   itself: that of joints whose coefficients are all the same number, in
-   *   which no body turns.
+   * @param apart true for the matrix of one component of the translations, by
+   *   itself; see Componentwise.
    */
   JointBlocks(const Structure &structure, bool apart)
       : structure(&structure), unknowns(apart ? 1 : structure.n_unknowns())

@@ -39,8 +39,9 @@ enum class LinearSolver
  *
  * where B_e u are the jumps in the rows of joint e, a_e are coefficients of the
  * rows that are not negative, and the shift is positive, so that the matrix is
- * symmetric and positive definite. If bodies do not turn and both coefficients
- * are the same in every joint, Componentwise takes half of the matrix.
+ * symmetric and positive definite. Where all joints are as stiff in one
+ * direction as in the other, Componentwise takes half of the matrix, and of
+ * bodies that turn RotationComplement takes the rest.
  *
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see
@@ -65,7 +66,8 @@ public:
 
   /**
    * The solution for the right-hand side @p r, of which that of own bodies
-   * counts; with the ghosts. n_dofs() numbers each.
+   * counts; with the ghosts. n_dofs() numbers each; not finite where rounding
+   * is found to cost the matrix its positive definiteness only now.
    */
   std::vector<double> solve(const std::vector<double> &r);
 
@@ -77,6 +79,8 @@ public:
 
 private:
   std::unique_ptr<LinearMethod> make(bool apart) const;
+  std::unique_ptr<LinearMethod> make_componentwise() const;
+  bool prepare_coupled(const std::vector<double> &coefficients, double shift);
 
   const Structure &structure;
   const LinearSolver kind;
@@ -85,6 +89,14 @@ private:
   std::unique_ptr<LinearMethod> componentwise, coupled;
   /** @} */
   LinearMethod *current = nullptr;
+  /** The arguments of prepare(), of what RotationComplement may give up. */
+  struct
+  {
+    std::vector<double> coefficients;
+    double shift;
+  } prepared;
+  /** True if it has given up. */
+  bool is_irregular = false;
   dealii::Timer timer;
 };
 } // namespace Voussoir

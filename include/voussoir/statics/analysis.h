@@ -4,6 +4,7 @@
 
 #include <voussoir/scene/certificate.h>
 #include <voussoir/scene/load_parts.h>
+#include <voussoir/scene/overturning.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/status.h>
 #include <voussoir/terminal/terminal.h>
@@ -54,6 +55,8 @@ struct Carried
   Certificate certificate;
   /** The status of the load that follows from them. */
   Status status;
+  /** find_overturning(), of blocks that do not turn. */
+  std::optional<Overturning> overturning;
 };
 
 /** The proof that a load is not carried, in the user's units. */

@@ -7,6 +7,12 @@
 namespace Voussoir
 {
 /**
+ * The distance from its limit, as a stress and nondimensional, at which a force
+ * moves freely in equilibrate().
+ */
+constexpr double ample_slack = 0.1;
+
+/**
  * Forces near @p forces (of each row of each joint, nondimensional) that
  * balance every cell and are admissible, both to rounding if that can be
  * reached: the forces are moved into their limits, and then by the smallest
@@ -18,11 +24,14 @@ namespace Voussoir
  * force close to its limit hardly moves, one at its limit not at all. That is
  * repeated while it helps.
  *
+ * @param ample the distance at which w is one; where all are that far, the
+ *   system is one of Componentwise.
  * @return the best forces met, by the larger of imbalance and violation; those
  *   given, if none are better.
  */
 std::vector<double> equilibrate(const DiscreteProblem &problem,
-                                const std::vector<double> &forces);
+                                const std::vector<double> &forces,
+                                double ample = ample_slack);
 } // namespace Voussoir
 
 #endif
