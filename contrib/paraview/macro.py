@@ -8,6 +8,7 @@ press the macro's button. What is new in the pipeline:
     Outlines    of the blocks
     Crosses     of the principal stresses: each block's mean stress
     Chains      of forces: from centroid to centroid, as wide as the normal force
+    Thrust      with Rotations = true, in place of the chains: the line of thrust
 
 or, after a collapse, the mechanism, warped, and the blocks at rest. All are
 ordinary sources and filters, whose properties can be changed as always.
@@ -98,6 +99,46 @@ def chains(blocks, interfaces, limit=None):
     return begin, end, width, value
 
 
+def resultants(interfaces):
+    """Of the joints that are pressed: which they are, where the resultant passes
+    through them, and its size."""
+    normal, tangential, place = (
+        interfaces.of_cells[name]
+        for name in ("normal_force", "tangential_force", "eccentricity"))
+    pressed = np.flatnonzero(-normal > 1e-6 * np.abs(normal).max(initial=0))
+    ends = interfaces.points[interfaces.corners.reshape(-1, 2)[pressed]]
+    along = ends[:, 1] - ends[:, 0]
+    at = ends.mean(axis=1) + place[pressed, None] * along
+    return pressed, at, np.hypot(normal, tangential)[pressed]
+
+
+def thrust(blocks, interfaces, limit=None):
+    """The line of thrust: begin, end, width, value.
+
+    In each block, from where the resultants pass through its joints to the mean of
+    these points, weighted by the resultants: with two pressed joints a straight line
+    from one to the other. With a single one to the centroid of the block, where its
+    weight acts. Where the resultant is limit, lines are 0.2 of the mean block wide,
+    but not more than 0.01 of the packing, and nowhere less than a third of that."""
+    if not interfaces.size:
+        return np.empty((0, 2)), np.empty((0, 2)), np.empty(0), np.empty(0)
+    pressed, at, size = resultants(interfaces)
+    minus, plus = (interfaces.of_cells[name][pressed]
+                   for name in ("cell_minus", "cell_plus"))
+    block = np.concatenate((minus, plus[plus >= 0]))
+    begin, value = (np.concatenate((of, of[plus >= 0])) for of in (at, size))
+    area, middle = blocks.areas_and_centroids()
+    several = np.bincount(block, minlength=blocks.size) > 1
+    total = np.bincount(block, value, blocks.size)[several]
+    for i in (0, 1):
+        moment = np.bincount(block, value * begin[:, i], blocks.size)
+        middle[several, i] = moment[several] / total
+    share = np.minimum(1, value / (limit or value.max(initial=0) or 1.0))
+    widest = np.minimum(0.2 * np.sqrt(area.mean()),
+                        0.01 * np.hypot(*np.ptp(blocks.points, 0)))
+    return begin, middle[block], widest * (1 + 2 * share) / 3, value
+
+
 def ribbons(begin, end, width):
     """The corners of the rectangles around lines, (4 n, 2)."""
     along = end - begin
@@ -133,6 +174,11 @@ CHAINS = """
 limit = None  # the normal force of the widest line; None: the largest
 fill(output.VTKObject,
      *chains(*(Grid(grid.VTKObject) for grid in inputs), limit))
+"""
+THRUST = """
+limit = None  # the resultant of the widest line; None: the largest
+fill(output.VTKObject,
+     *thrust(*(Grid(grid.VTKObject) for grid in inputs), limit))
 """
 
 # From compression (-1) to tension (1), for stresses with a sign.
@@ -225,8 +271,10 @@ def show_stress(directory, view):
         raise RuntimeError(f"'{directory}' has no results with blocks.vtu.")
     colour(Show(stress, view), "stress", view, component=0)
     outline(blocks, view)
+    turns = interfaces.CellData.GetArray("eccentricity") is not None
+    lines = ("Thrust", THRUST) if turns else ("Chains", CHAINS)
     for name, call, inputs in (("Crosses", CROSSES, blocks),
-                               ("Chains", CHAINS, [blocks, interfaces])):
+                               (*lines, [blocks, interfaces])):
         marks = ProgrammableFilter(Input=inputs, Script=filter_text(call),
                                    OutputDataSetType="vtkPolyData")
         RenameSource(name, marks)

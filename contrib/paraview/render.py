@@ -94,11 +94,9 @@ class Picture:
         self.name, self.view, self.results = name, VIEWS[name], results
         self.options = options
         for result in results:
-            if not result.has(self.view.file):
-                raise NotThere(
-                    f"The view '{name}' needs {self.view.file}, which "
-                    f"'{result.directory}' does not have; its status is "
-                    f"'{result.summary.get('status')}'.")
+            missing = self.view.missing(result)
+            if missing:
+                raise NotThere(f"The view '{name}' {missing}.")
         self.find_limit()
 
     def find_limit(self):
@@ -126,12 +124,19 @@ class Picture:
             return f"principal stresses; an arm as long as its {cell} is wide: {limit}"
         if self.name == "chains":
             return f"normal forces; the widest line: {limit}"
+        if self.name == "thrust":
+            return f"resultants through the joints; the widest line: {limit}"
+        if self.name == "eccentricity":
+            return ("where the resultant passes through a joint; blue: in its middle "
+                    "third")
         if self.name == "blocks":
             return "groups of blocks"
         if self.name == "utilisation":
             return "utilisation of friction; at 1 an interface slides"
         if self.name in ("mechanism", "animation"):
-            return "displacement in the mechanism, on the scale of the picture"
+            hinged = any(len(result.hinges()) for result in self.results)
+            return ("displacement in the mechanism, on the scale of the picture" +
+                    ("; a dot is a hinge" if hinged else ""))
         if self.name == "displacement":
             factor = (self.options.fraction * block_size(self.results[0].blocks()) /
                       self.limit)
@@ -148,6 +153,8 @@ class Picture:
             return [(GROUPS[i % len(GROUPS)], name) for i, name in sorted(names.items())]
         if self.view.legend == "chains":
             return [(COMPRESSION, "compression")]
+        if self.view.legend == "thrust":
+            return [(COMPRESSION, "line of thrust")]
         return [(COMPRESSION, "compression"), (TENSION, "tension")]
 
 
@@ -190,11 +197,12 @@ def draw_bar(figure, picture, x, y, layout):
     values = np.linspace(low, 1, 256)
     figure.rectangles(edges[:-1], edges[1:], y + 1.25 * font, y + 1.95 * font,
                       interpolate(picture.view.scale, values))
-    n_labels = 5 if width > 20 * font else 3
-    for part in np.linspace(0, 1, n_labels):
-        value = picture.limit * (low + (1 - low) * part)
-        figure.text(x + (part - 0.5) * width, y, number(value), 0.9 * font,
-                    0.9 * width / (n_labels - 1))
+    labels = picture.view.labels or [
+        number(picture.limit * value)
+        for value in np.linspace(low, 1, 5 if width > 20 * font else 3)]
+    for part, words in zip(np.linspace(0, 1, len(labels)), labels):
+        figure.text(x + (part - 0.5) * width, y, words, 0.9 * font,
+                    0.9 * width / (len(labels) - 1))
 
 
 def draw_swatches(figure, swatches, x, y, layout):
@@ -279,7 +287,7 @@ def render(name, file, results, options):
 def render_all(folder, results, options):
     os.makedirs(folder, exist_ok=True)
     for name, view in VIEWS.items():
-        if all(result.has(view.file) for result in results):
+        if not any(view.missing(result) for result in results):
             ending = "ogv" if name == "animation" else "png"
             render(name, os.path.join(folder, f"{name}.{ending}"), results, options)
 

@@ -1,5 +1,6 @@
 """The views of render.py: what of a result is drawn, as layers of lines and
 polygons in the coordinates of the packing."""
+import csv
 import json
 import os
 from dataclasses import dataclass
@@ -10,10 +11,13 @@ import numpy as np
 from vtkmodules.vtkIOXML import (
     vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader)
 
-from macro import DIVERGING, Grid, chains, crosses, ribbons
+from macro import DIVERGING, Grid, chains, crosses, resultants, ribbons, thrust
 
 # From 0 to 1, for what is not negative: utilisation, displacement, von_mises.
 SEQUENTIAL = [(0, 0.80, 0.84, 0.88), (0.5, 0.96, 0.68, 0.25), (1, 0.55, 0.03, 0.18)]
+# Of |eccentricity| times 2: blue in the middle third of a joint, warm outside it.
+MIDDLE_THIRD = [(0, 0.72, 0.83, 0.93), (1 / 3, 0.30, 0.55, 0.80),
+                (1 / 3 + 1e-6, 0.99, 0.80, 0.40), (1, 0.66, 0.07, 0.12)]
 # Of groups of blocks, repeated if there are more.
 GROUPS = np.array([(0.85, 0.72, 0.55), (0.58, 0.71, 0.78), (0.72, 0.52, 0.47),
                    (0.67, 0.76, 0.55), (0.76, 0.66, 0.80), (0.93, 0.86, 0.58)])
@@ -21,6 +25,9 @@ COMPRESSION, TENSION = DIVERGING[0][1:], DIVERGING[-1][1:]
 PALE, GREY, DARK = (0.96, 0.96, 0.96), (0.55, 0.55, 0.55), (0.15, 0.15, 0.15)
 # Less than this part of the largest stress or force of a result is rounding.
 ROUNDING = 1e-9
+# At a hinge one end of a joint opens, by more than this part of the largest opening,
+# and the other does not, or by less than this part of that.
+SHUT = 1e-2
 
 
 class NotThere(Exception):
@@ -77,6 +84,22 @@ class Results:
     def mechanism(self):
         return self.grid("mechanism.vtu")
 
+    @lru_cache(maxsize=None)
+    def hinges(self):
+        """Of a mechanism of blocks that turn: the corners about which they do.
+
+        That is the end of a joint that stays shut while the other opens."""
+        if not (self.summary.get("rotations") and self.has("mechanism_joints.csv")):
+            return np.empty(0, int)
+        with open(os.path.join(self.directory, "mechanism_joints.csv")) as file:
+            joints = list(csv.DictReader(file))
+        opening = np.array([[float(joint[f"opening_{end}"]) for end in (0, 1)]
+                            for joint in joints]).reshape(-1, 2)
+        smaller, larger = np.sort(opening).T
+        hinged = (larger > SHUT * larger.max(initial=0)) & (smaller < SHUT * larger)
+        return np.array([corner_of(self.mechanism(), joints[i], opening[i].argmin())
+                         for i in np.flatnonzero(hinged)], int)
+
     def title(self):
         """The selection, in a few words."""
         selection = self.summary.get("selection", "").split(":")[0]
@@ -105,9 +128,11 @@ class Panel:
     polygons: Layer
     outlines: Layer
     top: Layer = None
+    dots: Layer = None
 
     def layers(self):
-        return [self.polygons, self.outlines] + ([self.top] if self.top else [])
+        return [layer for layer in (self.polygons, self.outlines, self.top, self.dots)
+                if layer]
 
     def n_blocks(self):
         return len(self.outlines.offsets) - 1
@@ -135,6 +160,37 @@ def marks(begin, end, width, colours):
     corners = np.arange(4 * len(begin))
     return Layer(ribbons(begin, end, width), np.arange(0, len(corners) + 1, 4),
                  corners, colours)
+
+
+def discs(middles, radius, colour):
+    """Polygons of 24 sides."""
+    angle = np.arange(24) * np.pi / 12
+    circle = radius * np.column_stack((np.cos(angle), np.sin(angle)))
+    points = (middles[:, None] + circle).reshape(-1, 2)
+    return Layer(points, np.arange(0, len(points) + 1, 24), np.arange(len(points)),
+                 colour)
+
+
+def corner_of(grid, joint, end):
+    """The corner of c- that is a shut end of a joint, given by its line of the table.
+
+    The joint is a side of c-, as its length and direction say. Several sides may be
+    alike, pieces of a straight one: the corner is the one at which c+ stays."""
+    minus, plus = int(joint["cell_minus"]), int(joint["cell_plus"])
+    normal = np.array([float(joint["nx"]), float(joint["ny"])])
+    vector = float(joint["length"]) * np.array([-normal[1], normal[0]])
+    points, motion = grid.points, grid.of_points["displacement"][:, :2]
+    start = grid.corners[grid.offsets[minus]:grid.offsets[minus + 1]]
+    side = np.column_stack((start, np.roll(start, -1)))
+    off = np.hypot(*(points[side[:, 1]] - points[start] - vector).T)
+    corner = side[off < 1e-6 * np.hypot(*vector), end]
+    opening = motion[corner] @ normal
+    if plus >= 0:
+        others = grid.corners[grid.offsets[plus]:grid.offsets[plus + 1]]
+        same = (points[corner][:, None] == points[others]).all(axis=2)
+        opening -= motion[others[same.argmax(axis=1)]] @ normal
+        opening[~same.any(axis=1)] = np.inf
+    return corner[np.abs(opening).argmin()]
 
 
 def component(name, grid):
@@ -192,15 +248,36 @@ def chain_panel(results, limit, options):
                  marks(*lines, mark_colours(value)))
 
 
-def utilisation_panel(results, limit, options):
-    blocks, interfaces = results.blocks(), results.interfaces()
-    value = interfaces.of_cells.get("utilisation", np.empty(0))
-    order = np.argsort(value, kind="stable")  # the most used on top
-    begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
-    value = value[order]
-    width = block_size(blocks) * np.where(value > 1 - 1e-6, 0.14, 0.07)
+def thrust_panel(results, limit, options):
+    blocks = results.blocks()
+    *lines, value = thrust(blocks, results.interfaces(), limit)
     return Panel(fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-                 marks(begin, end, width, interpolate(SEQUENTIAL, value)))
+                 marks(*lines, COMPRESSION))
+
+
+def joint_panel(blocks, interfaces, value, width, scale):
+    """Joints in colours, those of the largest value on top."""
+    order = np.argsort(value, kind="stable")
+    begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
+    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+                 marks(begin, end, block_size(blocks) * width[order],
+                       interpolate(scale, value[order])))
+
+
+def utilisation_panel(results, limit, options):
+    interfaces = results.interfaces()
+    value = interfaces.of_cells.get("utilisation", np.empty(0))
+    width = np.where(value > 1 - 1e-6, 0.14, 0.07)
+    return joint_panel(results.blocks(), interfaces, value, width, SEQUENTIAL)
+
+
+def eccentricity_panel(results, limit, options):
+    """Joints that nothing presses have no width."""
+    interfaces = results.interfaces()
+    value = 2 * np.abs(interfaces.of_cells["eccentricity"])
+    width = np.zeros(len(value))
+    width[resultants(interfaces)[0]] = 0.1
+    return joint_panel(results.blocks(), interfaces, value, width, MIDDLE_THIRD)
 
 
 def group_panel(results, limit, options):
@@ -222,18 +299,35 @@ def displacement_panel(results, limit, options):
 
 
 def mechanism_panel(results, limit, options):
-    return moved_panel(results.mechanism(), getattr(options, "swing", 1.0), limit)
+    grid, factor = results.mechanism(), getattr(options, "swing", 1.0)
+    panel, hinges = moved_panel(grid, factor, limit), results.hinges()
+    radius = min(0.3 * block_size(grid), 0.01 * np.hypot(*np.ptp(grid.points, 0)))
+    panel.dots = discs(panel.polygons.points[hinges], radius, COMPRESSION)
+    return panel
 
 
 @dataclass
 class View:
-    """values: what the scale is for; reference: what makes small values rounding."""
+    """values: what the scale is for; reference: what makes small values rounding;
+    turning: only of blocks that turn; labels: words below a bar, for its numbers."""
     file: str
     panel: Callable
     values: Callable = None
     reference: Callable = None
     scale: list = None
     legend: str = "bar"
+    turning: bool = False
+    labels: tuple = None
+
+    def missing(self, results):
+        """What a result lacks for this view, in words, or None."""
+        if not results.has(self.file):
+            return (f"needs {self.file}, which '{results.directory}' does not have; "
+                    f"its status is '{results.summary.get('status')}'")
+        if self.turning and "eccentricity" not in results.grid(self.file).of_cells:
+            return (f"needs results with Rotations = true, and those in "
+                    f"'{results.directory}' are without")
+        return None
 
 
 def stress_view(name):
@@ -251,6 +345,10 @@ def chain_values(results, options):
     return chains(results.blocks(), results.interfaces())[-1]
 
 
+def thrust_values(results, options):
+    return resultants(results.interfaces())[-1]
+
+
 MECHANISM = View("mechanism.vtu", mechanism_panel,
                  lambda results, options: magnitude(results.mechanism()),
                  scale=SEQUENTIAL)
@@ -262,6 +360,10 @@ VIEWS = {
                       legend="principal"),
     "chains": View("interfaces.vtu", chain_panel, chain_values, forces,
                    legend="chains"),
+    "thrust": View("interfaces.vtu", thrust_panel, thrust_values, legend="thrust",
+                   turning=True),
+    "eccentricity": View("interfaces.vtu", eccentricity_panel, scale=MIDDLE_THIRD,
+                         turning=True, labels=("middle", "1/6", "1/3", "end")),
     "utilisation": View("interfaces.vtu", utilisation_panel, scale=SEQUENTIAL),
     "blocks": View("blocks.vtu", group_panel, legend="groups"),
     "displacement": View("blocks.vtu", displacement_panel,

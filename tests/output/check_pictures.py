@@ -19,6 +19,7 @@ PROGRAM, SOURCE = sys.argv[1:]
 sys.path.insert(0, f"{SOURCE}/contrib/paraview")
 import pictures  # noqa: E402
 import render  # noqa: E402
+from voussoir_views import MIDDLE_THIRD, interpolate  # noqa: E402
 
 WIDTH = 240
 BLUE, RED = (23, 71, 153), (168, 18, 31)  # the ends of the colours
@@ -26,6 +27,7 @@ HALF_BLUE, WHITE = (115, 168, 217), (247, 247, 247)
 MOST = (140, 8, 46)  # utilisation or displacement at its largest
 STRESSES = {"sigma_xx", "sigma_xy", "sigma_yy", "von_mises"}
 SOLVED = STRESSES | {"principal", "chains", "utilisation", "blocks", "displacement"}
+TURNING = {"rocking_column", "semicircular_arch"}  # scenes with Rotations = true
 
 
 def expect(what, condition):
@@ -64,9 +66,39 @@ def view(name, *directories, width=WIDTH, options=()):
     return image
 
 
+def has_colour(image, colour):
+    """Of each pixel, to rounding."""
+    return np.abs(image - colour).max(axis=2) <= 1
+
+
 def share(image, colour):
-    """Of the pixels, those of a colour, to rounding."""
-    return (np.abs(image - colour).max(axis=2) <= 1).mean()
+    return has_colour(image, colour).mean()
+
+
+def above_legend(name, directory, width=1000):
+    """The pixels of a view, and where in the packing they are."""
+    image = view(name, directory, width=width)
+    options = render.parse([name, "", directory, "--width", str(width)])
+    panel, = render.Picture(name, [render.Results(directory)], options).panels()
+    layout = render.Layout([panel.bounds()], options, False)
+    middle, scale = layout.place(0)
+    x, y = np.meshgrid(np.arange(width) + 0.5, len(image) - np.arange(len(image)) - 0.5)
+    places = (np.stack((x, y), axis=2) - middle) / scale + sum(panel.bounds()) / 2
+    n_rows = len(image) - int(layout.legend)
+    return image[:n_rows], places[:n_rows]
+
+
+def places_of(colour, name, directory):
+    image, places = above_legend(name, directory)
+    return places[has_colour(image, colour)]
+
+
+def dots(directory):
+    """The middles of the dots of a mechanism that are not above each other."""
+    places = places_of(BLUE, "mechanism", directory)
+    places = places[places[:, 0].argsort()]
+    gaps = np.flatnonzero(np.diff(places[:, 0]) > 0.05)
+    return np.array([dot.mean(axis=0) for dot in np.split(places, gaps + 1)])
 
 
 def expect_views(directory, views):
@@ -98,7 +130,8 @@ def check_scenes():
         scene = os.path.splitext(os.path.basename(file))[0]
         few = (["Packing/Voronoi/Number of points=100"]
                if scene == "million_cells" else [])
-        expect_views(run(scene, scene, *few), SOLVED)
+        turning = {"thrust", "eccentricity"} if scene in TURNING else set()
+        expect_views(run(scene, scene, *few), SOLVED | turning)
     collapse = run("arch", "collapse", "Friction/Strength=12.9", status=3)
     expect_views(collapse, {"mechanism", "animation"})
     expect("frames", os.path.getsize(
@@ -141,6 +174,93 @@ def check_colours():
     expect("the middle falls", share(image, MOST) > 0.02)
 
 
+def check_thrust():
+    """Of the column, x = 0.25 + 0.099 (2.5 - y) from joint to joint: a push of 0.198
+    of the weight above, at half its height. In its top block the line leaves the
+    centre along the resultant. The arch is about as thin as can be."""
+    column, arch = "pictures/rocking_column", "pictures/semicircular_arch"
+    x, y = places_of(BLUE, "thrust", column).T
+    below, top_block = 0.25 + 0.099 * (2.5 - y), 0.25 + 0.198 * (2.375 - y)
+    off = x - np.where(y < 2.25, below, top_block)
+    expect(f"the column's line of thrust, off by {np.abs(off).max()}",
+           np.abs(off).max() < 0.017 and abs(off.mean()) < 0.002)
+    expect("it goes from top to bottom", y.min() < 0.01 and y.max() > 2.36)
+    image, places = above_legend("eccentricity", column)
+    for k in range(1, 11):
+        colour = interpolate(MIDDLE_THIRD, [2 * 0.099 * 0.25 * k / 0.5])[0]
+        expect(f"blue in the middle third, {k}", (colour[2] > colour[0]) == (k <= 3))
+        x, y = places[has_colour(image, np.round(255 * colour))].T
+        expect(f"joint {k} has its colour", np.ptp(x) > 0.48 and
+               np.abs(y - 2.5 + 0.25 * k).max() < 0.03)
+    places = places_of(BLUE, "thrust", arch)
+    radius = np.hypot(*places.T)
+    from_crown = np.degrees(np.arctan2(np.abs(places[:, 0]), places[:, 1]))
+    expect("the arch's line of thrust is in the arch", np.abs(radius - 1).max() < 0.06)
+    for angle, at in ((0, 1.05375), (54, 0.94625), (90, 1.05375)):
+        found = radius[np.abs(from_crown - angle) < 0.5]
+        expect(f"at {angle} degrees it is at {at}, {found}",
+               len(found) > 0 and np.abs(found - at).max() < 0.007)
+    wall = run("tutorial_wall", "turning_wall", "Rotations=true")
+    x, y = places_of(BLUE, "thrust", wall).T
+    expect("lines of blocks with several joints", len(x) > 10000)
+    for left, bottom, right, top in ((0.75, 0, 1.75, 2), (2.5, 0.8, 3.5, 1.6)):
+        expect("they stay inside the blocks", not (
+            (left < x) & (x < right) & (bottom < y) & (y < top)).any())
+
+
+def check_hinges():
+    """Crown, haunches and springings of the arch move as the two rigid parts of
+    either half do: the haunch turns about the springing, the crown goes down, and
+    to first order their distance stays."""
+    thickness, n = 0.1074, 40
+    arch = run("semicircular_arch", "hinges", f"Packing/arch/Voussoirs={n}",
+               f"Packing/arch/Thickness={thickness}", status=3)
+    found = dots(arch)
+    expect(f"five hinges, {found}", len(found) == 5)
+    inner, outer, angle = 1 - thickness / 2, 1 + thickness / 2, np.radians(36)
+    foot, crown = np.array([outer, 0]), np.array([0, outer])
+    haunch = inner * np.array([np.cos(angle), np.sin(angle)])
+    turning = np.array([foot[1] - haunch[1], haunch[0] - foot[0]])
+    chord = crown - haunch
+    turn = -(crown[1] - found[2][1]) * chord[1] / (turning @ chord)
+    haunch += turn * turning
+    expected = [-foot, haunch * (-1, 1), found[2] * (0, 1), haunch, foot]
+    expect(f"where they are, {found}, not {expected}", crown[1] - found[2][1] > 0.05 and
+           np.abs(found - expected).max() < 0.005)
+    expect_views(arch, {"mechanism", "animation"})
+    expect("an animation of hinges", render.main(
+        ["animation", "pictures/hinge_%02d.png", arch, "--width", "400"]) == 0)
+    first, middle = (has_colour(pixels(f"pictures/hinge_{i:02d}.png"), BLUE)
+                     for i in (0, 12))
+    expect("dots move", first.any() and middle.any() and (first != middle).any())
+    column = run("rocking_column", "overturns", "Loads/Body force=4.01; -20", status=3)
+    found = dots(column)
+    expect(f"the column's hinge, {found}", len(found) == 1 and
+           np.abs(found - (0.5, 0)).max() < 0.005)
+    joints = f"{column}/mechanism_joints.csv"
+    with open(joints) as file:
+        header, first, *others = file.read().splitlines()
+    first = ",".join(first.split(",")[:-2] + ["1e-3", "0"])
+    with open(joints, "w") as file:
+        print(header, first, *others, sep="\n", file=file)
+    expect("a joint that hardly opens has no hinge", len(dots(column)) == 1)
+    with open("pictures/base.wkt", "w") as file:
+        print("POLYGON ((0 0, 0.5 0, 1 0, 1 3, 0 3, 0 0))", file=file)
+    pieces = run("rocking_column", "pieces", "Packing/Generator=polygons",
+                 f"Packing/polygons/File={os.getcwd()}/pictures/base.wkt",
+                 "Loads/Body force=10; -20", status=3)
+    found = dots(pieces)
+    expect(f"a base of two pieces alike turns about its corner, {found}",
+           len(found) == 1 and found[0][0] > 0.99 and abs(found[0][1]) < 0.01)
+    expect("nothing turns without rotations",
+           share(view("mechanism", "pictures/collapse"), BLUE) == 0)
+    options = render.parse(["mechanism", "", arch])
+    for directory, words in ((arch, "; a dot is a hinge"), ("pictures/collapse", "")):
+        title = render.Picture("mechanism", [render.Results(directory)],
+                               options).legend_title()
+        expect(title, title.endswith("scale of the picture" + words))
+
+
 def check_extremes():
     """Sizes of one block and of any unit look alike; a draft has its blocks."""
     one = run("shear_wall", "one", "Packing/wall/Courses=1",
@@ -175,6 +295,12 @@ def check_refusals():
             ([["sigma_xx", to, arch, collapse]],
              f"The view 'sigma_xx' needs blocks.vtu, which '{collapse}' does not "
              "have; its status is 'collapse'."),
+            ([["thrust", to, arch]],
+             f"The view 'thrust' needs results with Rotations = true, and those in "
+             f"'{arch}' are without."),
+            ([["eccentricity", to, "pictures/hinges"]],
+             "The view 'eccentricity' needs interfaces.vtu, which 'pictures/hinges' "
+             "does not have; its status is 'collapse'."),
             ([["sigma_xx", to, arch, "--limit", "0"]], "The limit must be positive."),
             ([["sigma_xx", to, arch, "--titles", "one;two"]],
              "Give as many titles as directories."),
@@ -225,6 +351,7 @@ def check_macro():
     as_button = {"__name__": "__vtkconsole__", "__file__": file.name}
     for directory, names in (("arch", {"Stress": 84, "Outlines": 21, "Crosses": 42,
                                        "Chains": 42}),
+                             ("rocking_column", {"Thrust": 19}),
                              ("collapse", {"Mechanism": 21, "At rest": 21})):
         SetActiveSource(OpenDataFile(f"pictures/{directory}/results.pvd"))
         exec(macro, dict(as_button))
@@ -267,7 +394,7 @@ def check_documentation():
 
 shutil.rmtree("pictures", ignore_errors=True)
 os.makedirs("pictures")
-for check in (check_scenes, check_colours, check_extremes, check_refusals,
-              check_macro, check_documentation):
+for check in (check_scenes, check_colours, check_thrust, check_hinges,
+              check_extremes, check_refusals, check_macro, check_documentation):
     check()
 print("The pictures are as they should be")
