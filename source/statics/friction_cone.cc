@@ -59,26 +59,6 @@ FrictionCone::FrictionCone(const double strength,
   w = b * (eps / r);
 }
 
-bool FrictionCone::exists() const
-{
-  return b > 0.;
-}
-
-double FrictionCone::force() const
-{
-  return q;
-}
-
-double FrictionCone::sliding() const
-{
-  return v;
-}
-
-double FrictionCone::product() const
-{
-  return r * b - v * q - eps * w;
-}
-
 void FrictionCone::linearise()
 {
   room = determinant(b, q, w);
@@ -97,11 +77,6 @@ void FrictionCone::linearise()
   h22 = size * (1. + 2. * w2 * w2);
   // h11 - h12^2 / h22, since eps does not change.
   slope = size * (1. + 2. * (w1 * w1 + w2 * w2)) / (1. + 2. * w2 * w2);
-}
-
-double FrictionCone::compliance() const
-{
-  return slope;
 }
 
 double FrictionCone::constant(const double target) const

@@ -60,10 +60,6 @@ std::vector<double> most_balanced(Newton &newton)
 }
 } // namespace
 
-HardJoint::HardJoint(const SmoothedJoint &friction, const double mu)
-    : friction(friction), mu(mu)
-{}
-
 void HardJoint::find_forces(const unsigned int e,
                             const double *jumps,
                             double *forces) const

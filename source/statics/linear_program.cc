@@ -12,7 +12,6 @@ namespace Voussoir
 {
 namespace
 {
-
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
  * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
@@ -128,24 +127,6 @@ Solution solve_linear_program(const DiscreteProblem &problem,
   return result.solution;
 }
 } // namespace
-
-std::string LinearProgram::name() const
-{
-  return "linear program";
-}
-
-std::string LinearProgram::meaning() const
-{
-  return "the paper's linear program, solved by Ipopt; its forces depend on "
-         "where the solver stops.";
-}
-
-std::string LinearProgram::selection() const
-{
-  return "linear program: none; the forces depend on where Ipopt stops";
-}
-
-void LinearProgram::add_parameters(dealii::ParameterHandler & /*prm*/) {}
 
 Solution LinearProgram::select(const DiscreteProblem &problem,
                                const SolverControls &controls,

@@ -193,11 +193,6 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
   return result;
 }
 
-const Structure &SharedProblem::structure() const
-{
-  return part ? *part : *whole;
-}
-
 template <typename Action>
 void SharedProblem::on_root(const Action &action) const
 {

@@ -21,7 +21,6 @@ using dealii::Tensor;
 
 namespace
 {
-
 /**
  * With compliant contact the balance of all cells decides when to stop. Ipopt
  * does not see that of the cells held in place, where the imbalance of all
@@ -262,16 +261,6 @@ private:
   unsigned int most_balanced_iteration = 0;
 };
 } // namespace
-
-std::string SmoothedFriction::name() const
-{
-  return "smoothed friction";
-}
-
-std::string SmoothedFriction::meaning() const
-{
-  return "the displacement problem with |.| smoothed, solved by Ipopt.";
-}
 
 std::string SmoothedFriction::selection() const
 {

@@ -130,12 +130,6 @@ void StressParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-SubTriangulation Reconstruction::cut() const
-{
-  return is_refined ? SubTriangulation::thirds(n_refinements)
-                    : SubTriangulation::fan();
-}
-
 double Reconstruction::shortest_side() const
 {
   return is_refined ? LeastNorm::shortest_side : Fan::shortest_side;

@@ -49,7 +49,11 @@ public:
   double argument(unsigned int jump, const std::vector<double> &values) const;
 
   /** The formula itself, for values of the variables. */
-  double value(const std::vector<double> &values) const;
+  double value(const std::vector<double> &values) const
+  {
+    evaluate(0, nodes.size(), values);
+    return node_values.back();
+  }
 
   /**
    * The bounds of the formula in a box, and the jumps that can be met there.

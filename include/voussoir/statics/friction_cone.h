@@ -35,18 +35,18 @@ public:
   FrictionCone(double strength, double smoothing, double product);
 
   /** True if there is friction. */
-  bool exists() const;
+  bool exists() const { return b > 0.; }
   /** The force q. */
-  double force() const;
+  double force() const { return q; }
   /** The sliding v. */
-  double sliding() const;
+  double sliding() const { return v; }
   /** s . lambda; zero if there is no friction. */
-  double product() const;
+  double product() const { return r * b - v * q - eps * w; }
 
   /** Find the linearisation at the present point; before all below. */
   void linearise();
   /** dv = compliance() dq + constant() in a step to the product @p target. */
-  double compliance() const;
+  double compliance() const { return slope; }
   /** See compliance(). */
   double constant(double target) const;
 

@@ -25,7 +25,9 @@ public:
    * @param friction for hard contact; it must outlive this object.
    * @param mu the barrier parameter, positive.
    */
-  HardJoint(const SmoothedJoint &friction, double mu);
+  HardJoint(const SmoothedJoint &friction, const double mu)
+      : friction(friction), mu(mu)
+  {}
 
   void find_forces(unsigned int e,
                    const double *jumps,

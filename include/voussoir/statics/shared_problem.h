@@ -36,7 +36,7 @@ public:
   SharedProblem(const DiscreteProblem *whole, const Team &team);
 
   /** The part of this process. */
-  const Structure &structure() const;
+  const Structure &structure() const { return part ? *part : *whole; }
 
   /** This process' part of the displacement of opening_of(); collective. */
   std::vector<double> opening() const;

@@ -58,7 +58,10 @@ public:
    */
   CellCutter(const ConvexPolygon &polygon,
              const std::vector<dealii::Point<2>> &generators,
-             unsigned int first_vertex);
+             const unsigned int first_vertex)
+      : polygon(polygon), generators(generators), first_vertex(first_vertex),
+        corners(polygon.n_sides(), none)
+  {}
 
   /**
    * Cut the counterclockwise @p loop of a cell down to what is inside.
