@@ -227,20 +227,8 @@ bool SharedProblem::has_opening() const
 }
 
 std::optional<Mechanism>
-SharedProblem::find_mechanism(const std::vector<double> &u) const
-{
-  return search(u, &Voussoir::find_mechanism);
-}
-
-std::optional<Mechanism>
-SharedProblem::find_mechanism_near(const std::vector<double> &u) const
-{
-  return search(u, &Voussoir::find_mechanism_near);
-}
-
-std::optional<Mechanism>
 SharedProblem::search(const std::vector<double> &u,
-                      decltype(Voussoir::find_mechanism) *how) const
+                      decltype(find_mechanism) *how) const
 {
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);

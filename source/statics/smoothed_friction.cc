@@ -225,7 +225,7 @@ private:
     for (unsigned int k = 0; k < n_constraints(); ++k)
       solution.forces[k / n * n_rows + k % n] = multipliers[k];
     if (contact == Contact::hard)
-      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
+      refine_hard_contact(problem, law, barrier_parameter, x,
                           controls.tolerance, solution);
     problem.remove_rigid_motions(x);
     solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());
