@@ -57,42 +57,25 @@ Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
   return box;
 }
 
-/** The rings of all cells by the numbers of their points. */
-struct Corners
+/** The rings of all cells, with their different points in the file's order. */
+CellLoops corners_of(const PolygonList &polygons)
 {
-  explicit Corners(const PolygonList &polygons);
-
-  unsigned int n(const unsigned int cell) const
-  {
-    return first[cell + 1] - first[cell];
-  }
-  /** Corner @p i of a cell, counted modulo their number, as a point. */
-  unsigned int point(const unsigned int cell, const unsigned int i) const
-  {
-    return rings[first[cell] + i % n(cell)];
-  }
-
-  /** The different points of all rings, in the order of the file. */
-  std::vector<Point<2>> points;
-  std::vector<unsigned int> rings;
-  std::vector<unsigned int> first = {0};
-};
-
-Corners::Corners(const PolygonList &polygons)
-{
+  CellLoops corners;
   std::map<std::pair<double, double>, unsigned int> numbers;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
   {
+    std::vector<unsigned int> loop;
     for (const Point<2> &p : polygon.ring)
     {
       const auto [entry, is_new] =
-          numbers.emplace(std::make_pair(p[0], p[1]), points.size());
+          numbers.emplace(std::make_pair(p[0], p[1]), corners.vertices.size());
       if (is_new)
-        points.push_back(p);
-      rings.push_back(entry->second);
+        corners.vertices.push_back(p);
+      loop.push_back(entry->second);
     }
-    first.push_back(rings.size());
+    corners.add(loop);
   }
+  return corners;
 }
 
 /** Matches one list; one object, used once. */
@@ -100,8 +83,8 @@ class PolygonMatcher
 {
 public:
   PolygonMatcher(const PolygonList &polygons, const double tolerance)
-      : polygons(polygons), tolerance(tolerance), corners(polygons),
-        points(corners.points), tree(dealii::pack_rtree_of_indices(points))
+      : polygons(polygons), tolerance(tolerance), corners(corners_of(polygons)),
+        points(corners.vertices), tree(dealii::pack_rtree_of_indices(points))
   {}
 
   CellLoops match();
@@ -121,7 +104,7 @@ private:
   const PolygonList &polygons;
   const double tolerance;
 
-  const Corners corners;
+  const CellLoops corners;
   const std::vector<Point<2>> &points;
   const Tree tree;
   /** For each point the first one that is the same vertex. */
@@ -157,8 +140,8 @@ void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
                                            const unsigned int side,
                                            std::vector<Contact> &found) const
 {
-  const unsigned int a = corners.point(cell, side),
-                     b = corners.point(cell, side + 1);
+  const unsigned int a = corners.corner(cell, side),
+                     b = corners.corner(cell, side + 1);
   const dealii::Tensor<1, 2> along = points[b] - points[a];
   const double length = along.norm();
   const auto visit = [&](const std::size_t p) {
@@ -179,7 +162,7 @@ void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
 std::vector<Contact> PolygonMatcher::contacts(const unsigned int cell) const
 {
   std::vector<Contact> found;
-  for (unsigned int side = 0; side < corners.n(cell); ++side)
+  for (unsigned int side = 0; side < corners.n_sides(cell); ++side)
     find_contacts_of_side(cell, side, found);
 
   // A vertex near a sharp corner is near two sides; it belongs to the nearer.
@@ -204,9 +187,9 @@ std::vector<unsigned int> PolygonMatcher::loop(const unsigned int cell) const
   std::vector<unsigned int> result;
   const std::vector<Contact> inserted = contacts(cell);
   auto next = inserted.begin();
-  for (unsigned int i = 0; i < corners.n(cell); ++i)
+  for (unsigned int i = 0; i < corners.n_sides(cell); ++i)
   {
-    const unsigned int v = vertex[corners.point(cell, i)];
+    const unsigned int v = vertex[corners.corner(cell, i)];
     if (result.empty() || v != result.back())
       result.push_back(v);
     for (; next != inserted.end() && next->side == i; ++next)
@@ -223,16 +206,16 @@ void PolygonMatcher::check_loop(const unsigned int cell,
 {
   const std::string advice = text("within the matching tolerance ", tolerance,
                                   "; lower the tolerance or redraw the cell.");
-  for (unsigned int i = 0; i < corners.n(cell); ++i)
+  for (unsigned int i = 0; i < corners.n_sides(cell); ++i)
   {
-    const unsigned int p = corners.point(cell, i);
+    const unsigned int p = corners.corner(cell, i);
     if (points[p].distance(points[vertex[p]]) > longest_move * tolerance)
       polygons.refuse(cell, "has a chain of short sides at " +
                                 text_of_point(points[p]) + ", each " + advice);
   }
   if (loop.size() < 3)
     polygons.refuse(cell, "at " +
-                              text_of_point(points[corners.point(cell, 0)]) +
+                              text_of_point(points[corners.corner(cell, 0)]) +
                               " has fewer than three vertices left of which "
                               "no two are " +
                               advice);

@@ -31,11 +31,10 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
     const double reference = size(centre);
     double mass = 0.;
     Tensor<1, 2> moment;
-    Tensor<1, 2> a =
-        cells.vertices[cells.loops[cells.first[c + 1] - 1]] - centre;
-    for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
+    for (unsigned int i = 0; i < cells.n_sides(c); ++i)
     {
-      const Tensor<1, 2> b = cells.vertices[cells.loops[i]] - centre;
+      const Tensor<1, 2> a = cells.vertex(c, i + cells.n_sides(c) - 1) - centre;
+      const Tensor<1, 2> b = cells.vertex(c, i) - centre;
       const double area = 0.5 * cross(a, b);
       for (const Tensor<1, 2> &x : {0.5 * a, 0.5 * (a + b), 0.5 * b})
       {
@@ -43,7 +42,6 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
         mass += weight * area / 3.;
         moment += weight * area / 3. * x;
       }
-      a = b;
     }
     centroids.push_back(centre + moment / mass);
   }

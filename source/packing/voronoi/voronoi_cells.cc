@@ -98,13 +98,12 @@ private:
 
   Delaunay triangulation;
   std::vector<Delaunay::Vertex_handle> site_of_cell;
-  std::vector<Point<2>> vertices;
+  /** The cells with all vertices, also those that are the same point. */
+  CellLoops raw;
   /** Of the vertices of the triangulation's faces, those not inside. */
   std::vector<bool> outside;
   /** The number of sides of the polygon on which each vertex lies. */
   std::vector<unsigned char> n_sides_at;
-  /** The vertices of one cell after the other, and where each begins. */
-  std::vector<unsigned int> loops, first = {0};
 };
 
 VoronoiBuilder::VoronoiBuilder(const PointList &generators,
@@ -195,15 +194,15 @@ void VoronoiBuilder::insert_guards()
 
 void VoronoiBuilder::make_vertices()
 {
-  vertices.reserve(triangulation.number_of_faces());
+  raw.vertices.reserve(triangulation.number_of_faces());
   outside.reserve(triangulation.number_of_faces());
   for (const auto face : triangulation.finite_face_handles())
   {
-    face->info() = vertices.size();
-    vertices.push_back(circumcentre(face));
-    outside.push_back(!polygon.contains(vertices.back(), 0.));
+    face->info() = raw.vertices.size();
+    raw.vertices.push_back(circumcentre(face));
+    outside.push_back(!polygon.contains(raw.vertices.back(), 0.));
   }
-  n_sides_at.assign(vertices.size(), 0);
+  n_sides_at.assign(raw.vertices.size(), 0);
 }
 
 /** The cell of a site in the whole plane, counterclockwise. */
@@ -217,7 +216,7 @@ VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
   {
     CellCutter::Corner corner;
     corner.vertex = face->info();
-    corner.position = vertices[corner.vertex];
+    corner.position = raw.vertices[corner.vertex];
     corner.neighbour =
         face->vertex(Delaunay::cw(face->index(site)))->info(); // none: a guard
     corners.push_back(corner);
@@ -227,9 +226,10 @@ VoronoiBuilder::corners_of(const Delaunay::Vertex_handle site) const
 
 void VoronoiBuilder::make_loops()
 {
-  CellCutter cutter(polygon, generators.points, vertices.size());
-  loops.reserve(3 * vertices.size()); // each in three cells, but at the sides
-  first.reserve(site_of_cell.size() + 1);
+  CellCutter cutter(polygon, generators.points, raw.vertices.size());
+  raw.loops.reserve(
+      3 * raw.vertices.size()); // each in three cells, but at the sides
+  raw.first.reserve(site_of_cell.size() + 1);
   for (unsigned int c = 0; c < site_of_cell.size(); ++c)
   {
     std::vector<CellCutter::Corner> corners = corners_of(site_of_cell[c]);
@@ -237,12 +237,12 @@ void VoronoiBuilder::make_loops()
                     [&](const auto &corner) { return outside[corner.vertex]; }))
       cutter.cut(c, corners);
     for (const CellCutter::Corner &corner : corners)
-      loops.push_back(corner.vertex);
-    first.push_back(loops.size());
+      raw.loops.push_back(corner.vertex);
+    raw.first.push_back(raw.loops.size());
   }
   for (const CellCutter::Vertex &vertex : cutter.made_vertices())
   {
-    vertices.push_back(vertex.position);
+    raw.vertices.push_back(vertex.position);
     n_sides_at.push_back(vertex.n_sides);
   }
 }
@@ -250,18 +250,12 @@ void VoronoiBuilder::make_loops()
 /** For each vertex the one that stands for all that are the same point. */
 std::vector<unsigned int> VoronoiBuilder::merge_close_vertices() const
 {
-  const unsigned int n = vertices.size();
+  const unsigned int n = raw.vertices.size();
   boost::disjoint_sets_with_storage<> sets(n);
-  for (unsigned int c = 0; c + 1 < first.size(); ++c)
-  {
-    unsigned int previous = loops[first[c + 1] - 1];
-    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
-    {
-      if (vertices[previous].distance(vertices[loops[i]]) <= resolution)
-        sets.union_set(previous, loops[i]);
-      previous = loops[i];
-    }
-  }
+  for (unsigned int c = 0; c < raw.n_cells(); ++c)
+    for (unsigned int i = 0; i < raw.n_sides(c); ++i)
+      if (raw.vertex(c, i).distance(raw.vertex(c, i + 1)) <= resolution)
+        sets.union_set(raw.corner(c, i), raw.corner(c, i + 1));
 
   // Of the vertices in a set, keep the one that lies on most sides.
   std::vector<unsigned int> kept(n, none), merged_into(n);
@@ -281,23 +275,21 @@ CellLoops VoronoiBuilder::number_vertices() const
   const std::vector<unsigned int> merged_into = merge_close_vertices();
   CellLoops cells;
   cells.centres = generators.points;
-  cells.vertices.reserve(vertices.size());
-  cells.loops.reserve(loops.size());
-  cells.first.reserve(first.size());
-  std::vector<unsigned int> number(vertices.size(), none);
-  for (unsigned int c = 0; c + 1 < first.size(); ++c)
+  cells.vertices.reserve(raw.vertices.size());
+  cells.loops.reserve(raw.loops.size());
+  cells.first.reserve(raw.first.size());
+  std::vector<unsigned int> number(raw.vertices.size(), none);
+  for (unsigned int c = 0; c < raw.n_cells(); ++c)
   {
-    unsigned int previous = merged_into[loops[first[c + 1] - 1]];
-    for (unsigned int i = first[c]; i < first[c + 1]; ++i)
+    for (unsigned int i = 0; i < raw.n_sides(c); ++i)
     {
-      const unsigned int v = merged_into[loops[i]];
-      if (v == previous)
+      const unsigned int v = merged_into[raw.corner(c, i)];
+      if (v == merged_into[raw.corner(c, i + raw.n_sides(c) - 1)])
         continue;
-      previous = v;
       if (number[v] == none)
       {
         number[v] = cells.vertices.size();
-        cells.vertices.push_back(vertices[v]);
+        cells.vertices.push_back(raw.vertices[v]);
       }
       cells.loops.push_back(number[v]);
     }
