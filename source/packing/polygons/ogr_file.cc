@@ -54,8 +54,15 @@ public:
   PolygonList read();
 
 private:
-  [[noreturn]] void refuse(const std::string &fault) const;
-  [[noreturn]] void refuse_file(const std::string &fault) const;
+  [[noreturn]] void refuse(const std::string &fault) const
+  {
+    list.refuse(list.polygons.size(), feature, fault);
+  }
+  [[noreturn]] void refuse_file(const std::string &fault) const
+  {
+    throw InputError("The file of polygons '" + list.file.string() + "' " +
+                     fault);
+  }
   void read_layer(OGRLayer &layer);
   void read_geometry(const OGRGeometry &geometry, const std::string &group);
   void read_polygon(const OGRPolygon &polygon, const std::string &group);
@@ -71,18 +78,6 @@ private:
   bool has_z = false;
   bool has_curves = false;
 };
-
-void OgrReader::refuse_file(const std::string &fault) const
-{
-  throw InputError("The file of polygons '" + list.file.string() + "' " +
-                   fault);
-}
-
-void OgrReader::refuse(const std::string &fault) const
-{
-  throw InputError(text("Cell ", list.polygons.size(), " (",
-                        list.describe_record(feature), ") ", fault));
-}
 
 PolygonList OgrReader::read()
 {

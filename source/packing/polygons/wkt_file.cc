@@ -54,7 +54,10 @@ public:
   PolygonList read();
 
 private:
-  [[noreturn]] void refuse_line(const std::string &fault) const;
+  [[noreturn]] void refuse_line(const std::string &fault) const
+  {
+    list.refuse(list.polygons.size(), line, fault);
+  }
   Feature split(const std::string &content) const;
   std::string group_name(const std::string &tail) const;
   std::string plane_body(const Feature &feature);
@@ -85,12 +88,6 @@ PolygonList WktReader::read()
     throw InputError("The file '" + list.file.string() +
                      "' has no polygons; a packing needs at least one.");
   return std::move(list);
-}
-
-void WktReader::refuse_line(const std::string &fault) const
-{
-  throw InputError(text("Cell ", list.polygons.size(), " (",
-                        list.describe_record(line), ") ", fault));
 }
 
 Feature WktReader::split(const std::string &content) const
