@@ -2,6 +2,8 @@
 #ifndef voussoir_packing_generators_generator_h
 #define voussoir_packing_generators_generator_h
 
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/packing/packing.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -53,7 +55,14 @@ public:
  *   count the sides of.
  * @param entries the names of the parameters that it follows from.
  */
-void check_number_of_cells(double n_cells, const std::string &entries);
+inline void check_number_of_cells(const double n_cells,
+                                  const std::string &entries)
+{
+  constexpr double largest = 1e8; // a packing then needs some 100 GB
+  if (n_cells > largest)
+    throw InputError(text(entries, " make some ", n_cells,
+                          " cells; there may be ", largest, " at most."));
+}
 } // namespace Voussoir
 
 #endif
