@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Voussoir

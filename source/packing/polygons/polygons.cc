@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/packing/polygons/off_file.h>
