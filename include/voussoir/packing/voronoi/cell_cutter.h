@@ -5,7 +5,6 @@
 #include <voussoir/base/none.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
-
 #include <array>
 #include <map>
 #include <vector>
