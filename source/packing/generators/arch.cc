@@ -126,12 +126,12 @@ private:
 void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  add_choice<Shape>(
-      prm, "Shape", shape,
-      {{Shape::circular, "circular",
+  add_choice<bool>(
+      prm, "Shape", pointed,
+      {{false, "circular",
         "one arc around the origin, of 'Mean radius' and 'Embrace'.",
         "Mean radius, Embrace"},
-       {Shape::pointed, "pointed",
+       {true, "pointed",
         "two arcs from springings on y = 0, of 'Span' and 'Radius over "
         "span'.",
         "Span, Radius over span"}},
@@ -177,9 +177,8 @@ CellLoops ArchGenerator::generate(const std::filesystem::path &,
 {
   check_measures();
   const HalfArch half =
-      shape == Shape::circular
-          ? circular_arch(mean_radius, thickness, n_voussoirs, embrace)
-          : pointed_arch(span, radius_over_span, thickness, n_voussoirs);
+      pointed ? pointed_arch(span, radius_over_span, thickness, n_voussoirs)
+              : circular_arch(mean_radius, thickness, n_voussoirs, embrace);
 
   LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
                 abutment_height);
@@ -192,12 +191,12 @@ void ArchGenerator::check_measures() const
 {
   std::vector<std::pair<std::string, double>> measures = {
       {"Thickness", thickness}};
-  if (shape == Shape::circular)
-    measures.insert(measures.end(),
-                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
-  else
+  if (pointed)
     measures.insert(measures.end(),
                     {{"Span", span}, {"Radius over span", radius_over_span}});
+  else
+    measures.insert(measures.end(),
+                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
   if (n_abutment_courses > 0)
     measures.emplace_back("Abutment height", abutment_height);
   for (const auto &[entry, value] : measures)
