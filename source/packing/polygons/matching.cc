@@ -4,8 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/packing/polygons/narrow_gaps.h>
-#include <voussoir/packing/polygons/overlap.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

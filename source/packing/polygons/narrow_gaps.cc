@@ -2,7 +2,7 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/narrow_gaps.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>

@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/off_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 

@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/ogr_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #ifdef VOUSSOIR_WITH_GDAL
 #include <ogrsf_frmts.h>

@@ -2,12 +2,10 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/packing/polygons/off_file.h>
-#include <voussoir/packing/polygons/ogr_file.h>
 #include <voussoir/packing/polygons/points_file.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 #include <voussoir/packing/polygons/polygons.h>
-#include <voussoir/packing/polygons/wkt_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/wkt_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #include <deal.II/boost_adaptors/point.h>
 
