@@ -143,12 +143,10 @@ private:
   std::vector<Node> nodes;
   /** The node of each jump. */
   std::vector<unsigned int> jump_nodes;
-  /** @{ */
   /** Of each node, in the last box or at the last place. */
   mutable std::vector<double> node_values;
   mutable std::vector<Bounds> node_bounds;
   mutable std::vector<char> needed;
-  /** @} */
   /** Of each jump, in the last box. */
   mutable std::vector<Bounds> arguments;
 };

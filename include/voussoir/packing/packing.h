@@ -103,11 +103,8 @@ public:
     unsigned int cell_minus;
     /** c+, of the higher number; ground() if the edge is a support. */
     unsigned int cell_plus;
-    /** @{ */
-    /** The ends of the edge, with c- to the left of the way; lengths. */
-    dealii::Point<2> start;
-    dealii::Point<2> end;
-    /** @} */
+    dealii::Point<2> start; /**< of the edge, with c- to the left; a length */
+    dealii::Point<2> end;   /**< of the edge; a length */
     /** n_e, the unit normal from c- to c+. */
     dealii::Tensor<1, 2> normal;
     /** |e|, a length. */
@@ -124,11 +121,8 @@ public:
   {
     /** The cell that has it. */
     unsigned int cell;
-    /** @{ */
-    /** The ends of the edge, counterclockwise around the cell; lengths. */
-    dealii::Point<2> start;
-    dealii::Point<2> end;
-    /** @} */
+    dealii::Point<2> start; /**< counterclockwise around the cell; a length */
+    dealii::Point<2> end;   /**< of the edge; a length */
     /** Unit normal out of the cell. */
     dealii::Tensor<1, 2> normal;
     /** |e|, a length. */

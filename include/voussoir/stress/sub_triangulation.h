@@ -18,13 +18,11 @@ namespace Voussoir
 class SubTriangulation
 {
 public:
-  /** The weights a and b. */
+  /** The weights, not negative, and together at most one. */
   struct Vertex
   {
-    /** @{ */
-    /** Not negative, and together at most one. */
-    double a, b;
-    /** @} */
+    double a; /**< of v_i */
+    double b; /**< of v_j */
   };
   /** In deal.II's (lexicographic) order. */
   using Quadrilateral = std::array<Vertex, 4>;
