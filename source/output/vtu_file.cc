@@ -97,12 +97,6 @@ VtuFile VtuFile::separate(const Shape shape,
           shape};
 }
 
-void VtuFile::add_point_vector(const std::string &name,
-                               const Fill<double> &values)
-{
-  point_fields.push_back(make_array(name, 3, points.n_items, values));
-}
-
 void VtuFile::write(std::ostream &out) const
 {
   // The positions in the file of the offsets of the arrays, and the arrays.

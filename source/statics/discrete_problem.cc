@@ -246,12 +246,6 @@ Motion DiscreteProblem::motion_of_cells(const std::vector<double> &u,
   return motion;
 }
 
-bool DiscreteProblem::is_held(const unsigned int body) const
-{
-  const bool with_ground = has_ground() && group[body] == group.back();
-  return with_ground ? body == n_cells() : body == group[body];
-}
-
 DiscreteProblem
 DiscreteProblem::with_strengths_up_to(const double strength) const
 {

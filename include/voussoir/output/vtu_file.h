@@ -81,7 +81,10 @@ public:
   }
 
   /** Give every point three values, a vector. */
-  void add_point_vector(const std::string &name, const Fill<double> &values);
+  void add_point_vector(const std::string &name, const Fill<double> &values)
+  {
+    point_fields.push_back(make_array(name, 3, points.n_items, values));
+  }
 
   /** Write the .vtu; @p out must be able to go back. */
   void write(std::ostream &out) const;

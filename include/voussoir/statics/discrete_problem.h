@@ -80,7 +80,11 @@ public:
    * True if @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
    */
-  bool is_held(unsigned int body) const;
+  bool is_held(const unsigned int body) const
+  {
+    const bool with_ground = has_ground() && group[body] == group.back();
+    return with_ground ? body == n_cells() : body == group[body];
+  }
 
   /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid

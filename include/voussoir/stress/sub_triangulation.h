@@ -31,7 +31,12 @@ public:
    * One quadrilateral a side: the triangle itself, with its side cut in two.
    * The only vertex inside the cell is its centre.
    */
-  static SubTriangulation fan();
+  static SubTriangulation fan()
+  {
+    SubTriangulation cut;
+    cut.quadrilaterals = {{{{0., 0.}, {1., 0.}, {0., 1.}, {0.5, 0.5}}}};
+    return cut;
+  }
 
   /**
    * Three quadrilaterals a side, between the centroid of the triangle and the
