@@ -167,5 +167,4 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
     solution.stop = Stop::Reason::no_centre;
   return solution;
 }
-
 } // namespace Voussoir

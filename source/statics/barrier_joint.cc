@@ -56,5 +56,4 @@ double BarrierJoint::longest_step(const unsigned int e,
       longest = std::min(longest, -jumps[r] / steps[r]);
   return longest;
 }
-
 } // namespace Voussoir

@@ -96,5 +96,4 @@ double FrictionCone::longest_of_sliding(const Step &step) const
 {
   return longest(r, v, eps, step.r, step.v, 0.);
 }
-
 } // namespace Voussoir

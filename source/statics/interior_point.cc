@@ -345,5 +345,4 @@ double InteriorPoint::product() const
     }
   return sum / n;
 }
-
 } // namespace Voussoir

@@ -88,5 +88,4 @@ void assist_least_energy(const Team &team, Terminal &terminal)
     // All processes have it; the root reports it.
   }
 }
-
 } // namespace Voussoir

@@ -65,5 +65,4 @@ void SmoothedJoint::find_second_derivatives(const unsigned int e,
   second[n] =
       eps > 0. ? problem.limit(e) / root * (eps / root) * (eps / root) : 0.;
 }
-
 } // namespace Voussoir

@@ -52,5 +52,4 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   }
   prm.leave_subsection();
 }
-
 } // namespace Voussoir

@@ -126,7 +126,6 @@ private:
                      unsigned int interface,
                      const std::vector<unsigned int> &body,
                      const dealii::Point<2> &centroid);
-  void connect_groups();
   void balance_loads();
   /** The rigid motion of a connected group. */
   struct RigidMotion

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
@@ -10,7 +11,6 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/function_output_iterator.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -128,14 +128,7 @@ private:
         if (q < p && points[p].distance(points[q]) <= tolerance)
           sets.union_set(std::size_t(p), q);
     }
-
-    std::vector<unsigned int> lowest(n, none);
-    vertex.resize(n);
-    for (unsigned int p = 0; p < n; ++p)
-    {
-      unsigned int &first = lowest[sets.find_set(p)];
-      vertex[p] = first = std::min(first, p);
-    }
+    vertex = lowest_in_sets(sets, n);
   }
 
   /** The vertices to insert into a cell, each once, in order along its loop. */
