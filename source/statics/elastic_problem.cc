@@ -146,9 +146,7 @@ Solution minimise_elastic(const SharedProblem &problem,
       proximal.advance();
     return mechanism;
   };
-  NewtonControls until;
-  until.imbalance = order.tolerance;
-  until.n_max_iterations = order.n_max_iterations;
-  return minimise(problem, newton, until, advance, displacement_unit, terminal);
+  return minimise(problem, newton, {order.tolerance, order.n_max_iterations},
+                  advance, displacement_unit, terminal);
 }
 } // namespace Voussoir

@@ -6,7 +6,6 @@
 #include <voussoir/packing/generators/wall_openings.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -222,12 +221,7 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellLoops WallGenerator::generate(const std::filesystem::path &,
                                   Terminal &) const
 {
-  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
-      height <= 0.)
-    throw InputError(text("The wall 'Packing/wall' has the width ", width,
-                          " and the height ", height,
-                          "; both must be positive and finite."));
-
+  check_size("wall 'Packing/wall'", width, height);
   check_number_of_cells(double(n_courses) * n_bricks,
                         "'Packing/wall/Courses' and 'Bricks per course'");
 

@@ -98,10 +98,9 @@ private:
          next.reset(layer.GetNextFeature()))
     {
       ++feature;
-      const std::string group =
-          group_field < 0 || !next->IsFieldSetAndNotNull(group_field)
-              ? ""
-              : next->GetFieldAsString(group_field);
+      group = group_field < 0 || !next->IsFieldSetAndNotNull(group_field)
+                  ? ""
+                  : next->GetFieldAsString(group_field);
       const OGRGeometry *geometry = next->GetGeometryRef();
       if (geometry == nullptr)
         refuse("has no geometry" + messages.error() + "; delete it.");
@@ -110,10 +109,10 @@ private:
       {
         has_curves = true;
         const OGRGeometryUniquePtr straight(geometry->getLinearGeometry());
-        read_geometry(*straight, group);
+        read_geometry(*straight);
       }
       else
-        read_geometry(*geometry, group);
+        read_geometry(*geometry);
     }
     if (!messages.first_error.empty())
       refuse_file(text("cannot be read beyond feature ", feature,
@@ -122,7 +121,7 @@ private:
                        "program that wrote it."));
   }
 
-  void read_geometry(const OGRGeometry &geometry, const std::string &group)
+  void read_geometry(const OGRGeometry &geometry)
   {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (geometry.IsEmpty())
@@ -130,28 +129,28 @@ private:
     if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
         OGR_GT_IsSubClassOf(type, wkbMultiSurface))
       for (const OGRGeometry *part : *geometry.toGeometryCollection())
-        read_geometry(*part, group);
+        read_geometry(*part);
     else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
       for (const OGRPolygon *part : *geometry.toPolyhedralSurface())
-        read_polygon(*part, group);
+        read_polygon(*part);
     else if (OGR_GT_IsSubClassOf(type, wkbPolygon))
-      read_polygon(*geometry.toPolygon(), group);
+      read_polygon(*geometry.toPolygon());
     else if (type == wkbLineString)
-      read_line(*geometry.toLineString(), group);
+      read_line(*geometry.toLineString());
     else if (n_left_out++ == 0)
       first_left_out =
           text("feature ", feature, ", a ", OGRGeometryTypeToName(type));
   }
 
-  void read_polygon(const OGRPolygon &polygon, const std::string &group)
+  void read_polygon(const OGRPolygon &polygon)
   {
     if (polygon.getNumInteriorRings() > 0)
       refuse("has a hole; a cell is one loop, so cut it into cells without "
              "holes.");
-    add(*polygon.getExteriorRing(), group);
+    add(*polygon.getExteriorRing());
   }
 
-  void read_line(const OGRLineString &line, const std::string &group)
+  void read_line(const OGRLineString &line)
   {
     if (!line.get_IsClosed())
     {
@@ -163,10 +162,10 @@ private:
           " to " + text_of_point({end.getX(), end.getY()}) +
           " that is not closed; close it, or delete it if it bounds no cell.");
     }
-    add(line, group);
+    add(line);
   }
 
-  void add(const OGRLineString &line, const std::string &group)
+  void add(const OGRLineString &line)
   {
     PolygonList::Polygon polygon;
     for (int i = 0; i < line.getNumPoints(); ++i)
@@ -200,6 +199,7 @@ private:
   PolygonList list;
   GdalMessages messages;
   unsigned int feature = 0;
+  std::string group;
   unsigned int n_left_out = 0;
   std::string first_left_out;
   bool has_z = false;

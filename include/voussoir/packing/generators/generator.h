@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -62,6 +63,21 @@ inline void check_number_of_cells(const double n_cells,
   if (n_cells > largest)
     throw InputError(text(entries, " make some ", n_cells,
                           " cells; there may be ", largest, " at most."));
+}
+
+/**
+ * Check the size of a rectangle, @p what such as "wall 'Packing/wall'".
+ *
+ * @throws InputError unless both lengths are positive and finite.
+ */
+inline void
+check_size(const std::string &what, const double width, const double height)
+{
+  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
+      height <= 0.)
+    throw InputError(text("The ", what, " has the width ", width,
+                          " and the height ", height,
+                          "; both must be positive and finite."));
 }
 } // namespace Voussoir
 
