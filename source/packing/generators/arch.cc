@@ -175,20 +175,6 @@ void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellLoops ArchGenerator::generate(const std::filesystem::path &,
                                   Terminal &) const
 {
-  check_measures();
-  const HalfArch half =
-      pointed ? pointed_arch(span, radius_over_span, thickness, n_voussoirs)
-              : circular_arch(mean_radius, thickness, n_voussoirs, embrace);
-
-  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
-                abutment_height);
-  for (unsigned int k = 1; k < half.joints.size(); ++k)
-    left.add(half.joints[k], voussoir);
-  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
-}
-
-void ArchGenerator::check_measures() const
-{
   std::vector<std::pair<std::string, double>> measures = {
       {"Thickness", thickness}};
   if (pointed)
@@ -203,5 +189,15 @@ void ArchGenerator::check_measures() const
     if (!std::isfinite(value) || value <= 0.)
       throw InputError(text("'Packing/arch/", entry, "' is ", value,
                             "; it must be positive and finite."));
+
+  const HalfArch half =
+      pointed ? pointed_arch(span, radius_over_span, thickness, n_voussoirs)
+              : circular_arch(mean_radius, thickness, n_voussoirs, embrace);
+
+  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
+                abutment_height);
+  for (unsigned int k = 1; k < half.joints.size(); ++k)
+    left.add(half.joints[k], voussoir);
+  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
 }
 } // namespace Voussoir

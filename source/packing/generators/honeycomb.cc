@@ -48,6 +48,16 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
   if (!pointed)
     std::reverse(corners.begin() + 1, corners.end());
 
+  // A vertex by whole numbers, so that shared ones are recognised exactly:
+  // along a line of hexagons in units of half a cell, and across it of a
+  // quarter of their largest diameter. Flat tops are the mirror image of
+  // pointed tops in the diagonal.
+  const auto place = [&](const unsigned int i, const unsigned int j) {
+    const double along = i * (cell_size / 2.);
+    const double across = j * (cell_size / (2. * std::sqrt(3.)));
+    return pointed ? dealii::Point<2>(along, across)
+                   : dealii::Point<2>(across, along);
+  };
   CellLoops cells;
   const std::size_t n_along = 2 * n_in_line + 2;
   std::vector<unsigned int> vertex_at(n_along * (3 * n_lines + 2), none);
@@ -70,14 +80,5 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
       cells.add(loop);
     }
   return cells;
-}
-
-dealii::Point<2> HoneycombGenerator::place(const unsigned int i,
-                                           const unsigned int j) const
-{
-  const double along = i * (cell_size / 2.);
-  const double across = j * (cell_size / (2. * std::sqrt(3.)));
-  return pointed ? dealii::Point<2>(along, across)
-                 : dealii::Point<2>(across, along);
 }
 } // namespace Voussoir

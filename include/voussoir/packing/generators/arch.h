@@ -39,8 +39,6 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  void check_measures() const;
-
   bool pointed = false;
   double mean_radius = 1.;
   double embrace = 180.;
