@@ -6,8 +6,6 @@
 #include <voussoir/simulation.h>
 #include <voussoir/version.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <boost/program_options.hpp>
 
 #include <filesystem>

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <array>
 #include <cmath>
 
 namespace Voussoir
@@ -31,25 +32,11 @@ constexpr double roughness = 1e-2;
 /** The largest number of pieces that are made for peaks. */
 constexpr unsigned int n_max_pieces = 200;
 
-/** Gauss' rule of four points and degree seven, from 0 to 1. */
-struct QuickRule
-{
-  static constexpr unsigned int n_points = 4;
-
-  QuickRule()
-      : points(dealii::QGauss<1>(n_points).get_points()),
-        weights(dealii::QGauss<1>(n_points).get_weights()), fit(points)
-  {}
-
-  std::vector<Point<1>> points;
-  std::vector<double> weights;
-  LinearFit<n_points> fit;
-};
-
 /**
- * LinearFit::unevenness() in its points, over the mean size of the function,
- * with which the quick rule is good: for waves, exponentials and powers its
- * errors, also of the moment, are then at most 2e-13 of that size.
+ * LinearFit::unevenness() in the points of Gauss' rule of degree seven, over
+ * the mean size of the function, with which that quick rule is good: for waves,
+ * exponentials and powers its errors, also of the moment, are then at most
+ * 2e-13 of that size.
  */
 constexpr double smallest_unevenness = 1e-4;
 
@@ -116,11 +103,11 @@ struct Integrator
   /** True if the quick rule is good. */
   bool look_quickly(const EdgePiece &piece, Integral<Sums> &found)
   {
-    static const QuickRule rule;
+    static const FittedRule<1, 4> rule{dealii::QGauss<1>(4)};
     const double length = piece.end - piece.begin;
-    LinearFit<QuickRule::n_points>::Values values;
+    std::array<double, rule.n_points> values;
     found = {0., 0., 0.};
-    for (unsigned int q = 0; q < QuickRule::n_points; ++q)
+    for (unsigned int q = 0; q < rule.n_points; ++q)
     {
       const double weight = rule.weights[q] * length;
       const Sums there = at(piece.begin + rule.points[q][0] * length);

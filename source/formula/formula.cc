@@ -92,12 +92,6 @@ double Formula::argument_of(const Node &node) const
              : a - node_values[node.operand[1]];
 }
 
-double Formula::value(const std::vector<double> &values) const
-{
-  evaluate(0, nodes.size(), values);
-  return node_values.back();
-}
-
 double Formula::argument(const unsigned int jump,
                          const std::vector<double> &values) const
 {

@@ -18,9 +18,9 @@ constexpr double largest_step = 1e15;
 /** The side of its level that an argument is on, if that is known. */
 enum class Side
 {
-  below,
-  at,
-  above,
+  below = -1,
+  at = 0,
+  above = 1,
   unknown
 };
 
@@ -142,19 +142,16 @@ Bounds Formula::bounds_of_jump(const Node &node, const Bounds &argument) const
   const Bounds &a = node_bounds[node.operand[0]];
   const Bounds &b = node_bounds[node.operand[1]];
   const Side where = side(argument);
-  const auto truth = [&](const bool below, const bool at, const bool above) {
-    return bounds_of_truth(where == Side::below ? tribool(below)
-                           : where == Side::at  ? tribool(at)
-                           : where == Side::above
-                               ? tribool(above)
-                               : boost::logic::indeterminate);
-  };
   switch (node.kind)
   {
-  case Kind::less: return truth(true, false, false);
-  case Kind::less_equal: return truth(true, true, false);
-  case Kind::greater: return truth(false, false, true);
-  case Kind::greater_equal: return truth(false, true, true);
+  case Kind::less:
+  case Kind::less_equal:
+  case Kind::greater:
+  case Kind::greater_equal: // as of numbers on that side of zero, and zero
+    return bounds_of_truth(
+        where == Side::unknown
+            ? tribool(boost::logic::indeterminate)
+            : tribool(apply(node, static_cast<int>(where), 0., 0.) != 0.));
   case Kind::minimum:
     return where == Side::unknown ? either(a, b) : where == Side::above ? b : a;
   case Kind::maximum:

@@ -70,26 +70,7 @@ constexpr unsigned int n_max_evaluations = 2000000;
  * and exponentials in all directions the error is at most 0.11 times its cube;
  * null rules of higher degree are blind in some directions.
  */
-struct TriangleRule
-{
-  static constexpr unsigned int n_points = 7;
-
-  TriangleRule() : TriangleRule(dealii::QGaussSimplex<2>(3)) {}
-
-  /** From deal.II's rule on the triangle (0, 0), (1, 0), (0, 1). */
-  explicit TriangleRule(const dealii::Quadrature<2> &rule)
-      : points(rule.get_points()), weights(rule.get_weights()), fit(points)
-  {
-    AssertDimension(points.size(), n_points);
-    for (double &weight : weights)
-      weight *= 2.;
-  }
-
-  std::vector<Point<2>> points;
-  /** They add up to one. */
-  std::vector<double> weights;
-  LinearFit<n_points> fit;
-};
+using TriangleRule = FittedRule<2, 7>;
 
 double area_of(const Triangle &triangle)
 {
@@ -237,16 +218,17 @@ private:
 
   Found apply_rule(const Triangle &part)
   {
-    static const TriangleRule rule;
+    static const TriangleRule rule(dealii::QGaussSimplex<2>(3));
     const Tensor<1, 2> a = part[1] - part[0], b = part[2] - part[0];
     const double part_area = 0.5 * cross(a, b);
     Found found;
-    std::array<LinearFit<TriangleRule::n_points>::Values, 2> values;
+    std::array<std::array<double, rule.n_points>, 2> values;
     for (unsigned int q = 0; q < rule.n_points; ++q)
     {
       const Sums there =
           at(part[0] + rule.points[q][0] * a + rule.points[q][1] * b);
-      const double weight = rule.weights[q] * part_area;
+      // deal.II's weights are those of the triangle (0, 0), (1, 0), (0, 1).
+      const double weight = 2. * rule.weights[q] * part_area;
       found.sums += weight * there;
       found.size += weight * std::max(std::abs(there.values[0]),
                                       std::abs(there.values[1]));

@@ -116,15 +116,17 @@ EarlierRun::Origin EarlierRun::read_summary() const
              "no forces.");
     summary.at("packing").at("cells").get_to(found.n_cells);
     summary.at("packing").at("interfaces").get_to(found.n_interfaces);
-    summary.at("formulation").get_to(found.formulation);
-    summary.at("selection").get_to(found.selection);
+    summary.at("formulation").get_to(found.record.formulation);
+    summary.at("selection").get_to(found.record.selection);
     const nlohmann::json &solver = summary.at("solver");
     // If that run has read its forces, too, what counts is the solver that
     // found them.
     const bool read = solver.contains("earlier_outcome");
-    solver.at(read ? "earlier_outcome" : "outcome").get_to(found.outcome);
-    solver.at("iterations").get_to(found.n_iterations);
-    solver.at("evaluations").get_to(found.n_evaluations);
+    found.record.outcome = "read from '" + directory.string() + "'";
+    solver.at(read ? "earlier_outcome" : "outcome")
+        .get_to(found.record.earlier_outcome);
+    solver.at("iterations").get_to(found.record.n_iterations);
+    solver.at("evaluations").get_to(found.record.n_evaluations);
     if (solver.contains("correction"))
       found.correction = solver.at("correction").get<double>();
   }
@@ -165,12 +167,7 @@ Carried EarlierRun::forces(const Scene &scene, SolverRecord &record)
                           "' had 'Rotations = ", turned ? "true" : "false",
                           "', this one has ", turned ? "false" : "true",
                           same_scene));
-  record.formulation = origin.formulation;
-  record.selection = origin.selection;
-  record.outcome = "read from '" + directory.string() + "'";
-  record.earlier_outcome = origin.outcome;
-  record.n_iterations = origin.n_iterations;
-  record.n_evaluations = origin.n_evaluations;
+  record = origin.record;
   Carried found;
   found.correction = origin.correction;
   read_interfaces(scene, found);

@@ -25,7 +25,34 @@ namespace
  */
 struct SubCellPoints
 {
-  explicit SubCellPoints(const SubTriangulation &cut);
+  explicit SubCellPoints(const SubTriangulation &cut)
+  {
+    const auto number = [this](const double a, const double b) {
+      const auto found =
+          std::find_if(own.begin(), own.end(),
+                       [&](const auto &v) { return v.a == a && v.b == b; });
+      const unsigned int n = found - own.begin();
+      if (found == own.end())
+        own.push_back({a, b});
+      return n;
+    };
+    for (const SubTriangulation::Quadrilateral &sub_cell : cut.of_triangle())
+    {
+      std::array<Corner, 4> around;
+      const std::array<unsigned int, 4> lexicographic = {{0, 1, 3, 2}};
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        const auto [a, b] = sub_cell[lexicographic[v]];
+        if (a == 0. && b == 0.)
+          around[v] = {true, 0, 0};
+        else if (a == 0.)
+          around[v] = {false, 1, number(b, 0.)};
+        else
+          around[v] = {false, 0, number(a, b)};
+      }
+      corners.push_back(around);
+    }
+  }
 
   /** A corner of a sub-cell: point @p number of the triangle @p later. */
   struct Corner
@@ -38,35 +65,6 @@ struct SubCellPoints
   /** The corners of each sub-cell of a triangle, around it. */
   std::vector<std::array<Corner, 4>> corners;
 };
-
-SubCellPoints::SubCellPoints(const SubTriangulation &cut)
-{
-  const auto number = [this](const double a, const double b) {
-    const auto found = std::find_if(own.begin(), own.end(), [&](const auto &v) {
-      return v.a == a && v.b == b;
-    });
-    const unsigned int n = found - own.begin();
-    if (found == own.end())
-      own.push_back({a, b});
-    return n;
-  };
-  for (const SubTriangulation::Quadrilateral &sub_cell : cut.of_triangle())
-  {
-    std::array<Corner, 4> around;
-    const std::array<unsigned int, 4> lexicographic = {{0, 1, 3, 2}};
-    for (unsigned int v = 0; v < 4; ++v)
-    {
-      const auto [a, b] = sub_cell[lexicographic[v]];
-      if (a == 0. && b == 0.)
-        around[v] = {true, 0, 0};
-      else if (a == 0.)
-        around[v] = {false, 1, number(b, 0.)};
-      else
-        around[v] = {false, 0, number(a, b)};
-    }
-    corners.push_back(around);
-  }
-}
 
 /**
  * The grid of stress.vtu: the sub-cells as quadrilaterals, with their fields.
@@ -88,12 +86,33 @@ private:
    * sub-cell k, which are counted through all cells of the packing.
    */
   template <typename Values>
-  void add(const std::string &name, const Values &values);
+  void add(const std::string &name, const Values &values)
+  {
+    using Components = decltype(values(0, std::size_t()));
+    using Number = typename Components::value_type;
+    file.add_cell_field<Number>(
+        name, std::tuple_size<Components>::value,
+        [this, values](auto begin, auto end, Number *place) {
+          sub_cells_of_cells().fill(begin, end, place,
+                                    [&](unsigned int c, std::size_t k) {
+                                      return values(c, first_sub_cell(c) + k);
+                                    });
+        });
+  }
+
   void
   fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
 
-  std::size_t first_point(unsigned int cell) const;
-  std::size_t first_sub_cell(unsigned int cell) const;
+  std::size_t first_point(const unsigned int cell) const
+  {
+    return cell + points.own.size() * packing.first_side(cell);
+  }
+
+  std::size_t first_sub_cell(const unsigned int cell) const
+  {
+    return points.corners.size() * packing.first_side(cell);
+  }
+
   auto points_of_cells() const
   {
     return VtuValues::ItemsByCell{
@@ -106,7 +125,21 @@ private:
         packing.n_cells(),
         [this](const unsigned int c) { return first_sub_cell(c); }};
   }
-  Point<2> point(unsigned int cell, unsigned int k) const;
+
+  /** Point @p k of a cell: the centre, and then its own of each triangle. */
+  Point<2> point(const unsigned int cell, const unsigned int k) const
+  {
+    const Point<2> &centre = packing.centre(cell);
+    if (k == 0)
+      return centre;
+    const unsigned int side = (k - 1) / points.own.size();
+    const auto [a, b] = points.own[(k - 1) % points.own.size()];
+    // In this form vertices, and the middles of sides, are the same to the last
+    // bit from both cells.
+    return (1. - a - b) * centre + a * packing.vertex(cell, side) +
+           b * packing.vertex(cell, side + 1);
+  }
+
   /** The number of a cell in the whole packing. */
   unsigned int number_of(unsigned int cell) const
   {
@@ -168,21 +201,6 @@ void StressGrid::add_fields()
       });
 }
 
-template <typename Values>
-void StressGrid::add(const std::string &name, const Values &values)
-{
-  using Components = decltype(values(0, std::size_t()));
-  using Number = typename Components::value_type;
-  file.add_cell_field<Number>(
-      name, std::tuple_size<Components>::value,
-      [this, values](auto begin, auto end, Number *place) {
-        sub_cells_of_cells().fill(begin, end, place,
-                                  [&](unsigned int c, std::size_t k) {
-                                    return values(c, first_sub_cell(c) + k);
-                                  });
-      });
-}
-
 void StressGrid::fill_corners(const std::size_t begin,
                               const std::size_t end,
                               std::int64_t *place) const
@@ -201,30 +219,6 @@ void StressGrid::fill_corners(const std::size_t begin,
                                                          packing.n_sides(c)));
         return numbers;
       });
-}
-
-std::size_t StressGrid::first_point(const unsigned int cell) const
-{
-  return cell + points.own.size() * packing.first_side(cell);
-}
-
-std::size_t StressGrid::first_sub_cell(const unsigned int cell) const
-{
-  return points.corners.size() * packing.first_side(cell);
-}
-
-/** Point @p k of a cell: the centre, and then its own of each triangle. */
-Point<2> StressGrid::point(const unsigned int cell, const unsigned int k) const
-{
-  const Point<2> &centre = packing.centre(cell);
-  if (k == 0)
-    return centre;
-  const unsigned int side = (k - 1) / points.own.size();
-  const auto [a, b] = points.own[(k - 1) % points.own.size()];
-  // In this form vertices, and the middles of sides, are the same to the last
-  // bit from both cells.
-  return (1. - a - b) * centre + a * packing.vertex(cell, side) +
-         b * packing.vertex(cell, side + 1);
 }
 } // namespace
 

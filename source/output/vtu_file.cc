@@ -27,29 +27,6 @@ constexpr std::size_t block_size = 1 << 19;
  */
 constexpr std::size_t padding = 3 * 4096;
 
-template <typename Number>
-const char *name_of_type();
-template <>
-const char *name_of_type<double>()
-{
-  return "Float64";
-}
-template <>
-const char *name_of_type<std::int64_t>()
-{
-  return "Int64";
-}
-template <>
-const char *name_of_type<std::int32_t>()
-{
-  return "Int32";
-}
-template <>
-const char *name_of_type<std::uint8_t>()
-{
-  return "UInt8";
-}
-
 void write_binary(std::ostream &out, const std::vector<std::uint64_t> &numbers)
 {
   out.write(reinterpret_cast<const char *>(numbers.data()),
@@ -118,47 +95,6 @@ VtuFile VtuFile::separate(const Shape shape,
   };
   return {points, make_array("connectivity", 1, points.number, in_order), ends,
           shape};
-}
-
-template <typename Number>
-VtuFile::Array VtuFile::make_array(const std::string &name,
-                                   const unsigned int n_components,
-                                   const std::size_t n_items,
-                                   const Fill<Number> &values)
-{
-  return {
-      name,
-      name_of_type<Number>(),
-      n_components,
-      n_items,
-      n_components * sizeof(Number),
-      [values](const std::size_t begin, const std::size_t end, char *bytes) {
-        values(begin, end, reinterpret_cast<Number *>(bytes));
-      }};
-}
-
-template <typename Number>
-void VtuFile::add_cell_field(const std::string &name,
-                             const unsigned int n_components,
-                             const Fill<Number> &values)
-{
-  const std::size_t n_cells = cells.back().n_items;
-  cell_fields.push_back(make_array(name, n_components, n_cells, values));
-}
-template void VtuFile::add_cell_field(const std::string &,
-                                      unsigned int,
-                                      const Fill<double> &);
-template void VtuFile::add_cell_field(const std::string &,
-                                      unsigned int,
-                                      const Fill<std::int32_t> &);
-template void VtuFile::add_cell_field(const std::string &,
-                                      unsigned int,
-                                      const Fill<std::uint8_t> &);
-
-void VtuFile::add_point_vector(const std::string &name,
-                               const Fill<double> &values)
-{
-  point_fields.push_back(make_array(name, 3, points.n_items, values));
 }
 
 void VtuFile::write(std::ostream &out) const

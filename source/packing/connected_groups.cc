@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/packing/connected_groups.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <algorithm>
 
 namespace Voussoir
 {
@@ -15,14 +12,7 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
   for (const Packing::Interface &interface : packing.interfaces())
     if (ground == Ground::connects || interface.cell_plus != packing.ground())
       sets.union_set(interface.cell_minus, interface.cell_plus);
-
-  std::vector<unsigned int> lowest(n, n), group(n);
-  for (unsigned int c = 0; c < n; ++c)
-  {
-    unsigned int &first = lowest[sets.find_set(c)];
-    group[c] = first = std::min(first, c);
-  }
-  return group;
+  return lowest_in_sets(sets, n);
 }
 
 unsigned int static_indeterminacy(const Packing &packing,

@@ -159,8 +159,7 @@ std::vector<unsigned int> Packing::find_opposite_sides() const
   for (unsigned int c = 0; c < n_cells(); ++c)
     for (unsigned int i = 0; i < n_sides(c); ++i)
     {
-      const unsigned int a = mesh.loops[mesh.first[c] + i];
-      const unsigned int b = mesh.loops[mesh.first[c] + (i + 1) % n_sides(c)];
+      const unsigned int a = mesh.corner(c, i), b = mesh.corner(c, i + 1);
       halfedges.push_back({std::min(a, b), std::max(a, b), c, i});
     }
   std::sort(halfedges.begin(), halfedges.end());

@@ -51,12 +51,6 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-std::vector<std::filesystem::path>
-PackingParameters::input_files(const std::filesystem::path &directory) const
-{
-  return generators[chosen]->input_files(directory);
-}
-
 Packing PackingParameters::make_packing(const std::filesystem::path &directory,
                                         Terminal &terminal) const
 {

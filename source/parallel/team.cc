@@ -21,32 +21,6 @@ constexpr std::size_t length_of_names = 32;
 constexpr auto polling_interval = std::chrono::milliseconds(1);
 } // namespace
 
-Team::Team(MPI_Comm communicator)
-    : processes(communicator),
-      n_processes(dealii::Utilities::MPI::n_mpi_processes(communicator)),
-      own_rank(dealii::Utilities::MPI::this_mpi_process(communicator))
-{}
-
-MPI_Comm Team::communicator() const
-{
-  return processes;
-}
-
-unsigned int Team::size() const
-{
-  return n_processes;
-}
-
-unsigned int Team::rank() const
-{
-  return own_rank;
-}
-
-bool Team::is_root() const
-{
-  return own_rank == 0;
-}
-
 void Team::call(const std::string &task) const
 {
   if (n_processes == 1)

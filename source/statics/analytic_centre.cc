@@ -10,7 +10,6 @@
 
 namespace Voussoir
 {
-
 namespace
 {
 /** The shifts of fixed_joints(): from, to, and the ratio of one to the next. */
@@ -78,19 +77,7 @@ fixed_joints(const DiscreteProblem &problem,
   }
   return fixed;
 }
-
 } // namespace
-
-std::string AnalyticCentre::name() const
-{
-  return "analytic centre";
-}
-
-std::string AnalyticCentre::meaning() const
-{
-  return "the state farthest from all limits of admissibility, by Newton's "
-         "method.";
-}
 
 std::string AnalyticCentre::selection() const
 {
@@ -180,5 +167,4 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
     solution.stop = Stop::Reason::no_centre;
   return solution;
 }
-
 } // namespace Voussoir

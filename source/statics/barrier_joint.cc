@@ -7,23 +7,6 @@
 
 namespace Voussoir
 {
-BarrierJoint::BarrierJoint(const Structure &structure,
-                           const BarrierWeights weights)
-    : fixed(structure.n_all_rows(), 0), structure(&structure), weights(weights)
-{}
-
-double BarrierJoint::weight(const unsigned int e) const
-{
-  const Structure::Joint &joint = structure->joints()[e];
-  return weights == BarrierWeights::equal ? 1. : joint.length * joint.distance;
-}
-
-double BarrierJoint::contact_weight(const unsigned int e) const
-{
-  return weights == BarrierWeights::equal ? 1.
-                                          : weight(e) / structure->n_contacts();
-}
-
 double BarrierJoint::slack(const unsigned int e, const double sliding) const
 {
   const double w = weight(e), b = structure->limit(e);
@@ -73,5 +56,4 @@ double BarrierJoint::longest_step(const unsigned int e,
       longest = std::min(longest, -jumps[r] / steps[r]);
   return longest;
 }
-
 } // namespace Voussoir

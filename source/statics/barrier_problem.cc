@@ -69,11 +69,9 @@ Solution minimise_barrier(const SharedProblem &problem,
     newton.step(least_shift, newton.u());
     return {};
   };
-  NewtonControls until;
-  until.imbalance = tolerance;
-  until.decrement = largest_decrement;
-  until.force_change = largest_force_change;
-  until.n_max_iterations = std::min(n_max_newton_iterations, n_max_iterations);
+  const NewtonControls until = {
+      tolerance, std::min(n_max_newton_iterations, n_max_iterations),
+      largest_decrement, largest_force_change};
   // No displacement of its own: the barrier's grows with its parameter.
   return minimise(problem, newton, until, advance, 0., terminal);
 }

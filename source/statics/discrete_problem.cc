@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/statics/discrete_problem.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -60,7 +60,10 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
     own.centres.emplace_back();
     own.loads.resize(n_unknowns() * own.centres.size());
   }
-  connect_groups();
+  boost::disjoint_sets_with_storage<> groups(n_bodies());
+  for (const Joint &joint : joints())
+    groups.union_set(joint.cell_minus, joint.cell_plus);
+  group = lowest_in_sets(groups, n_bodies());
   balance_loads();
 }
 
@@ -100,26 +103,6 @@ void DiscreteProblem::add_interface(const Scene &scene,
   add_joint({minus, plus, length, scene.packing.distance(i) / length_unit,
              scene.strength[interface] / stress_unit * length},
             frame);
-}
-
-/** Find the lowest body of each connected group. */
-void DiscreteProblem::connect_groups()
-{
-  group.resize(n_bodies());
-  std::iota(group.begin(), group.end(), 0u);
-  const auto root_of = [&](unsigned int b) {
-    while (group[b] != b)
-      b = group[b] = group[group[b]];
-    return b;
-  };
-  for (const Joint &joint : joints())
-  {
-    const unsigned int a = root_of(joint.cell_minus);
-    const unsigned int b = root_of(joint.cell_plus);
-    group[std::max(a, b)] = std::min(a, b);
-  }
-  for (unsigned int b = 0; b < n_bodies(); ++b)
-    group[b] = root_of(b);
 }
 
 void DiscreteProblem::choose_scales(const Scene &scene,
@@ -246,12 +229,6 @@ Motion DiscreteProblem::motion_of_cells(const std::vector<double> &u,
   return motion;
 }
 
-bool DiscreteProblem::is_held(const unsigned int body) const
-{
-  const bool with_ground = has_ground() && group[body] == group.back();
-  return with_ground ? body == n_cells() : body == group[body];
-}
-
 DiscreteProblem
 DiscreteProblem::with_strengths_up_to(const double strength) const
 {
@@ -267,5 +244,4 @@ DiscreteProblem DiscreteProblem::without_loads() const
   problem.own.loads.assign(n_dofs(), 0.);
   return problem;
 }
-
 } // namespace Voussoir

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/barrier_problem.h>
 #include <voussoir/statics/elastic_problem.h>
 #include <voussoir/statics/minimise.h>
@@ -7,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -146,22 +146,7 @@ Solution minimise_elastic(const SharedProblem &problem,
       proximal.advance();
     return mechanism;
   };
-  NewtonControls until;
-  until.imbalance = order.tolerance;
-  until.n_max_iterations = order.n_max_iterations;
-  return minimise(problem, newton, until, advance, displacement_unit, terminal);
-}
-
-std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
-                                                  Terminal &terminal)
-{
-  try
-  {
-    return minimise_elastic(problem, {}, 0., terminal).mechanism;
-  }
-  catch (const SolverError &)
-  {
-    return {};
-  }
+  return minimise(problem, newton, {order.tolerance, order.n_max_iterations},
+                  advance, displacement_unit, terminal);
 }
 } // namespace Voussoir

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/barrier_problem.h>
 #include <voussoir/statics/elastic_problem.h>
 #include <voussoir/statics/find_collapse.h>
@@ -8,7 +9,15 @@ namespace Voussoir
 std::optional<Mechanism> find_collapse(const SharedProblem &problem,
                                        Terminal &terminal)
 {
-  return problem.has_opening() ? find_collapse_by_barrier(problem, terminal)
-                               : find_collapse_by_springs(problem, terminal);
+  if (problem.has_opening())
+    return find_collapse_by_barrier(problem, terminal);
+  try
+  {
+    return minimise_elastic(problem, {}, 0., terminal).mechanism;
+  }
+  catch (const SolverError &)
+  {
+    return {};
+  }
 }
 } // namespace Voussoir

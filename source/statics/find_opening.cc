@@ -119,6 +119,57 @@ double error_of_normal(const DiscreteProblem &problem, const Joint &joint)
          (1. + 1. / joint.length);
 }
 
+/**
+ * True if the displacement @p u (n_dofs() numbers) opens every joint by more
+ * than the rounding of its normal, which is that of the coordinates over the
+ * length of the joint, could make of it.
+ */
+bool opens_all_joints(const DiscreteProblem &problem,
+                      const std::vector<double> &u)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const double opening = problem.opening(e, u.data());
+    if (!(opening > error_of_normal(problem, problem.joints()[e]) *
+                        std::hypot(opening, problem.sliding(e, u.data()))))
+      return false;
+  }
+  return true;
+}
+
+/**
+ * True if no motion opens every joint by more than that, since the normal
+ * forces @p p, of each row of each joint and zero in tangential ones, balance
+ * by themselves: if every |u_c| <= 1, then the least [u]_e . n_e is at most the
+ * sum of what is left on the cells over the sum of p.
+ */
+bool is_self_stress(const DiscreteProblem &problem,
+                    const std::vector<double> &p)
+{
+  std::vector<double> sum(problem.n_dofs());
+  double rounding = 0.;
+  const unsigned int n_rows = problem.n_rows();
+  for (std::size_t e = 0, k = 0; k < p.size(); ++e, k += n_rows)
+  {
+    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    {
+      if (!(p[k + r] >= 0.))
+        return false;
+      rounding += p[k + r] * error_of_normal(problem, problem.joints()[e]);
+    }
+    problem.add_jump_gradient(e, &p[k], sum.data());
+  }
+  double left = 0.;
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+  {
+    left += std::hypot(sum[problem.dof(b, 0)], sum[problem.dof(b, 1)]);
+    // The ground does not turn, and is far from some of its joints.
+    if (problem.n_unknowns() > 2 && b < problem.n_cells())
+      left += std::abs(sum[problem.dof(b, 2)]);
+  }
+  return rounding > 0. && left <= rounding;
+}
+
 /** Go from @p u along @p ray, which opens all joints, until each is open. */
 std::vector<double> open_along(const DiscreteProblem &problem,
                                const std::vector<double> &ray,
@@ -193,50 +244,7 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
     return {open_along(problem, ray, newton.u()), {}};
   return {{}, self_stress_near(smooth, newton.forces())};
 }
-} // namespace
 
-bool opens_all_joints(const DiscreteProblem &problem,
-                      const std::vector<double> &u)
-{
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const double opening = problem.opening(e, u.data());
-    if (!(opening > error_of_normal(problem, problem.joints()[e]) *
-                        std::hypot(opening, problem.sliding(e, u.data()))))
-      return false;
-  }
-  return true;
-}
-
-bool is_self_stress(const DiscreteProblem &problem,
-                    const std::vector<double> &p)
-{
-  std::vector<double> sum(problem.n_dofs());
-  double rounding = 0.;
-  const unsigned int n_rows = problem.n_rows();
-  for (std::size_t e = 0, k = 0; k < p.size(); ++e, k += n_rows)
-  {
-    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
-    {
-      if (!(p[k + r] >= 0.))
-        return false;
-      rounding += p[k + r] * error_of_normal(problem, problem.joints()[e]);
-    }
-    problem.add_jump_gradient(e, &p[k], sum.data());
-  }
-  double left = 0.;
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-  {
-    left += std::hypot(sum[problem.dof(b, 0)], sum[problem.dof(b, 1)]);
-    // The ground does not turn, and is far from some of its joints.
-    if (problem.n_unknowns() > 2 && b < problem.n_cells())
-      left += std::abs(sum[problem.dof(b, 2)]);
-  }
-  return rounding > 0. && left <= rounding;
-}
-
-namespace
-{
 Opening find_opening(const DiscreteProblem &problem)
 {
   std::vector<double> u(problem.n_dofs());

@@ -59,26 +59,6 @@ FrictionCone::FrictionCone(const double strength,
   w = b * (eps / r);
 }
 
-bool FrictionCone::exists() const
-{
-  return b > 0.;
-}
-
-double FrictionCone::force() const
-{
-  return q;
-}
-
-double FrictionCone::sliding() const
-{
-  return v;
-}
-
-double FrictionCone::product() const
-{
-  return r * b - v * q - eps * w;
-}
-
 void FrictionCone::linearise()
 {
   room = determinant(b, q, w);
@@ -99,18 +79,6 @@ void FrictionCone::linearise()
   slope = size * (1. + 2. * (w1 * w1 + w2 * w2)) / (1. + 2. * w2 * w2);
 }
 
-double FrictionCone::compliance() const
-{
-  return slope;
-}
-
-double FrictionCone::constant(const double target) const
-{
-  const double of_v = target * (q / room) - v;
-  const double of_eps = target * (w / room) - eps;
-  return of_v - h12 / h22 * of_eps;
-}
-
 FrictionCone::Step FrictionCone::step(const double target,
                                       const double dq) const
 {
@@ -127,15 +95,5 @@ double FrictionCone::longest_of_force(const Step &step) const
 double FrictionCone::longest_of_sliding(const Step &step) const
 {
   return longest(r, v, eps, step.r, step.v, 0.);
-}
-
-void FrictionCone::take(const Step &step,
-                        const double part_of_force,
-                        const double part_of_sliding)
-{
-  q += part_of_force * step.q;
-  w += part_of_force * step.w;
-  v += part_of_sliding * step.v;
-  r += part_of_sliding * step.r;
 }
 } // namespace Voussoir

@@ -24,6 +24,55 @@ constexpr double worthwhile = 0.5;
 /** The largest number of steps; from Ipopt's point a handful suffices. */
 constexpr unsigned int n_max_steps = 20;
 
+/**
+ * The energy of one joint with smoothed friction and hard contact at a given
+ * point of the central path,
+ *
+ *     s_e |e| h(x) - sum mu log y,
+ *
+ * with x, y and h as in SmoothedJoint. The force of a contact is -mu / y. All
+ * nondimensional.
+ */
+class HardJoint : public JointLaw
+{
+public:
+  HardJoint(const SmoothedJoint &friction, const double mu)
+      : friction(friction), mu(mu)
+  {}
+
+  void find_forces(const unsigned int e,
+                   const double *jumps,
+                   double *forces) const override
+  {
+    friction.find_forces(e, jumps, forces);
+    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+      forces[r] = jumps[r] > 0. ? -mu / jumps[r]
+                                : -std::numeric_limits<double>::infinity();
+  }
+  void find_second_derivatives(const unsigned int e,
+                               const double *jumps,
+                               double *second) const override
+  {
+    friction.find_second_derivatives(e, jumps, second);
+    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+      second[r] = mu / jumps[r] / jumps[r];
+  }
+  double longest_step(unsigned int /*e*/,
+                      const double *jumps,
+                      const double *steps) const override
+  {
+    double longest = std::numeric_limits<double>::infinity();
+    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+      if (steps[r] < 0.)
+        longest = std::min(longest, -jumps[r] / steps[r]);
+    return longest;
+  }
+
+private:
+  const SmoothedJoint &friction;
+  const double mu;
+};
+
 /** True if @p newton converges to the minimum. */
 bool converges(Newton &newton, const double tolerance)
 {
@@ -60,42 +109,9 @@ std::vector<double> most_balanced(Newton &newton)
 }
 } // namespace
 
-HardJoint::HardJoint(const SmoothedJoint &friction, const double mu)
-    : friction(friction), mu(mu)
-{}
-
-void HardJoint::find_forces(const unsigned int e,
-                            const double *jumps,
-                            double *forces) const
-{
-  friction.find_forces(e, jumps, forces);
-  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
-    forces[r] = jumps[r] > 0. ? -mu / jumps[r]
-                              : -std::numeric_limits<double>::infinity();
-}
-
-void HardJoint::find_second_derivatives(const unsigned int e,
-                                        const double *jumps,
-                                        double *second) const
-{
-  friction.find_second_derivatives(e, jumps, second);
-  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
-    second[r] = mu / jumps[r] / jumps[r];
-}
-
-double HardJoint::longest_step(const unsigned int /*e*/,
-                               const double *jumps,
-                               const double *steps) const
-{
-  double longest = std::numeric_limits<double>::infinity();
-  for (unsigned int r = 0; r < friction.n_contacts(); ++r)
-    if (steps[r] < 0.)
-      longest = std::min(longest, -jumps[r] / steps[r]);
-  return longest;
-}
-
 void refine_hard_contact(const DiscreteProblem &problem,
-                         const HardJoint &law,
+                         const SmoothedJoint &friction,
+                         const double mu,
                          std::vector<double> &u,
                          const double tolerance,
                          Solution &solution)
@@ -103,6 +119,7 @@ void refine_hard_contact(const DiscreteProblem &problem,
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
     if (!(problem.opening(e, u.data()) > 0.))
       return; // by rounding; the energy has no value there
+  const HardJoint law(friction, mu);
   JointSystem system(problem, LinearSolver::automatic);
   Newton newton(problem, law, system, u);
   std::vector<double> forces;

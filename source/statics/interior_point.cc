@@ -313,11 +313,6 @@ bool InteriorPoint::take(const Step &step, const Parts &parts)
   return true;
 }
 
-const std::vector<double> &InteriorPoint::u() const
-{
-  return displacement;
-}
-
 std::vector<double> InteriorPoint::forces() const
 {
   std::vector<double> forces;
@@ -329,11 +324,6 @@ std::vector<double> InteriorPoint::forces() const
     forces.push_back(states[e].friction.force());
   }
   return forces;
-}
-
-double InteriorPoint::load_factor() const
-{
-  return alpha;
 }
 
 double InteriorPoint::imbalance() const
@@ -354,15 +344,5 @@ double InteriorPoint::product() const
       ++n;
     }
   return sum / n;
-}
-
-unsigned int InteriorPoint::n_iterations() const
-{
-  return iterations;
-}
-
-double InteriorPoint::seconds_of_systems() const
-{
-  return system.seconds();
 }
 } // namespace Voussoir

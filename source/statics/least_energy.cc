@@ -13,7 +13,6 @@ namespace Voussoir
 {
 namespace
 {
-
 /** The cells per process below which communication outweighs computation. */
 constexpr unsigned int least_cells_per_process = 500;
 
@@ -37,23 +36,6 @@ Solution minimise_together(const DiscreteProblem *whole,
   });
 }
 } // namespace
-
-std::string LeastEnergy::name() const
-{
-  return "least energy";
-}
-
-std::string LeastEnergy::meaning() const
-{
-  return "the least energy of elastic joints, solved by Newton's method; the "
-         "fastest, from one cell to a million.";
-}
-
-std::string LeastEnergy::selection() const
-{
-  return "least energy: the least sum of d_e/|e| times the square of the force "
-         "on the interface";
-}
 
 void LeastEnergy::add_parameters(dealii::ParameterHandler &prm)
 {
@@ -106,5 +88,4 @@ void assist_least_energy(const Team &team, Terminal &terminal)
     // All processes have it; the root reports it.
   }
 }
-
 } // namespace Voussoir

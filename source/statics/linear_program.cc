@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Voussoir
 {
 namespace
 {
-
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
  * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
@@ -128,24 +125,6 @@ Solution solve_linear_program(const DiscreteProblem &problem,
   return result.solution;
 }
 } // namespace
-
-std::string LinearProgram::name() const
-{
-  return "linear program";
-}
-
-std::string LinearProgram::meaning() const
-{
-  return "the paper's linear program, solved by Ipopt; its forces depend on "
-         "where the solver stops.";
-}
-
-std::string LinearProgram::selection() const
-{
-  return "linear program: none; the forces depend on where Ipopt stops";
-}
-
-void LinearProgram::add_parameters(dealii::ParameterHandler & /*prm*/) {}
 
 Solution LinearProgram::select(const DiscreteProblem &problem,
                                const SolverControls &controls,

@@ -37,7 +37,7 @@ Solution minimise(const SharedProblem &problem,
 
     if (converged)
       solution.stop = Stop::Reason::converged;
-    else if ((solution.mechanism = problem.find_mechanism(newton.u())))
+    else if ((solution.mechanism = problem.search(newton.u(), find_mechanism)))
       solution.stop = Stop::Reason::collapse;
     else if (n >= controls.n_max_iterations)
       solution.stop = Stop::Reason::most_iterations;
@@ -55,7 +55,7 @@ Solution minimise(const SharedProblem &problem,
 
   // Beyond the limit the displacement grows along a mechanism.
   if (solution.stop == Stop::Reason::rounding &&
-      (solution.mechanism = problem.find_mechanism_near(newton.u())))
+      (solution.mechanism = problem.search(newton.u(), find_mechanism_near)))
     solution.stop = Stop::Reason::collapse;
 
   solution.n_iterations = newton.n_iterations();

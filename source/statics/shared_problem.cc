@@ -193,11 +193,6 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
   return result;
 }
 
-const Structure &SharedProblem::structure() const
-{
-  return part ? *part : *whole;
-}
-
 template <typename Action>
 void SharedProblem::on_root(const Action &action) const
 {
@@ -232,20 +227,8 @@ bool SharedProblem::has_opening() const
 }
 
 std::optional<Mechanism>
-SharedProblem::find_mechanism(const std::vector<double> &u) const
-{
-  return search(u, &Voussoir::find_mechanism);
-}
-
-std::optional<Mechanism>
-SharedProblem::find_mechanism_near(const std::vector<double> &u) const
-{
-  return search(u, &Voussoir::find_mechanism_near);
-}
-
-std::optional<Mechanism>
 SharedProblem::search(const std::vector<double> &u,
-                      decltype(Voussoir::find_mechanism) *how) const
+                      decltype(find_mechanism) *how) const
 {
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);

@@ -21,7 +21,6 @@ using dealii::Tensor;
 
 namespace
 {
-
 /**
  * With compliant contact the balance of all cells decides when to stop. Ipopt
  * does not see that of the cells held in place, where the imbalance of all
@@ -226,7 +225,7 @@ private:
     for (unsigned int k = 0; k < n_constraints(); ++k)
       solution.forces[k / n * n_rows + k % n] = multipliers[k];
     if (contact == Contact::hard)
-      refine_hard_contact(problem, HardJoint(law, barrier_parameter), x,
+      refine_hard_contact(problem, law, barrier_parameter, x,
                           controls.tolerance, solution);
     problem.remove_rigid_motions(x);
     solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());
@@ -262,16 +261,6 @@ private:
   unsigned int most_balanced_iteration = 0;
 };
 } // namespace
-
-std::string SmoothedFriction::name() const
-{
-  return "smoothed friction";
-}
-
-std::string SmoothedFriction::meaning() const
-{
-  return "the displacement problem with |.| smoothed, solved by Ipopt.";
-}
 
 std::string SmoothedFriction::selection() const
 {

@@ -6,7 +6,6 @@
 
 namespace Voussoir
 {
-
 SmoothedJoint::SmoothedJoint(const DiscreteProblem &problem,
                              const Contact contact)
     : problem(problem), contact(contact)
@@ -24,11 +23,6 @@ double SmoothedJoint::smoothing(const unsigned int e) const
   if (contact == Contact::hard)
     return b > 0. ? common_smoothing : 0.;
   return b / problem.joints()[e].length * problem.joints()[e].distance;
-}
-
-double SmoothedJoint::displacement_unit() const
-{
-  return contact == Contact::hard ? common_smoothing : 1.;
 }
 
 double SmoothedJoint::energy(const unsigned int e, const double *jumps) const
@@ -71,5 +65,4 @@ void SmoothedJoint::find_second_derivatives(const unsigned int e,
   second[n] =
       eps > 0. ? problem.limit(e) / root * (eps / root) * (eps / root) : 0.;
 }
-
 } // namespace Voussoir

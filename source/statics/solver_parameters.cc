@@ -52,14 +52,4 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
   }
   prm.leave_subsection();
 }
-
-const Formulation &SolverParameters::formulation() const
-{
-  return *formulations[chosen];
-}
-
-const SolverControls &SolverParameters::controls() const
-{
-  return common;
-}
 } // namespace Voussoir

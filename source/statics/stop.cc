@@ -4,20 +4,6 @@
 
 namespace Voussoir
 {
-Stop::Stop(const Reason reason, const int status)
-    : reason(reason), status(status)
-{}
-
-bool Stop::operator==(const Reason other) const
-{
-  return reason == other;
-}
-
-bool Stop::operator!=(const Reason other) const
-{
-  return reason != other;
-}
-
 std::string Stop::words() const
 {
   switch (reason)

@@ -22,14 +22,6 @@ LocalSystem::LocalSystem(const dealii::DynamicSparsityPattern &entries)
   }
 }
 
-void LocalSystem::clear()
-{
-  if (is_small)
-    dense = 0.;
-  else
-    sparse = 0.;
-}
-
 /**
  * Gaussian elimination with partial pivoting, which passes over the many zeros
  * of these matrices. For 18 unknowns, those of a hexagon, calling LAPACK takes

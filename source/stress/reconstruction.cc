@@ -42,7 +42,7 @@ void read(const Packing &packing,
   }
 }
 
-/** The solvers that a thread keeps from cell to cell, by number of sides. */
+/** The cell of a thread, and the solvers that it keeps from cell to cell. */
 class Solvers
 {
 public:
@@ -50,9 +50,8 @@ public:
       : how(how), short_sides(how.cut(), how.shortest_side())
   {}
 
-  /** Find the stress in a cell; see CellStress::solve(). */
-  bool solve(const LoadedCell &cell,
-             const dealii::ArrayView<SubCellStress> &sub_cells)
+  /** Find the stress in the cell; see CellStress::solve(). */
+  bool solve(const dealii::ArrayView<SubCellStress> &sub_cells)
   {
     if (!short_sides.leave_out(cell))
       return cell_stress(cell.vertices.size()).solve(cell, sub_cells);
@@ -63,6 +62,8 @@ public:
     short_sides.fill(in_rest, sub_cells);
     return true;
   }
+
+  LoadedCell cell;
 
 private:
   CellStress &cell_stress(const unsigned int n_sides)
@@ -79,13 +80,6 @@ private:
   std::vector<std::unique_ptr<CellStress>> by_sides;
   ShortSides short_sides;
   std::vector<SubCellStress> in_rest;
-};
-
-/** The objects that a thread keeps from cell to cell. */
-struct Scratch
-{
-  Solvers solvers;
-  LoadedCell cell;
 };
 
 /** Cells per task: a millisecond of work, or more. */
@@ -130,12 +124,6 @@ void StressParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-SubTriangulation Reconstruction::cut() const
-{
-  return is_refined ? SubTriangulation::thirds(n_refinements)
-                    : SubTriangulation::fan();
-}
-
 double Reconstruction::shortest_side() const
 {
   return is_refined ? LeastNorm::shortest_side : Fan::shortest_side;
@@ -161,17 +149,16 @@ StressField reconstruct_stress(const Packing &packing,
   field.n_sub_cells = field.sub_cells.size();
   std::vector<char> determined(n_cells, true);
 
-  const auto reconstruct_cell = [&](const unsigned int c, Scratch &scratch) {
-    LoadedCell &cell = scratch.cell;
-    read(packing, forces, c, cell);
+  const auto reconstruct_cell = [&](const unsigned int c, Solvers &solvers) {
+    read(packing, forces, c, solvers.cell);
     const std::size_t first = field.first(packing, c, 0);
     const dealii::ArrayView<SubCellStress> sub_cells(
         field.sub_cells.data() + first, field.first(packing, c + 1, 0) - first);
-    determined[c] = scratch.solvers.solve(cell, sub_cells);
+    determined[c] = solvers.solve(sub_cells);
     if (!determined[c])
     {
       // See cell_mean_stresses().
-      const Tensor<2, 2> mean = cell.moments() / packing.area(c);
+      const Tensor<2, 2> mean = solvers.cell.moments() / packing.area(c);
       std::fill(
           sub_cells.begin(), sub_cells.end(),
           SubCellStress{mean, {}, 0.5 * std::abs(mean[0][1] - mean[1][0])});
@@ -179,18 +166,18 @@ StressField reconstruct_stress(const Packing &packing,
   };
 
   // In blocks, to say between them how far this has come.
-  dealii::Threads::ThreadLocalStorage<std::unique_ptr<Scratch>> scratches;
+  dealii::Threads::ThreadLocalStorage<std::unique_ptr<Solvers>> of_threads;
   const unsigned int block = std::max(1024U, n_cells / 100);
   for (unsigned int begin = 0; begin < n_cells; begin += block)
   {
     terminal.progress(begin, n_cells, "cells");
     const auto reconstruct_cells = [&](const unsigned int b,
                                        const unsigned int e) {
-      std::unique_ptr<Scratch> &scratch = scratches.get();
-      if (!scratch)
-        scratch = std::make_unique<Scratch>(Scratch{Solvers(how), {}});
+      std::unique_ptr<Solvers> &solvers = of_threads.get();
+      if (!solvers)
+        solvers = std::make_unique<Solvers>(how);
       for (unsigned int c = b; c < e; ++c)
-        reconstruct_cell(c, *scratch);
+        reconstruct_cell(c, *solvers);
     };
     dealii::parallel::apply_to_subranges(
         begin, std::min(n_cells, begin + block), reconstruct_cells, chunk_size);

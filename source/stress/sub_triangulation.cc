@@ -9,13 +9,6 @@ namespace Voussoir
 {
 using dealii::Point;
 
-SubTriangulation SubTriangulation::fan()
-{
-  SubTriangulation cut;
-  cut.quadrilaterals = {{{{0., 0.}, {1., 0.}, {0., 1.}, {0.5, 0.5}}}};
-  return cut;
-}
-
 SubTriangulation SubTriangulation::thirds(const unsigned int n_refinements)
 {
   // The unit triangle, in which a point is its own pair of weights. Each line

@@ -9,14 +9,6 @@ namespace Voussoir
 {
 namespace
 {
-/** @p text after an escape sequence (ECMA-48, SGR) that begins a colour. */
-std::string
-in_colour(const bool colours, const char *colour, const std::string &text)
-{
-  return colours ? std::string("\033[") + colour + "m" + text + "\033[0m"
-                 : text;
-}
-
 /** The value of a variable of the environment; empty if it is not there. */
 std::string environment(const char *name)
 {
@@ -26,21 +18,6 @@ std::string environment(const char *name)
 } // namespace
 
 const char *const clear_line = "\r\033[K";
-
-std::string Screen::good(const std::string &text) const
-{
-  return in_colour(colours, "32", text);
-}
-
-std::string Screen::doubtful(const std::string &text) const
-{
-  return in_colour(colours, "33", text);
-}
-
-std::string Screen::bad(const std::string &text) const
-{
-  return in_colour(colours, "31", text);
-}
 
 Screen screen_behind(const int file_descriptor)
 {

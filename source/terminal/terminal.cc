@@ -48,20 +48,6 @@ void Terminal::stage(const std::string &name, const std::string &found)
     line(name, found);
 }
 
-void Terminal::progress(const std::string &state)
-{
-  if (in_progress)
-    in_progress->say(state);
-}
-
-void Terminal::progress(const std::size_t done,
-                        const std::size_t total,
-                        const std::string &things)
-{
-  if (in_progress)
-    in_progress->count(done, total, things);
-}
-
 void Terminal::iteration(const std::string &solver, const std::string &state)
 {
   if (verbosity() >= 2)
@@ -84,11 +70,6 @@ void Terminal::summary(const std::string &name, const std::string &value)
     in_progress->end();
   if (!quiet)
     line(name, value);
-}
-
-void Terminal::status(const std::string &value, const bool is_good)
-{
-  summary("Status", is_good ? screen.good(value) : screen.bad(value));
 }
 
 void Terminal::line(const std::string &name, const std::string &text)

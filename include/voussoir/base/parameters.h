@@ -64,35 +64,6 @@ void add_choice(dealii::ParameterHandler &prm,
                 const std::string &entry,
                 Enum &value,
                 const std::vector<Choice<Enum>> &choices,
-                const std::string &documentation);
-
-/**
- * Read the file @p file into @p prm.
- *
- * @throws InputError if the file cannot be read, or has an entry that is not
- *   declared or a value that its pattern refuses; the message names the line.
- */
-void read_parameters(dealii::ParameterHandler &prm,
-                     const std::filesystem::path &file);
-
-/**
- * Carry out one command-line assignment "Section/Subsection/Name=value".
- *
- * @throws InputError as read_parameters() does.
- */
-void assign_parameter(dealii::ParameterHandler &prm,
-                      const std::string &assignment);
-
-/** The sentence that tells a user where to find every parameter. */
-extern const std::string how_to_list_parameters;
-
-// ------------------------------------------------------------------ template
-
-template <typename Enum>
-void add_choice(dealii::ParameterHandler &prm,
-                const std::string &entry,
-                Enum &value,
-                const std::vector<Choice<Enum>> &choices,
                 const std::string &documentation)
 {
   std::string names, meanings, uses, default_name;
@@ -114,6 +85,26 @@ void add_choice(dealii::ParameterHandler &prm,
         value = choice.value;
   });
 }
+
+/**
+ * Read the file @p file into @p prm.
+ *
+ * @throws InputError if the file cannot be read, or has an entry that is not
+ *   declared or a value that its pattern refuses; the message names the line.
+ */
+void read_parameters(dealii::ParameterHandler &prm,
+                     const std::filesystem::path &file);
+
+/**
+ * Carry out one command-line assignment "Section/Subsection/Name=value".
+ *
+ * @throws InputError as read_parameters() does.
+ */
+void assign_parameter(dealii::ParameterHandler &prm,
+                      const std::string &assignment);
+
+/** The sentence that tells a user where to find every parameter. */
+extern const std::string how_to_list_parameters;
 } // namespace Voussoir
 
 #endif

@@ -11,11 +11,8 @@ namespace Voussoir
 /** A part of an edge, in the coordinate from 0 to 1 along it. */
 struct EdgePiece
 {
-  /** @{ */
-  /** Its ends along the edge. */
-  double begin;
-  double end;
-  /** @} */
+  double begin; /**< where it begins */
+  double end;   /**< where it ends */
   /** True if the function is known to be smooth inside. */
   bool is_smooth;
   /** The known bounds of the jumps there. */

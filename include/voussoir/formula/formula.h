@@ -49,7 +49,11 @@ public:
   double argument(unsigned int jump, const std::vector<double> &values) const;
 
   /** The formula itself, for values of the variables. */
-  double value(const std::vector<double> &values) const;
+  double value(const std::vector<double> &values) const
+  {
+    evaluate(0, nodes.size(), values);
+    return node_values.back();
+  }
 
   /**
    * The bounds of the formula in a box, and the jumps that can be met there.
@@ -139,12 +143,10 @@ private:
   std::vector<Node> nodes;
   /** The node of each jump. */
   std::vector<unsigned int> jump_nodes;
-  /** @{ */
   /** Of each node, in the last box or at the last place. */
   mutable std::vector<double> node_values;
   mutable std::vector<Bounds> node_bounds;
   mutable std::vector<char> needed;
-  /** @} */
   /** Of each jump, in the last box. */
   mutable std::vector<Bounds> arguments;
 };

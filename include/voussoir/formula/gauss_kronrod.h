@@ -35,11 +35,9 @@ struct Integrals
     return *this;
   }
   friend Integrals operator+(Integrals a, const Integrals &b) { return a += b; }
-  friend Integrals operator-(Integrals a, const Integrals &b)
+  friend Integrals operator-(const Integrals &a, const Integrals &b)
   {
-    for (unsigned int k = 0; k <= N; ++k)
-      a.values[k] -= b.values[k];
-    return a;
+    return a + -b;
   }
   friend Integrals operator*(Integrals a, const double factor)
   {

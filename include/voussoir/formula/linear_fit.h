@@ -3,6 +3,7 @@
 #define voussoir_formula_linear_fit_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
 
 #include <array>
 #include <cmath>
@@ -63,6 +64,23 @@ private:
 
   /** An orthonormal basis of the linear functions. */
   std::vector<Values> basis;
+};
+
+/** A quadrature rule of @p n points with the linear functions in these. */
+template <int dim, unsigned int n>
+struct FittedRule
+{
+  static constexpr unsigned int n_points = n; /**< that it has */
+  std::vector<dealii::Point<dim>> points;     /**< from 0 to 1 */
+  std::vector<double> weights;                /**< of the points */
+  LinearFit<n> fit;                           /**< in the points */
+
+  /** From deal.II's. */
+  explicit FittedRule(const dealii::Quadrature<dim> &rule)
+      : points(rule.get_points()), weights(rule.get_weights()), fit(points)
+  {
+    AssertDimension(points.size(), n);
+  }
 };
 } // namespace Voussoir
 

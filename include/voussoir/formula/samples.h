@@ -18,11 +18,10 @@ namespace Voussoir
  */
 struct Samples
 {
-  /** @{ */
   /** Of the values seen; in their unit. */
   double least = std::numeric_limits<double>::infinity();
+  /** The largest of them. */
   double most = -std::numeric_limits<double>::infinity();
-  /** @} */
 
   /** Look at a value. */
   void add(const double value)

@@ -45,8 +45,7 @@ private:
   struct Origin
   {
     unsigned int n_cells, n_interfaces;
-    std::string formulation, selection, outcome;
-    unsigned int n_iterations, n_evaluations;
+    SolverRecord record;
     std::optional<double> correction;
   };
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Voussoir
@@ -72,11 +73,18 @@ public:
    */
   template <typename Number>
   void add_cell_field(const std::string &name,
-                      unsigned int n_components,
-                      const Fill<Number> &values);
+                      const unsigned int n_components,
+                      const Fill<Number> &values)
+  {
+    const std::size_t n_cells = cells.back().n_items;
+    cell_fields.push_back(make_array(name, n_components, n_cells, values));
+  }
 
   /** Give every point three values, a vector. */
-  void add_point_vector(const std::string &name, const Fill<double> &values);
+  void add_point_vector(const std::string &name, const Fill<double> &values)
+  {
+    point_fields.push_back(make_array(name, 3, points.n_items, values));
+  }
 
   /** Write the .vtu; @p out must be able to go back. */
   void write(std::ostream &out) const;
@@ -96,9 +104,23 @@ private:
 
   template <typename Number>
   static Array make_array(const std::string &name,
-                          unsigned int n_components,
-                          std::size_t n_items,
-                          const Fill<Number> &values);
+                          const unsigned int n_components,
+                          const std::size_t n_items,
+                          const Fill<Number> &values)
+  {
+    const std::string kind = std::is_floating_point_v<Number> ? "Float"
+                             : std::is_signed_v<Number>       ? "Int"
+                                                              : "UInt";
+    return {
+        name,
+        kind + std::to_string(8 * sizeof(Number)),
+        n_components,
+        n_items,
+        n_components * sizeof(Number),
+        [values](const std::size_t begin, const std::size_t end, char *bytes) {
+          values(begin, end, reinterpret_cast<Number *>(bytes));
+        }};
+  }
   static void write_data(std::ostream &out, const Array &array);
 
   VtuFile(const Items<double> &points,

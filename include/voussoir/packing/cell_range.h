@@ -9,10 +9,8 @@ namespace Voussoir
 /** The cells from @p begin to @p end - 1. */
 struct CellRange
 {
-  /** @{ */
-  /** Numbers of cells; end is one behind the last. */
-  unsigned int begin, end;
-  /** @} */
+  unsigned int begin; /**< the number of the first */
+  unsigned int end;   /**< one behind that of the last */
 };
 
 /** The range of all cells. */

@@ -51,6 +51,22 @@ struct CellLoops
 
   /** The number of cells. */
   unsigned int n_cells() const { return first.size() - 1; }
+  /** The number of sides of a cell, which is that of its vertices. */
+  unsigned int n_sides(const unsigned int cell) const
+  {
+    return first[cell + 1] - first[cell];
+  }
+  /** Vertex @p i of a cell, counted modulo their number, by its number. */
+  unsigned int corner(const unsigned int cell, const unsigned int i) const
+  {
+    return loops[first[cell] + i % n_sides(cell)];
+  }
+  /** The same by its place; lengths. */
+  const dealii::Point<2> &vertex(const unsigned int cell,
+                                 const unsigned int i) const
+  {
+    return vertices[corner(cell, i)];
+  }
   /** Add a cell with the vertices @p loop, by their numbers. */
   void add(const std::vector<unsigned int> &loop)
   {
@@ -87,11 +103,8 @@ public:
     unsigned int cell_minus;
     /** c+, of the higher number; ground() if the edge is a support. */
     unsigned int cell_plus;
-    /** @{ */
-    /** The ends of the edge, with c- to the left of the way; lengths. */
-    dealii::Point<2> start;
-    dealii::Point<2> end;
-    /** @} */
+    dealii::Point<2> start; /**< of the edge, with c- to the left; a length */
+    dealii::Point<2> end;   /**< of the edge; a length */
     /** n_e, the unit normal from c- to c+. */
     dealii::Tensor<1, 2> normal;
     /** |e|, a length. */
@@ -108,11 +121,8 @@ public:
   {
     /** The cell that has it. */
     unsigned int cell;
-    /** @{ */
-    /** The ends of the edge, counterclockwise around the cell; lengths. */
-    dealii::Point<2> start;
-    dealii::Point<2> end;
-    /** @} */
+    dealii::Point<2> start; /**< counterclockwise around the cell; a length */
+    dealii::Point<2> end;   /**< of the edge; a length */
     /** Unit normal out of the cell. */
     dealii::Tensor<1, 2> normal;
     /** |e|, a length. */
@@ -211,7 +221,7 @@ public:
   /** The number of sides of a cell, which is that of its vertices. */
   unsigned int n_sides(const unsigned int cell) const
   {
-    return mesh.first[cell + 1] - mesh.first[cell];
+    return mesh.n_sides(cell);
   }
   /** The number of sides of all cells before @p cell (of all, at n_cells()). */
   unsigned int first_side(const unsigned int cell) const
@@ -228,7 +238,7 @@ public:
   const dealii::Point<2> &vertex(const unsigned int cell,
                                  const unsigned int i) const
   {
-    return mesh.vertices[mesh.loops[mesh.first[cell] + i % n_sides(cell)]];
+    return mesh.vertex(cell, i);
   }
 
   /** The cells that are not convex, only star-shaped; ascending numbers. */

@@ -20,7 +20,10 @@ public:
 
   /** The files that make_packing() reads. */
   std::vector<std::filesystem::path>
-  input_files(const std::filesystem::path &directory) const;
+  input_files(const std::filesystem::path &directory) const
+  {
+    return generators[chosen]->input_files(directory);
+  }
 
   /**
    * The packing that the parameters describe, with the groups of the entry

@@ -11,11 +11,8 @@ namespace Voussoir
 /** Edges of the rim of a packing that follow each other on a straight line. */
 struct StraightRun
 {
-  /** @{ */
-  /** The ends, counterclockwise around the packing; lengths. */
-  dealii::Point<2> start;
-  dealii::Point<2> end;
-  /** @} */
+  dealii::Point<2> start; /**< counterclockwise around the packing; a length */
+  dealii::Point<2> end;   /**< of the last edge; a length */
   /** The numbers of the edges, as given to straight_runs(), in that order. */
   std::vector<unsigned int> edges;
 };

@@ -30,16 +30,20 @@ public:
   /** This process alone. */
   Team() = default;
   /** The processes of @p communicator. */
-  explicit Team(MPI_Comm communicator);
+  explicit Team(MPI_Comm communicator)
+      : processes(communicator),
+        n_processes(dealii::Utilities::MPI::n_mpi_processes(communicator)),
+        own_rank(dealii::Utilities::MPI::this_mpi_process(communicator))
+  {}
 
   /** That of MPI; MPI_COMM_SELF for one process alone. */
-  MPI_Comm communicator() const;
+  MPI_Comm communicator() const { return processes; }
   /** The number of processes. */
-  unsigned int size() const;
+  unsigned int size() const { return n_processes; }
   /** The number of this process, from 0 to size() - 1. */
-  unsigned int rank() const;
+  unsigned int rank() const { return own_rank; }
   /** True if this is process 0. */
-  bool is_root() const;
+  bool is_root() const { return own_rank == 0; }
 
   /**
    * On the root, collective with wait(): let the others return from it with the
@@ -60,46 +64,123 @@ public:
    * SolverError, which all processes find together.
    */
   template <typename Action>
-  auto together(const Action &action) const;
+  auto together(const Action &action) const
+  {
+    try
+    {
+      return action();
+    }
+    catch (const SolverError &)
+    {
+      throw;
+    }
+    catch (const std::bad_alloc &)
+    {
+      if (n_processes > 1)
+        abort("There is not enough memory for this packing.");
+      throw;
+    }
+    catch (const std::exception &error)
+    {
+      if (n_processes > 1)
+        abort(error.what());
+      throw;
+    }
+  }
 
   /** @{ */
   /** Over all processes, the same bits on each; collective. */
   template <typename T>
-  T sum(T value) const;
+  T sum(const T value) const
+  {
+    return n_processes == 1 ? value
+                            : dealii::Utilities::MPI::sum(value, processes);
+  }
 
   template <typename T>
-  T max(T value) const;
+  T max(const T value) const
+  {
+    return n_processes == 1 ? value
+                            : dealii::Utilities::MPI::max(value, processes);
+  }
 
   template <typename T>
-  T min(T value) const;
+  T min(const T value) const
+  {
+    return n_processes == 1 ? value
+                            : dealii::Utilities::MPI::min(value, processes);
+  }
   /** @} */
   /** True if @p value is true on all processes; collective. */
-  bool all(bool value) const;
+  bool all(const bool value) const { return min(value ? 1 : 0) == 1; }
 
   /** The root's @p value, on all processes; plain data, collective. */
   template <typename T>
-  T broadcast(const T &value) const;
+  T broadcast(const T &value) const
+  {
+    return n_processes == 1
+               ? value
+               : dealii::Utilities::MPI::broadcast(processes, value);
+  }
 
   /**
    * On the root the values of each process; nothing on the others. Collective.
    */
   template <typename T>
-  std::vector<std::vector<T>> gather(const std::vector<T> &values) const;
+  std::vector<std::vector<T>> gather(const std::vector<T> &values) const
+  {
+    std::vector<std::vector<T>> gathered;
+    if (!is_root())
+      send(values, 0);
+    else
+    {
+      gathered.push_back(values);
+      for (unsigned int r = 1; r < n_processes; ++r)
+        gathered.push_back(receive<T>(r));
+    }
+    return gathered;
+  }
 
   /**
    * The values of the root for this process, element rank() of its @p values,
    * which are ignored on the others; collective.
    */
   template <typename T>
-  std::vector<T> scatter(const std::vector<std::vector<T>> &values) const;
+  std::vector<T> scatter(const std::vector<std::vector<T>> &values) const
+  {
+    if (!is_root())
+      return receive<T>(0);
+    for (unsigned int r = 1; r < n_processes; ++r)
+      send(values[r], r);
+    return values[0];
+  }
 
   /** @{ */
-  /** From one process to another, which receives it; plain data. */
+  /**
+   * From one process to another, which receives it; plain data. By deal.II for
+   * messages of any length; MPI's own counts end at 2 GB.
+   */
   template <typename T>
-  void send(const std::vector<T> &values, unsigned int to) const;
+  void send(const std::vector<T> &values, const unsigned int to) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+    dealii::Utilities::MPI::LargeCount::Send_c(
+        values.data(), sizeof(T) * values.size(), MPI_BYTE, to, 0, processes);
+  }
 
   template <typename T>
-  std::vector<T> receive(unsigned int from) const;
+  std::vector<T> receive(const unsigned int from) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
+    MPI_Status status;
+    MPI_Count size = 0;
+    MPI_Probe(from, 0, processes, &status);
+    MPI_Get_elements_x(&status, MPI_BYTE, &size);
+    std::vector<T> values(size / sizeof(T));
+    dealii::Utilities::MPI::LargeCount::Recv_c(
+        values.data(), size, MPI_BYTE, from, 0, processes, MPI_STATUS_IGNORE);
+    return values;
+  }
   /** @} */
 
 private:
@@ -107,114 +188,6 @@ private:
   unsigned int n_processes = 1;
   unsigned int own_rank = 0;
 };
-
-// ---------------------------------------------------------------- templates
-
-template <typename Action>
-auto Team::together(const Action &action) const
-{
-  try
-  {
-    return action();
-  }
-  catch (const SolverError &)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc &)
-  {
-    if (n_processes > 1)
-      abort("There is not enough memory for this packing.");
-    throw;
-  }
-  catch (const std::exception &error)
-  {
-    if (n_processes > 1)
-      abort(error.what());
-    throw;
-  }
-}
-
-template <typename T>
-T Team::sum(const T value) const
-{
-  return n_processes == 1 ? value
-                          : dealii::Utilities::MPI::sum(value, processes);
-}
-
-template <typename T>
-T Team::max(const T value) const
-{
-  return n_processes == 1 ? value
-                          : dealii::Utilities::MPI::max(value, processes);
-}
-
-template <typename T>
-T Team::min(const T value) const
-{
-  return n_processes == 1 ? value
-                          : dealii::Utilities::MPI::min(value, processes);
-}
-
-inline bool Team::all(const bool value) const
-{
-  return min(value ? 1 : 0) == 1;
-}
-
-template <typename T>
-T Team::broadcast(const T &value) const
-{
-  return n_processes == 1 ? value
-                          : dealii::Utilities::MPI::broadcast(processes, value);
-}
-
-template <typename T>
-std::vector<std::vector<T>> Team::gather(const std::vector<T> &values) const
-{
-  std::vector<std::vector<T>> gathered;
-  if (!is_root())
-    send(values, 0);
-  else
-  {
-    gathered.push_back(values);
-    for (unsigned int r = 1; r < n_processes; ++r)
-      gathered.push_back(receive<T>(r));
-  }
-  return gathered;
-}
-
-template <typename T>
-std::vector<T> Team::scatter(const std::vector<std::vector<T>> &values) const
-{
-  if (!is_root())
-    return receive<T>(0);
-  for (unsigned int r = 1; r < n_processes; ++r)
-    send(values[r], r);
-  return values[0];
-}
-
-// By deal.II for messages of any length; MPI's own counts end at 2 GB.
-template <typename T>
-void Team::send(const std::vector<T> &values, const unsigned int to) const
-{
-  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-  dealii::Utilities::MPI::LargeCount::Send_c(
-      values.data(), sizeof(T) * values.size(), MPI_BYTE, to, 0, processes);
-}
-
-template <typename T>
-std::vector<T> Team::receive(const unsigned int from) const
-{
-  static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
-  MPI_Status status;
-  MPI_Count size = 0;
-  MPI_Probe(from, 0, processes, &status);
-  MPI_Get_elements_x(&status, MPI_BYTE, &size);
-  std::vector<T> values(size / sizeof(T));
-  dealii::Utilities::MPI::LargeCount::Recv_c(
-      values.data(), size, MPI_BYTE, from, 0, processes, MPI_STATUS_IGNORE);
-  return values;
-}
 } // namespace Voussoir
 
 #endif

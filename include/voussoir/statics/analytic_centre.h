@@ -28,8 +28,12 @@ namespace Voussoir
 class AnalyticCentre : public Formulation
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "analytic centre"; }
+  std::string meaning() const override
+  {
+    return "the state farthest from all limits of admissibility, by Newton's "
+           "method.";
+  }
   std::string selection() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
 

@@ -40,7 +40,10 @@ class BarrierJoint : public JointLaw
 {
 public:
   /** @param structure has the joints; it must outlive this object. */
-  BarrierJoint(const Structure &structure, BarrierWeights weights);
+  BarrierJoint(const Structure &structure, const BarrierWeights weights)
+      : fixed(structure.n_all_rows(), 0), structure(&structure),
+        weights(weights)
+  {}
 
   void find_forces(unsigned int e,
                    const double *jumps,
@@ -53,9 +56,20 @@ public:
                       const double *steps) const override;
 
   /** The weight w_e of the friction, nondimensional. */
-  double weight(unsigned int e) const;
+  double weight(const unsigned int e) const
+  {
+    const Structure::Joint &joint = structure->joints()[e];
+    return weights == BarrierWeights::equal ? 1.
+                                            : joint.length * joint.distance;
+  }
+
   /** The weight of each contact. */
-  double contact_weight(unsigned int e) const;
+  double contact_weight(const unsigned int e) const
+  {
+    return weights == BarrierWeights::equal
+               ? 1.
+               : weight(e) / structure->n_contacts();
+  }
 
   /** The rest of the strength, s_e |e| - |q_e|, without cancellation. */
   double slack(unsigned int e, double sliding) const;

@@ -4,7 +4,6 @@
 
 #include <voussoir/algebra/structure.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/opening.h>
 
 #include <array>
 #include <optional>
@@ -12,6 +11,28 @@
 
 namespace Voussoir
 {
+/**
+ * The proof that a motion opens every joint, or that none does. By the theorem
+ * of the alternative of Gordan exactly one of these exists:
+ *
+ *     u with [u]_e . n_e > 0 for every e,
+ *     p >= 0, not all zero, with sum_e p_e n_e = 0 on every cell (the sign of
+ *     n_e outwards).
+ *
+ * Both are empty where the digits of the coordinates, from which n_e comes, do
+ * not tell which one it is.
+ */
+struct Opening
+{
+  /** u, n_dofs() numbers; see opening_of(). */
+  std::vector<double> displacement;
+  /**
+   * Of each row of each joint, of any size: normal forces p that balance by
+   * themselves.
+   */
+  std::vector<double> self_stress;
+};
+
 /**
  * The displacement problem of a scene in nondimensional variables.
  *
@@ -59,7 +80,11 @@ public:
    * True if @p body stands for its connected group where one displacement of
    * each must be held: the ground, or else the lowest cell.
    */
-  bool is_held(unsigned int body) const;
+  bool is_held(const unsigned int body) const
+  {
+    const bool with_ground = has_ground() && group[body] == group.back();
+    return with_ground ? body == n_cells() : body == group[body];
+  }
 
   /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
@@ -101,7 +126,6 @@ private:
                      unsigned int interface,
                      const std::vector<unsigned int> &body,
                      const dealii::Point<2> &centroid);
-  void connect_groups();
   void balance_loads();
   /** The rigid motion of a connected group. */
   struct RigidMotion

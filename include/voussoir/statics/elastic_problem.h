@@ -8,8 +8,6 @@
 #include <voussoir/statics/solver_controls.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <optional>
-
 namespace Voussoir
 {
 /**
@@ -64,17 +62,6 @@ Solution minimise_elastic(const SharedProblem &problem,
                           const ElasticOrder &order,
                           double displacement_unit,
                           Terminal &terminal);
-
-/**
- * Look for a proof that the load is not carried, in the displacements of the
- * elastic joints, which grow along a mechanism if there is one. Slower than
- * find_collapse_by_barrier(), but it needs no opening. Collective.
- *
- * @return the proof, or none if none was found, or a linear system cannot be
- *   solved, which proves nothing.
- */
-std::optional<Mechanism> find_collapse_by_springs(const SharedProblem &problem,
-                                                  Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -12,9 +12,11 @@ namespace Voussoir
 /**
  * Look for a proof that the load is not carried, for a solver that has taken
  * many iterations without an answer: by the barrier problem, or if no motion
- * opens all joints by elastic ones. Collective.
+ * opens all joints by elastic ones, whose displacements grow along a mechanism
+ * if there is one. Collective.
  *
- * @return the proof, or none if none was found, which proves nothing.
+ * @return the proof, or none if none was found, or a linear system cannot be
+ *   solved, which proves nothing.
  */
 std::optional<Mechanism> find_collapse(const SharedProblem &problem,
                                        Terminal &terminal);

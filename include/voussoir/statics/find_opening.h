@@ -4,8 +4,6 @@
 
 #include <voussoir/statics/discrete_problem.h>
 
-#include <vector>
-
 namespace Voussoir
 {
 /**
@@ -23,23 +21,6 @@ namespace Voussoir
  * is u as well.
  */
 const Opening &opening_of(const DiscreteProblem &problem);
-
-/**
- * True if the displacement @p u (n_dofs() numbers) opens every joint by more
- * than the rounding of its normal, which is that of the coordinates over the
- * length of the joint, could make of it.
- */
-bool opens_all_joints(const DiscreteProblem &problem,
-                      const std::vector<double> &u);
-
-/**
- * True if no motion opens every joint by more than that, since the normal
- * forces @p p, of each row of each joint and zero in tangential ones, balance
- * by themselves: if every |u_c| <= 1, then the least [u]_e . n_e is at most the
- * sum of what is left on the cells over the sum of p.
- */
-bool is_self_stress(const DiscreteProblem &problem,
-                    const std::vector<double> &p);
 } // namespace Voussoir
 
 #endif

@@ -31,8 +31,8 @@ public:
    */
   virtual std::string selection() const = 0;
 
-  /** Declare the parameters in the current subsection and bind them. */
-  virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+  /** Declare the parameters in the current subsection and bind them, if any. */
+  virtual void add_parameters(dealii::ParameterHandler & /*prm*/) {}
 
   /**
    * Find the forces, or the proof that there are none.

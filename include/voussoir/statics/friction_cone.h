@@ -35,31 +35,33 @@ public:
   FrictionCone(double strength, double smoothing, double product);
 
   /** True if there is friction. */
-  bool exists() const;
+  bool exists() const { return b > 0.; }
   /** The force q. */
-  double force() const;
+  double force() const { return q; }
   /** The sliding v. */
-  double sliding() const;
+  double sliding() const { return v; }
   /** s . lambda; zero if there is no friction. */
-  double product() const;
+  double product() const { return r * b - v * q - eps * w; }
 
   /** Find the linearisation at the present point; before all below. */
   void linearise();
   /** dv = compliance() dq + constant() in a step to the product @p target. */
-  double compliance() const;
+  double compliance() const { return slope; }
   /** See compliance(). */
-  double constant(double target) const;
+  double constant(const double target) const
+  {
+    const double of_v = target * (q / room) - v;
+    const double of_eps = target * (w / room) - eps;
+    return of_v - h12 / h22 * of_eps;
+  }
 
-  /** A step: changes of force, w, sliding and r. */
+  /** A step, by what changes in it. */
   struct Step
   {
-    /** @{ */
-    /** The change of the quantity of that name. */
-    double q;
-    double w;
-    double v;
-    double r;
-    /** @} */
+    double q; /**< the force */
+    double w; /**< what it leaves of the strength */
+    double v; /**< the sliding */
+    double r; /**< its smoothed size */
   };
   /** The step to the product @p target whose change of force is @p dq. */
   Step step(double target, double dq) const;
@@ -68,17 +70,23 @@ public:
   /** See longest_of_force(). */
   double longest_of_sliding(const Step &step) const;
   /** Take parts of the step, of lambda and of s. */
-  void take(const Step &step, double part_of_force, double part_of_sliding);
+  void take(const Step &step,
+            const double part_of_force,
+            const double part_of_sliding)
+  {
+    q += part_of_force * step.q;
+    w += part_of_force * step.w;
+    v += part_of_sliding * step.v;
+    r += part_of_sliding * step.r;
+  }
 
 private:
   double b, eps;
   double q = 0., w = 0., v = 0., r = 0.;
   /** b^2 - q^2 - w^2. */
   double room = 0.;
-  /** @{ */
   /** The matrix that takes a change of lambda to minus that of s. */
   double h01 = 0., h02 = 0., h11 = 0., h12 = 0., h22 = 1.;
-  /** @} */
   double slope = 0.;
 };
 } // namespace Voussoir

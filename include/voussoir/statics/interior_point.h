@@ -72,19 +72,19 @@ public:
   bool step();
 
   /** The displacement: n_dofs() numbers. */
-  const std::vector<double> &u() const;
+  const std::vector<double> &u() const { return displacement; }
   /** Of each row of each joint, as in Structure. */
   std::vector<double> forces() const;
   /** The factor of the loads; one unless it is looked for. */
-  double load_factor() const;
+  double load_factor() const { return alpha; }
   /** The largest component of the sum of all forces on a body. */
   double imbalance() const;
   /** The mean product of a force and its multiplier, over |e| d_e. */
   double product() const;
   /** The number of steps taken. */
-  unsigned int n_iterations() const;
+  unsigned int n_iterations() const { return iterations; }
   /** The time of the linear systems so far, in seconds; see JointSystem. */
-  double seconds_of_systems() const;
+  double seconds_of_systems() const { return system.seconds(); }
 
 private:
   /** One contact. */

@@ -22,10 +22,16 @@ namespace Voussoir
 class LinearProgram : public Formulation
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
-  std::string selection() const override;
-  void add_parameters(dealii::ParameterHandler &prm) override;
+  std::string name() const override { return "linear program"; }
+  std::string meaning() const override
+  {
+    return "the paper's linear program, solved by Ipopt; its forces depend on "
+           "where the solver stops.";
+  }
+  std::string selection() const override
+  {
+    return "linear program: none; the forces depend on where Ipopt stops";
+  }
 
 private:
   Solution select(const DiscreteProblem &problem,

@@ -36,7 +36,7 @@ public:
   SharedProblem(const DiscreteProblem *whole, const Team &team);
 
   /** The part of this process. */
-  const Structure &structure() const;
+  const Structure &structure() const { return part ? *part : *whole; }
 
   /** This process' part of the displacement of opening_of(); collective. */
   std::vector<double> opening() const;
@@ -44,13 +44,12 @@ public:
   bool has_opening() const;
 
   /**
-   * See Voussoir::find_mechanism(); collective. There is one for all processes
-   * or for none; what it is, the root knows.
+   * Look for a mechanism by @p how, find_mechanism() or find_mechanism_near();
+   * collective. There is one for all processes or for none; what it is, the
+   * root knows.
    */
-  std::optional<Mechanism> find_mechanism(const std::vector<double> &u) const;
-  /** The same of Voussoir::find_mechanism_near(). */
-  std::optional<Mechanism>
-  find_mechanism_near(const std::vector<double> &u) const;
+  std::optional<Mechanism> search(const std::vector<double> &u,
+                                  decltype(find_mechanism) *how) const;
 
   /**
    * The parts of all processes, in the order of the whole, on the root, and
@@ -74,9 +73,6 @@ private:
   void on_root(const Action &action) const;
   void cut();
   Structure::Part make_part(unsigned int process) const;
-  std::optional<Mechanism>
-  search(const std::vector<double> &u,
-         decltype(Voussoir::find_mechanism) *how) const;
   std::vector<double> gather(const std::vector<double> &u) const;
   std::vector<double> scatter(const std::vector<double> &u) const;
 

@@ -20,8 +20,11 @@ namespace Voussoir
 class SmoothedFriction : public Formulation
 {
 public:
-  std::string name() const override;
-  std::string meaning() const override;
+  std::string name() const override { return "smoothed friction"; }
+  std::string meaning() const override
+  {
+    return "the displacement problem with |.| smoothed, solved by Ipopt.";
+  }
   std::string selection() const override;
   void add_parameters(dealii::ParameterHandler &prm) override;
 

@@ -51,7 +51,10 @@ public:
   unsigned int n_contacts() const { return problem.n_contacts(); }
 
   /** The displacement that stands for one smoothing length of the user. */
-  double displacement_unit() const;
+  double displacement_unit() const
+  {
+    return contact == Contact::hard ? common_smoothing : 1.;
+  }
 
 private:
   const DiscreteProblem &problem;

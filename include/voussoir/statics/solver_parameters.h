@@ -20,10 +20,10 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** The one that was chosen, with its parameters. */
-  const Formulation &formulation() const;
+  const Formulation &formulation() const { return *formulations[chosen]; }
 
   /** The controls that all formulations share. */
-  const SolverControls &controls() const;
+  const SolverControls &controls() const { return common; }
 
 private:
   std::vector<std::unique_ptr<Formulation>> formulations;

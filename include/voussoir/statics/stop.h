@@ -42,12 +42,14 @@ struct Stop
   int status = 0;
 
   /** Implicitly from a reason, so that it can stand for a Stop. */
-  Stop(Reason reason = Reason::none, int status = 0);
+  Stop(const Reason reason = Reason::none, const int status = 0)
+      : reason(reason), status(status)
+  {}
 
   /** True for one of these reasons, whatever the status. */
-  bool operator==(Reason reason) const;
+  bool operator==(const Reason other) const { return reason == other; }
   /** The opposite. */
-  bool operator!=(Reason reason) const;
+  bool operator!=(const Reason other) const { return reason != other; }
 
   /** In a few words, to follow "The solver". */
   std::string words() const;

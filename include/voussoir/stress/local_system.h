@@ -21,7 +21,13 @@ public:
   explicit LocalSystem(const dealii::DynamicSparsityPattern &pattern);
 
   /** Set all entries of the matrix to zero. */
-  void clear();
+  void clear()
+  {
+    if (is_small)
+      dense = 0.;
+    else
+      sparse = 0.;
+  }
 
   /** Add to entry (i, j) of the matrix; both triangles are given. */
   void add(const unsigned int i, const unsigned int j, const double value)

@@ -28,7 +28,11 @@ struct Reconstruction
   unsigned int degree = 0;
 
   /** The cut of each triangle: fan() or thirds(). */
-  SubTriangulation cut() const;
+  SubTriangulation cut() const
+  {
+    return is_refined ? SubTriangulation::thirds(n_refinements)
+                      : SubTriangulation::fan();
+  }
 
   /** The shortest side that it may have; see ShortSides. */
   double shortest_side() const;

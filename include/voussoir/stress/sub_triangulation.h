@@ -18,13 +18,11 @@ namespace Voussoir
 class SubTriangulation
 {
 public:
-  /** The weights a and b. */
+  /** The weights, not negative, and together at most one. */
   struct Vertex
   {
-    /** @{ */
-    /** Not negative, and together at most one. */
-    double a, b;
-    /** @} */
+    double a; /**< of v_i */
+    double b; /**< of v_j */
   };
   /** In deal.II's (lexicographic) order. */
   using Quadrilateral = std::array<Vertex, 4>;
@@ -33,7 +31,12 @@ public:
    * One quadrilateral a side: the triangle itself, with its side cut in two.
    * The only vertex inside the cell is its centre.
    */
-  static SubTriangulation fan();
+  static SubTriangulation fan()
+  {
+    SubTriangulation cut;
+    cut.quadrilaterals = {{{{0., 0.}, {1., 0.}, {0., 1.}, {0.5, 0.5}}}};
+    return cut;
+  }
 
   /**
    * Three quadrilaterals a side, between the centroid of the triangle and the

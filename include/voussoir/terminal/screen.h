@@ -20,11 +20,18 @@ struct Screen
   unsigned int width = 80;
 
   /** @p text in colour or, if there are none, as it is. */
-  std::string good(const std::string &text) const;
+  std::string good(const std::string &text) const { return in("32", text); }
   /** The same in the colour of warnings. */
-  std::string doubtful(const std::string &text) const;
+  std::string doubtful(const std::string &text) const { return in("33", text); }
   /** The same in the colour of errors. */
-  std::string bad(const std::string &text) const;
+  std::string bad(const std::string &text) const { return in("31", text); }
+
+private:
+  /** By the escape sequence (ECMA-48, SGR) of @p colour. */
+  std::string in(const std::string &colour, const std::string &text) const
+  {
+    return colours ? "\033[" + colour + "m" + text + "\033[0m" : text;
+  }
 };
 
 /** Back to the beginning of the line, which is cleared. */

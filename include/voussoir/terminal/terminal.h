@@ -44,9 +44,20 @@ public:
   void stage(const std::string &name, const std::string &found);
 
   /** Report the progress of the stage, on a screen. */
-  void progress(const std::string &state);
+  void progress(const std::string &state)
+  {
+    if (in_progress)
+      in_progress->say(state);
+  }
+
   /** The same, where @p total things are counted, such as "cells". */
-  void progress(std::size_t done, std::size_t total, const std::string &things);
+  void progress(const std::size_t done,
+                const std::size_t total,
+                const std::string &things)
+  {
+    if (in_progress)
+      in_progress->count(done, total, things);
+  }
 
   /** An iteration of a solver: a line of its own at verbosity 2. */
   void iteration(const std::string &solver, const std::string &state);
@@ -57,7 +68,10 @@ public:
   /** A line of the closing summary. Shown unless quiet. */
   void summary(const std::string &name, const std::string &value);
   /** The first of them, in the colour of what is good or bad. */
-  void status(const std::string &value, bool is_good);
+  void status(const std::string &value, const bool is_good)
+  {
+    summary("Status", is_good ? screen.good(value) : screen.bad(value));
+  }
 
 private:
   void line(const std::string &name, const std::string &text);

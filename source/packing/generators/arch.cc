@@ -26,142 +26,112 @@ enum Group : unsigned int
   abutment
 };
 
-struct Cell
-{
-  std::vector<unsigned int> loop;
-  Group group;
-};
-
-/** The cells left of the crown, from the ground up, and the keystone. */
+/** The cells left of the crown, from the ground up. */
 class LeftHalf
 {
 public:
   /** Begin with a pier of @p n_courses, of none with the springing alone. */
   LeftHalf(const ArchJoint &springing,
-           double thickness,
-           unsigned int n_courses,
-           double height);
+           const double thickness,
+           const unsigned int n_courses,
+           const double height)
+  {
+    const Point<2> &inner = springing.intrados, &outer = springing.extrados;
+    const double ledge = outer[0] - (inner[0] - thickness);
+    const bool has_ledge = ledge > narrowest_ledge * thickness;
+    const double back = has_ledge ? inner[0] - thickness : outer[0];
+    if (n_courses == 0)
+    {
+      last = add_vertices(springing);
+      return;
+    }
+    const double ground = inner[1] - height;
+    last = add_vertices({{inner[0], ground}, {back, ground}});
+    for (unsigned int k = 1; k < n_courses; ++k)
+    {
+      const double y = inner[1] - height * (n_courses - k) / n_courses;
+      add({{inner[0], y}, {back, y}}, abutment);
+    }
+    add(springing, abutment);
+    if (has_ledge) // one more vertex of the last cell
+    {
+      half.loops.push_back(half.vertices.size());
+      ++half.first.back();
+      half.vertices.emplace_back(back, outer[1]);
+    }
+  }
 
   /** Add the cell up to the next joint. */
-  void add(const ArchJoint &next, Group group);
+  void add(const ArchJoint &joint, const Group group)
+  {
+    const unsigned int next = add_vertices(joint);
+    half.add({last + 1, last, next, next + 1});
+    half.group.push_back(group);
+    last = next;
+  }
 
   /** The arch of the half, the keystone if there is one, and the image. */
-  CellLoops mirrored(bool has_keystone,
-                     const std::optional<Point<2>> &apex) const;
+  CellLoops mirrored(const bool has_keystone,
+                     const std::optional<Point<2>> &apex) const
+  {
+    CellLoops arch = half;
+    arch.group_names = {"voussoir", "keystone", "abutment"};
+    std::vector<unsigned int> image;
+    for (unsigned int v = 0; v < half.vertices.size(); ++v)
+      if (half.vertices[v][0] == 0.)
+        image.push_back(v);
+      else
+      {
+        image.push_back(arch.vertices.size());
+        arch.vertices.emplace_back(-half.vertices[v][0], half.vertices[v][1]);
+      }
+    if (has_keystone)
+    {
+      std::vector<unsigned int> loop = {last, image[last], image[last + 1]};
+      if (apex)
+      {
+        loop.push_back(arch.vertices.size());
+        arch.vertices.push_back(*apex);
+      }
+      loop.push_back(last + 1);
+      arch.add(loop);
+      arch.group.push_back(keystone);
+    }
+    for (unsigned int c = half.n_cells(); c-- > 0;)
+    {
+      std::vector<unsigned int> loop;
+      for (unsigned int i = half.n_sides(c); i-- > 0;)
+        loop.push_back(image[half.corner(c, i)]);
+      arch.add(loop);
+      arch.group.push_back(half.group[c]);
+    }
+    return arch;
+  }
 
 private:
-  /** A joint by the numbers of its vertices. */
-  struct Edge
+  /** Add the ends of a joint; return the number of the inner one. */
+  unsigned int add_vertices(const ArchJoint &joint)
   {
-    unsigned int inner, outer;
-  };
+    half.vertices.push_back(joint.intrados);
+    half.vertices.push_back(joint.extrados);
+    return half.vertices.size() - 2;
+  }
 
-  Edge add_vertices(const ArchJoint &joint);
-
-  std::vector<Point<2>> vertices;
-  std::vector<Cell> cells;
-  Edge last;
+  CellLoops half;
+  /** The inner end of the last joint; the outer one is the next vertex. */
+  unsigned int last;
 };
-
-LeftHalf::LeftHalf(const ArchJoint &springing,
-                   const double thickness,
-                   const unsigned int n_courses,
-                   const double height)
-{
-  const Point<2> &inner = springing.intrados, &outer = springing.extrados;
-  const double ledge = outer[0] - (inner[0] - thickness);
-  const bool has_ledge = ledge > narrowest_ledge * thickness;
-  const double back = has_ledge ? inner[0] - thickness : outer[0];
-  if (n_courses == 0)
-  {
-    last = add_vertices(springing);
-    return;
-  }
-  const double ground = inner[1] - height;
-  last = add_vertices({{inner[0], ground}, {back, ground}});
-  for (unsigned int k = 1; k < n_courses; ++k)
-  {
-    const double y = inner[1] - height * (n_courses - k) / n_courses;
-    add({{inner[0], y}, {back, y}}, abutment);
-  }
-  add(springing, abutment);
-  if (has_ledge)
-  {
-    cells.back().loop.push_back(vertices.size());
-    vertices.emplace_back(back, outer[1]);
-  }
-}
-
-LeftHalf::Edge LeftHalf::add_vertices(const ArchJoint &joint)
-{
-  const unsigned int n = vertices.size();
-  vertices.push_back(joint.intrados);
-  vertices.push_back(joint.extrados);
-  return {n, n + 1};
-}
-
-void LeftHalf::add(const ArchJoint &joint, const Group group)
-{
-  const Edge next = add_vertices(joint);
-  cells.push_back({{last.outer, last.inner, next.inner, next.outer}, group});
-  last = next;
-}
-
-CellLoops LeftHalf::mirrored(const bool has_keystone,
-                             const std::optional<Point<2>> &apex) const
-{
-  CellLoops arch;
-  arch.group_names = {"voussoir", "keystone", "abutment"};
-  arch.vertices = vertices;
-  std::vector<unsigned int> image;
-  for (unsigned int v = 0; v < vertices.size(); ++v)
-    if (vertices[v][0] == 0.)
-      image.push_back(v);
-    else
-    {
-      image.push_back(arch.vertices.size());
-      arch.vertices.emplace_back(-vertices[v][0], vertices[v][1]);
-    }
-
-  const auto add_cell = [&arch](const std::vector<unsigned int> &loop,
-                                const Group group) {
-    arch.add(loop);
-    arch.group.push_back(group);
-  };
-  for (const Cell &cell : cells)
-    add_cell(cell.loop, cell.group);
-  if (has_keystone)
-  {
-    std::vector<unsigned int> loop = {last.inner, image[last.inner],
-                                      image[last.outer]};
-    if (apex)
-    {
-      loop.push_back(arch.vertices.size());
-      arch.vertices.push_back(*apex);
-    }
-    loop.push_back(last.outer);
-    add_cell(loop, keystone);
-  }
-  for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell)
-  {
-    std::vector<unsigned int> loop;
-    for (auto v = cell->loop.rbegin(); v != cell->loop.rend(); ++v)
-      loop.push_back(image[*v]);
-    add_cell(loop, cell->group);
-  }
-  return arch;
-}
 } // namespace
 
 void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  add_choice<Shape>(
-      prm, "Shape", shape,
-      {{Shape::circular, "circular",
+  add_choice<bool>(
+      prm, "Shape", pointed,
+      {{false, "circular",
         "one arc around the origin, of 'Mean radius' and 'Embrace'.",
         "Mean radius, Embrace"},
-       {Shape::pointed, "pointed",
+       {true, "pointed",
         "two arcs from springings on y = 0, of 'Span' and 'Radius over "
         "span'.",
         "Span, Radius over span"}},
@@ -205,34 +175,29 @@ void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellLoops ArchGenerator::generate(const std::filesystem::path &,
                                   Terminal &) const
 {
-  check_measures();
-  const HalfArch half =
-      shape == Shape::circular
-          ? circular_arch(mean_radius, thickness, n_voussoirs, embrace)
-          : pointed_arch(span, radius_over_span, thickness, n_voussoirs);
-
-  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
-                abutment_height);
-  for (unsigned int k = 1; k < half.joints.size(); ++k)
-    left.add(half.joints[k], voussoir);
-  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
-}
-
-void ArchGenerator::check_measures() const
-{
   std::vector<std::pair<std::string, double>> measures = {
       {"Thickness", thickness}};
-  if (shape == Shape::circular)
-    measures.insert(measures.end(),
-                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
-  else
+  if (pointed)
     measures.insert(measures.end(),
                     {{"Span", span}, {"Radius over span", radius_over_span}});
+  else
+    measures.insert(measures.end(),
+                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
   if (n_abutment_courses > 0)
     measures.emplace_back("Abutment height", abutment_height);
   for (const auto &[entry, value] : measures)
     if (!std::isfinite(value) || value <= 0.)
       throw InputError(text("'Packing/arch/", entry, "' is ", value,
                             "; it must be positive and finite."));
+
+  const HalfArch half =
+      pointed ? pointed_arch(span, radius_over_span, thickness, n_voussoirs)
+              : circular_arch(mean_radius, thickness, n_voussoirs, embrace);
+
+  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
+                abutment_height);
+  for (unsigned int k = 1; k < half.joints.size(); ++k)
+    left.add(half.joints[k], voussoir);
+  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
 }
 } // namespace Voussoir

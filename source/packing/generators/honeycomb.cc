@@ -22,11 +22,11 @@ void HoneycombGenerator::add_parameters(dealii::ParameterHandler &prm)
                     "Distance between opposite sides of a hexagon, and so "
                     "between the centres of neighbours; a length, positive.",
                     Double(0.));
-  add_choice<Orientation>(
-      prm, "Orientation", orientation,
-      {{Orientation::pointed_top, "pointed top",
+  add_choice<bool>(
+      prm, "Orientation", pointed,
+      {{true, "pointed top",
         "two sides are vertical; every second row is shifted to the right."},
-       {Orientation::flat_top, "flat top",
+       {false, "flat top",
         "two sides are horizontal; every second column is shifted upwards."}},
       "How the hexagons stand.");
 }
@@ -40,14 +40,24 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
     throw InputError(text("'Packing/honeycomb/Cell size' is ", cell_size,
                           "; it must be positive and finite."));
 
-  const unsigned int n_lines = pointed() ? n_rows : n_columns;
-  const unsigned int n_in_line = pointed() ? n_columns : n_rows;
+  const unsigned int n_lines = pointed ? n_rows : n_columns;
+  const unsigned int n_in_line = pointed ? n_columns : n_rows;
   // Counterclockwise from the lowest vertex, and the same for the mirror image.
   std::array<std::array<int, 2>, 6> corners = {
       {{{0, -2}}, {{1, -1}}, {{1, 1}}, {{0, 2}}, {{-1, 1}}, {{-1, -1}}}};
-  if (!pointed())
+  if (!pointed)
     std::reverse(corners.begin() + 1, corners.end());
 
+  // A vertex by whole numbers, so that shared ones are recognised exactly:
+  // along a line of hexagons in units of half a cell, and across it of a
+  // quarter of their largest diameter. Flat tops are the mirror image of
+  // pointed tops in the diagonal.
+  const auto place = [&](const unsigned int i, const unsigned int j) {
+    const double along = i * (cell_size / 2.);
+    const double across = j * (cell_size / (2. * std::sqrt(3.)));
+    return pointed ? dealii::Point<2>(along, across)
+                   : dealii::Point<2>(across, along);
+  };
   CellLoops cells;
   const std::size_t n_along = 2 * n_in_line + 2;
   std::vector<unsigned int> vertex_at(n_along * (3 * n_lines + 2), none);
@@ -70,14 +80,5 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
       cells.add(loop);
     }
   return cells;
-}
-
-dealii::Point<2> HoneycombGenerator::place(const unsigned int i,
-                                           const unsigned int j) const
-{
-  const double along = i * (cell_size / 2.);
-  const double across = j * (cell_size / (2. * std::sqrt(3.)));
-  return pointed() ? dealii::Point<2>(along, across)
-                   : dealii::Point<2>(across, along);
 }
 } // namespace Voussoir

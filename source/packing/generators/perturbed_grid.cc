@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/random.h>
-#include <voussoir/base/text.h>
 #include <voussoir/packing/generators/perturbed_grid.h>
-
-#include <cmath>
 
 namespace Voussoir
 {
@@ -84,11 +80,7 @@ CellLoops PerturbedGridGenerator::generate(const std::filesystem::path &,
 {
   check_number_of_cells(double(n_columns) * n_rows,
                         "'Packing/perturbed grid/Columns' and 'Rows'");
-  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
-      height <= 0.)
-    throw InputError(text("The grid 'Packing/perturbed grid' has the width ",
-                          width, " and the height ", height,
-                          "; both must be positive and finite."));
+  check_size("grid 'Packing/perturbed grid'", width, height);
   CellLoops cells;
   cells.vertices = make_vertices();
   const unsigned int above = n_columns + 1;

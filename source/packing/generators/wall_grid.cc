@@ -11,14 +11,6 @@ namespace Voussoir
  */
 constexpr double relative_resolution = 1e-9;
 
-WallGrid::WallGrid(const double width,
-                   const double height,
-                   const unsigned int n_courses,
-                   const unsigned int n_stretchers)
-    : total_width(width), total_height(height), courses(n_courses),
-      stretchers(n_stretchers)
-{}
-
 std::optional<unsigned int> WallGrid::level_at(const double y) const
 {
   const double nearest = std::round(y / total_height * courses);

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/packing/polygons/narrow_gaps.h>
-#include <voussoir/packing/polygons/overlap.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/function_output_iterator.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -57,42 +56,25 @@ Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
   return box;
 }
 
-/** The rings of all cells by the numbers of their points. */
-struct Corners
+/** The rings of all cells, with their different points in the file's order. */
+CellLoops corners_of(const PolygonList &polygons)
 {
-  explicit Corners(const PolygonList &polygons);
-
-  unsigned int n(const unsigned int cell) const
-  {
-    return first[cell + 1] - first[cell];
-  }
-  /** Corner @p i of a cell, counted modulo their number, as a point. */
-  unsigned int point(const unsigned int cell, const unsigned int i) const
-  {
-    return rings[first[cell] + i % n(cell)];
-  }
-
-  /** The different points of all rings, in the order of the file. */
-  std::vector<Point<2>> points;
-  std::vector<unsigned int> rings;
-  std::vector<unsigned int> first = {0};
-};
-
-Corners::Corners(const PolygonList &polygons)
-{
+  CellLoops corners;
   std::map<std::pair<double, double>, unsigned int> numbers;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
   {
+    std::vector<unsigned int> loop;
     for (const Point<2> &p : polygon.ring)
     {
       const auto [entry, is_new] =
-          numbers.emplace(std::make_pair(p[0], p[1]), points.size());
+          numbers.emplace(std::make_pair(p[0], p[1]), corners.vertices.size());
       if (is_new)
-        points.push_back(p);
-      rings.push_back(entry->second);
+        corners.vertices.push_back(p);
+      loop.push_back(entry->second);
     }
-    first.push_back(rings.size());
+    corners.add(loop);
   }
+  return corners;
 }
 
 /** Matches one list; one object, used once. */
@@ -100,171 +82,155 @@ class PolygonMatcher
 {
 public:
   PolygonMatcher(const PolygonList &polygons, const double tolerance)
-      : polygons(polygons), tolerance(tolerance), corners(polygons),
-        points(corners.points), tree(dealii::pack_rtree_of_indices(points))
+      : polygons(polygons), tolerance(tolerance), corners(corners_of(polygons)),
+        points(corners.vertices), tree(dealii::pack_rtree_of_indices(points))
   {}
 
-  CellLoops match();
+  CellLoops match()
+  {
+    find_vertices();
+    CellLoops cells;
+    std::vector<unsigned int> number(points.size(), none);
+    for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
+    {
+      std::vector<unsigned int> vertices = loop(c);
+      for (unsigned int &v : vertices)
+      {
+        if (number[v] == none)
+        {
+          number[v] = cells.vertices.size();
+          cells.vertices.push_back(points[v]);
+        }
+        v = number[v];
+      }
+      cells.add(vertices);
+    }
+    cells.tolerance = deepest_dent * tolerance;
+    return cells;
+  }
 
 private:
   using Tree = decltype(dealii::pack_rtree_of_indices(
       std::declval<std::vector<Point<2>>>()));
 
-  void find_vertices();
-  std::vector<Contact> contacts(unsigned int cell) const;
-  void find_contacts_of_side(unsigned int cell,
-                             unsigned int side,
-                             std::vector<Contact> &found) const;
-  std::vector<unsigned int> loop(unsigned int cell) const;
-  void check_loop(unsigned int cell, std::vector<unsigned int> loop) const;
+  void find_vertices()
+  {
+    const unsigned int n = points.size();
+    boost::disjoint_sets_with_storage<> sets(n);
+    std::vector<std::size_t> near;
+    for (unsigned int p = 0; p < n; ++p)
+    {
+      near.clear();
+      tree.query(boost::geometry::index::intersects(
+                     box_around(points[p], points[p], tolerance)),
+                 std::back_inserter(near));
+      for (const std::size_t q : near)
+        if (q < p && points[p].distance(points[q]) <= tolerance)
+          sets.union_set(std::size_t(p), q);
+    }
+    vertex = lowest_in_sets(sets, n);
+  }
+
+  /** The vertices to insert into a cell, each once, in order along its loop. */
+  std::vector<Contact> contacts(const unsigned int cell) const
+  {
+    std::vector<Contact> found;
+    for (unsigned int side = 0; side < corners.n_sides(cell); ++side)
+      find_contacts_of_side(cell, side, found);
+
+    // A vertex near a sharp corner is near two sides; it belongs to the nearer.
+    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+      return std::tie(a.vertex, a.distance, a.side, a.position) <
+             std::tie(b.vertex, b.distance, b.side, b.position);
+    });
+    found.erase(std::unique(found.begin(), found.end(),
+                            [](const auto &a, const auto &b) {
+                              return a.vertex == b.vertex;
+                            }),
+                found.end());
+    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+      return std::tie(a.side, a.position, a.vertex) <
+             std::tie(b.side, b.position, b.vertex);
+    });
+    return found;
+  }
+
+  void find_contacts_of_side(const unsigned int cell,
+                             const unsigned int side,
+                             std::vector<Contact> &found) const
+  {
+    const unsigned int a = corners.corner(cell, side),
+                       b = corners.corner(cell, side + 1);
+    const dealii::Tensor<1, 2> along = points[b] - points[a];
+    const double length = along.norm();
+    const auto visit = [&](const std::size_t p) {
+      if (vertex[p] == vertex[a] || vertex[p] == vertex[b])
+        return;
+      const dealii::Tensor<1, 2> to_p = points[p] - points[a];
+      const double position = (along * to_p) / (length * length);
+      const double distance = std::abs(cross(along, to_p)) / length;
+      if (position > 0. && position < 1. && distance <= tolerance)
+        found.push_back({vertex[p], distance, side, position});
+    };
+    tree.query(boost::geometry::index::intersects(
+                   box_around(points[a], points[b], tolerance)),
+               boost::make_function_output_iterator(visit));
+  }
+
+  std::vector<unsigned int> loop(const unsigned int cell) const
+  {
+    std::vector<unsigned int> result;
+    const std::vector<Contact> inserted = contacts(cell);
+    auto next = inserted.begin();
+    for (unsigned int i = 0; i < corners.n_sides(cell); ++i)
+    {
+      const unsigned int v = vertex[corners.corner(cell, i)];
+      if (result.empty() || v != result.back())
+        result.push_back(v);
+      for (; next != inserted.end() && next->side == i; ++next)
+        result.push_back(next->vertex);
+    }
+    while (result.size() > 1 && result.back() == result.front())
+      result.pop_back();
+    check_loop(cell, result);
+    return result;
+  }
+
+  void check_loop(const unsigned int cell, std::vector<unsigned int> loop) const
+  {
+    const std::string advice =
+        text("within the matching tolerance ", tolerance,
+             "; lower the tolerance or redraw the cell.");
+    for (unsigned int i = 0; i < corners.n_sides(cell); ++i)
+    {
+      const unsigned int p = corners.corner(cell, i);
+      if (points[p].distance(points[vertex[p]]) > longest_move * tolerance)
+        polygons.refuse(cell, "has a chain of short sides at " +
+                                  text_of_point(points[p]) + ", each " +
+                                  advice);
+    }
+    if (loop.size() < 3)
+      polygons.refuse(cell, "at " +
+                                text_of_point(points[corners.corner(cell, 0)]) +
+                                " has fewer than three vertices left of which "
+                                "no two are " +
+                                advice);
+    std::sort(loop.begin(), loop.end());
+    const auto twice = std::adjacent_find(loop.begin(), loop.end());
+    if (twice != loop.end())
+      polygons.refuse(cell, "touches itself at " +
+                                text_of_point(points[*twice]) + " " + advice);
+  }
 
   const PolygonList &polygons;
   const double tolerance;
 
-  const Corners corners;
+  const CellLoops corners;
   const std::vector<Point<2>> &points;
   const Tree tree;
   /** For each point the first one that is the same vertex. */
   std::vector<unsigned int> vertex;
 };
-
-void PolygonMatcher::find_vertices()
-{
-  const unsigned int n = points.size();
-  boost::disjoint_sets_with_storage<> sets(n);
-  std::vector<std::size_t> near;
-  for (unsigned int p = 0; p < n; ++p)
-  {
-    near.clear();
-    tree.query(boost::geometry::index::intersects(
-                   box_around(points[p], points[p], tolerance)),
-               std::back_inserter(near));
-    for (const std::size_t q : near)
-      if (q < p && points[p].distance(points[q]) <= tolerance)
-        sets.union_set(std::size_t(p), q);
-  }
-
-  std::vector<unsigned int> lowest(n, none);
-  vertex.resize(n);
-  for (unsigned int p = 0; p < n; ++p)
-  {
-    unsigned int &first = lowest[sets.find_set(p)];
-    vertex[p] = first = std::min(first, p);
-  }
-}
-
-void PolygonMatcher::find_contacts_of_side(const unsigned int cell,
-                                           const unsigned int side,
-                                           std::vector<Contact> &found) const
-{
-  const unsigned int a = corners.point(cell, side),
-                     b = corners.point(cell, side + 1);
-  const dealii::Tensor<1, 2> along = points[b] - points[a];
-  const double length = along.norm();
-  const auto visit = [&](const std::size_t p) {
-    if (vertex[p] == vertex[a] || vertex[p] == vertex[b])
-      return;
-    const dealii::Tensor<1, 2> to_p = points[p] - points[a];
-    const double position = (along * to_p) / (length * length);
-    const double distance = std::abs(cross(along, to_p)) / length;
-    if (position > 0. && position < 1. && distance <= tolerance)
-      found.push_back({vertex[p], distance, side, position});
-  };
-  tree.query(boost::geometry::index::intersects(
-                 box_around(points[a], points[b], tolerance)),
-             boost::make_function_output_iterator(visit));
-}
-
-/** The vertices to insert into a cell, each once, in order along its loop. */
-std::vector<Contact> PolygonMatcher::contacts(const unsigned int cell) const
-{
-  std::vector<Contact> found;
-  for (unsigned int side = 0; side < corners.n(cell); ++side)
-    find_contacts_of_side(cell, side, found);
-
-  // A vertex near a sharp corner is near two sides; it belongs to the nearer.
-  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
-    return std::tie(a.vertex, a.distance, a.side, a.position) <
-           std::tie(b.vertex, b.distance, b.side, b.position);
-  });
-  found.erase(std::unique(found.begin(), found.end(),
-                          [](const auto &a, const auto &b) {
-                            return a.vertex == b.vertex;
-                          }),
-              found.end());
-  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
-    return std::tie(a.side, a.position, a.vertex) <
-           std::tie(b.side, b.position, b.vertex);
-  });
-  return found;
-}
-
-std::vector<unsigned int> PolygonMatcher::loop(const unsigned int cell) const
-{
-  std::vector<unsigned int> result;
-  const std::vector<Contact> inserted = contacts(cell);
-  auto next = inserted.begin();
-  for (unsigned int i = 0; i < corners.n(cell); ++i)
-  {
-    const unsigned int v = vertex[corners.point(cell, i)];
-    if (result.empty() || v != result.back())
-      result.push_back(v);
-    for (; next != inserted.end() && next->side == i; ++next)
-      result.push_back(next->vertex);
-  }
-  while (result.size() > 1 && result.back() == result.front())
-    result.pop_back();
-  check_loop(cell, result);
-  return result;
-}
-
-void PolygonMatcher::check_loop(const unsigned int cell,
-                                std::vector<unsigned int> loop) const
-{
-  const std::string advice = text("within the matching tolerance ", tolerance,
-                                  "; lower the tolerance or redraw the cell.");
-  for (unsigned int i = 0; i < corners.n(cell); ++i)
-  {
-    const unsigned int p = corners.point(cell, i);
-    if (points[p].distance(points[vertex[p]]) > longest_move * tolerance)
-      polygons.refuse(cell, "has a chain of short sides at " +
-                                text_of_point(points[p]) + ", each " + advice);
-  }
-  if (loop.size() < 3)
-    polygons.refuse(cell, "at " +
-                              text_of_point(points[corners.point(cell, 0)]) +
-                              " has fewer than three vertices left of which "
-                              "no two are " +
-                              advice);
-  std::sort(loop.begin(), loop.end());
-  const auto twice = std::adjacent_find(loop.begin(), loop.end());
-  if (twice != loop.end())
-    polygons.refuse(cell, "touches itself at " + text_of_point(points[*twice]) +
-                              " " + advice);
-}
-
-CellLoops PolygonMatcher::match()
-{
-  find_vertices();
-  CellLoops cells;
-  std::vector<unsigned int> number(points.size(), none);
-  for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
-  {
-    std::vector<unsigned int> vertices = loop(c);
-    for (unsigned int &v : vertices)
-    {
-      if (number[v] == none)
-      {
-        number[v] = cells.vertices.size();
-        cells.vertices.push_back(points[v]);
-      }
-      v = number[v];
-    }
-    cells.add(vertices);
-  }
-  cells.tolerance = deepest_dent * tolerance;
-  return cells;
-}
 
 /** Number the names of the groups in the order in which they appear. */
 void name_groups(const PolygonList &polygons, CellLoops &cells)

@@ -2,7 +2,7 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/narrow_gaps.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
@@ -46,11 +46,9 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
   };
   std::map<std::pair<unsigned int, unsigned int>, Halfedge> by_ends;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
-    for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
+    for (unsigned int i = 0; i < cells.n_sides(c); ++i)
     {
-      const unsigned int a = cells.loops[i];
-      const unsigned int b =
-          cells.loops[i + 1 < cells.first[c + 1] ? i + 1 : cells.first[c]];
+      const unsigned int a = cells.corner(c, i), b = cells.corner(c, i + 1);
       const auto [entry, is_new] =
           by_ends.emplace(std::minmax({a, b}), Halfedge{c, a, b});
       if (!is_new)
@@ -72,15 +70,9 @@ double mean_size(const CellLoops &cells)
 {
   double twice_area = 0.;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
-  {
-    const Point<2> &origin = cells.vertices[cells.loops[cells.first[c]]];
-    for (unsigned int i = cells.first[c] + 1; i + 1 < cells.first[c + 1]; ++i)
-    {
-      const Tensor<1, 2> a = cells.vertices[cells.loops[i]] - origin;
-      const Tensor<1, 2> b = cells.vertices[cells.loops[i + 1]] - origin;
-      twice_area += cross(a, b);
-    }
-  }
+    for (unsigned int i = 1; i + 1 < cells.n_sides(c); ++i)
+      twice_area += cross(cells.vertex(c, i) - cells.vertex(c, 0),
+                          cells.vertex(c, i + 1) - cells.vertex(c, 0));
   return std::sqrt(0.5 * twice_area / cells.n_cells());
 }
 

@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/ogr_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #ifdef VOUSSOIR_WITH_GDAL
 #include <ogrsf_frmts.h>
@@ -51,173 +51,160 @@ public:
     list.record_name = "feature";
   }
 
-  PolygonList read();
+  PolygonList read()
+  {
+    if (!std::filesystem::exists(list.file))
+      refuse_file("does not exist. Paths in a .prm file start at the directory "
+                  "of that file.");
+    // libxml2, which GDAL starts, computes 0/0 for its own NaN.
+    const InvalidOperationsAllowed allowed;
+    GDALAllRegister();
+    const GDALDatasetUniquePtr dataset(
+        GDALDataset::Open(list.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
+                                                 GDAL_OF_VERBOSE_ERROR));
+    if (dataset == nullptr)
+      refuse_file("is of no format that GDAL reads" + messages.error() +
+                  "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
+    for (OGRLayer *layer : dataset->GetLayers())
+      read_layer(*layer);
+    if (list.polygons.empty())
+      refuse_file("has no polygons and no closed lines" + messages.error() +
+                  "; a packing needs at least one.");
+    give_notices();
+    return std::move(list);
+  }
 
 private:
-  [[noreturn]] void refuse(const std::string &fault) const;
-  [[noreturn]] void refuse_file(const std::string &fault) const;
-  void read_layer(OGRLayer &layer);
-  void read_geometry(const OGRGeometry &geometry, const std::string &group);
-  void read_polygon(const OGRPolygon &polygon, const std::string &group);
-  void read_line(const OGRLineString &line, const std::string &group);
-  void add(const OGRLineString &line, const std::string &group);
-  void give_notices();
+  [[noreturn]] void refuse(const std::string &fault) const
+  {
+    list.refuse(list.polygons.size(), feature, fault);
+  }
+  [[noreturn]] void refuse_file(const std::string &fault) const
+  {
+    throw InputError("The file of polygons '" + list.file.string() + "' " +
+                     fault);
+  }
+
+  void read_layer(OGRLayer &layer)
+  {
+    const OGRFeatureDefn &fields = *layer.GetLayerDefn();
+    int group_field = -1;
+    for (const char *name : {"group", "name", "Layer"})
+      if (group_field < 0)
+        group_field = fields.GetFieldIndex(name);
+
+    layer.ResetReading();
+    for (OGRFeatureUniquePtr next(layer.GetNextFeature()); next != nullptr;
+         next.reset(layer.GetNextFeature()))
+    {
+      ++feature;
+      group = group_field < 0 || !next->IsFieldSetAndNotNull(group_field)
+                  ? ""
+                  : next->GetFieldAsString(group_field);
+      const OGRGeometry *geometry = next->GetGeometryRef();
+      if (geometry == nullptr)
+        refuse("has no geometry" + messages.error() + "; delete it.");
+      has_z |= geometry->Is3D();
+      if (geometry->hasCurveGeometry(true))
+      {
+        has_curves = true;
+        const OGRGeometryUniquePtr straight(geometry->getLinearGeometry());
+        read_geometry(*straight);
+      }
+      else
+        read_geometry(*geometry);
+    }
+    if (!messages.first_error.empty())
+      refuse_file(text("cannot be read beyond feature ", feature,
+                       messages.error(),
+                       "; open and save it again with the "
+                       "program that wrote it."));
+  }
+
+  void read_geometry(const OGRGeometry &geometry)
+  {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (geometry.IsEmpty())
+      refuse("is empty; delete it.");
+    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
+        OGR_GT_IsSubClassOf(type, wkbMultiSurface))
+      for (const OGRGeometry *part : *geometry.toGeometryCollection())
+        read_geometry(*part);
+    else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
+      for (const OGRPolygon *part : *geometry.toPolyhedralSurface())
+        read_polygon(*part);
+    else if (OGR_GT_IsSubClassOf(type, wkbPolygon))
+      read_polygon(*geometry.toPolygon());
+    else if (type == wkbLineString)
+      read_line(*geometry.toLineString());
+    else if (n_left_out++ == 0)
+      first_left_out =
+          text("feature ", feature, ", a ", OGRGeometryTypeToName(type));
+  }
+
+  void read_polygon(const OGRPolygon &polygon)
+  {
+    if (polygon.getNumInteriorRings() > 0)
+      refuse("has a hole; a cell is one loop, so cut it into cells without "
+             "holes.");
+    add(*polygon.getExteriorRing());
+  }
+
+  void read_line(const OGRLineString &line)
+  {
+    if (!line.get_IsClosed())
+    {
+      OGRPoint start, end;
+      line.StartPoint(&start);
+      line.EndPoint(&end);
+      refuse(
+          "is a line from " + text_of_point({start.getX(), start.getY()}) +
+          " to " + text_of_point({end.getX(), end.getY()}) +
+          " that is not closed; close it, or delete it if it bounds no cell.");
+    }
+    add(line);
+  }
+
+  void add(const OGRLineString &line)
+  {
+    PolygonList::Polygon polygon;
+    for (int i = 0; i < line.getNumPoints(); ++i)
+      polygon.ring.emplace_back(line.getX(i), line.getY(i));
+    if (polygon.ring.size() > 1 && polygon.ring.front() == polygon.ring.back())
+      polygon.ring.pop_back();
+    polygon.group = group;
+    polygon.record = feature;
+    list.polygons.push_back(polygon);
+  }
+
+  void give_notices()
+  {
+    const std::string of_file = " of '" + list.file.string() + "' ";
+    if (has_z)
+      list.notices.push_back("The Z coordinates" + of_file + "are ignored.");
+    if (has_curves)
+      list.notices.push_back("The curves" + of_file +
+                             "are replaced by chains of straight sides.");
+    if (n_left_out > 0)
+      list.notices.push_back(
+          text(n_left_out, " geometries", of_file,
+               "are left out because they bound no area; the "
+               "first is ",
+               first_left_out, "."));
+    if (!messages.first_warning.empty())
+      list.notices.push_back("On reading '" + list.file.string() +
+                             "' GDAL says: " + messages.first_warning);
+  }
 
   PolygonList list;
   GdalMessages messages;
   unsigned int feature = 0;
+  std::string group;
   unsigned int n_left_out = 0;
   std::string first_left_out;
   bool has_z = false;
   bool has_curves = false;
 };
-
-void OgrReader::refuse_file(const std::string &fault) const
-{
-  throw InputError("The file of polygons '" + list.file.string() + "' " +
-                   fault);
-}
-
-void OgrReader::refuse(const std::string &fault) const
-{
-  throw InputError(text("Cell ", list.polygons.size(), " (",
-                        list.describe_record(feature), ") ", fault));
-}
-
-PolygonList OgrReader::read()
-{
-  if (!std::filesystem::exists(list.file))
-    refuse_file("does not exist. Paths in a .prm file start at the directory "
-                "of that file.");
-  // libxml2, which GDAL starts, computes 0/0 for its own NaN.
-  const InvalidOperationsAllowed allowed;
-  GDALAllRegister();
-  const GDALDatasetUniquePtr dataset(
-      GDALDataset::Open(list.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
-                                               GDAL_OF_VERBOSE_ERROR));
-  if (dataset == nullptr)
-    refuse_file("is of no format that GDAL reads" + messages.error() +
-                "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
-  for (OGRLayer *layer : dataset->GetLayers())
-    read_layer(*layer);
-  if (list.polygons.empty())
-    refuse_file("has no polygons and no closed lines" + messages.error() +
-                "; a packing needs at least one.");
-  give_notices();
-  return std::move(list);
-}
-
-void OgrReader::read_layer(OGRLayer &layer)
-{
-  const OGRFeatureDefn &fields = *layer.GetLayerDefn();
-  int group_field = -1;
-  for (const char *name : {"group", "name", "Layer"})
-    if (group_field < 0)
-      group_field = fields.GetFieldIndex(name);
-
-  layer.ResetReading();
-  for (OGRFeatureUniquePtr next(layer.GetNextFeature()); next != nullptr;
-       next.reset(layer.GetNextFeature()))
-  {
-    ++feature;
-    const std::string group =
-        group_field < 0 || !next->IsFieldSetAndNotNull(group_field)
-            ? ""
-            : next->GetFieldAsString(group_field);
-    const OGRGeometry *geometry = next->GetGeometryRef();
-    if (geometry == nullptr)
-      refuse("has no geometry" + messages.error() + "; delete it.");
-    has_z |= geometry->Is3D();
-    if (geometry->hasCurveGeometry(true))
-    {
-      has_curves = true;
-      const OGRGeometryUniquePtr straight(geometry->getLinearGeometry());
-      read_geometry(*straight, group);
-    }
-    else
-      read_geometry(*geometry, group);
-  }
-  if (!messages.first_error.empty())
-    refuse_file(text("cannot be read beyond feature ", feature,
-                     messages.error(),
-                     "; open and save it again with the "
-                     "program that wrote it."));
-}
-
-void OgrReader::read_geometry(const OGRGeometry &geometry,
-                              const std::string &group)
-{
-  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-  if (geometry.IsEmpty())
-    refuse("is empty; delete it.");
-  if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
-      OGR_GT_IsSubClassOf(type, wkbMultiSurface))
-    for (const OGRGeometry *part : *geometry.toGeometryCollection())
-      read_geometry(*part, group);
-  else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
-    for (const OGRPolygon *part : *geometry.toPolyhedralSurface())
-      read_polygon(*part, group);
-  else if (OGR_GT_IsSubClassOf(type, wkbPolygon))
-    read_polygon(*geometry.toPolygon(), group);
-  else if (type == wkbLineString)
-    read_line(*geometry.toLineString(), group);
-  else if (n_left_out++ == 0)
-    first_left_out =
-        text("feature ", feature, ", a ", OGRGeometryTypeToName(type));
-}
-
-void OgrReader::read_polygon(const OGRPolygon &polygon,
-                             const std::string &group)
-{
-  if (polygon.getNumInteriorRings() > 0)
-    refuse("has a hole; a cell is one loop, so cut it into cells without "
-           "holes.");
-  add(*polygon.getExteriorRing(), group);
-}
-
-void OgrReader::read_line(const OGRLineString &line, const std::string &group)
-{
-  if (!line.get_IsClosed())
-  {
-    OGRPoint start, end;
-    line.StartPoint(&start);
-    line.EndPoint(&end);
-    refuse("is a line from " + text_of_point({start.getX(), start.getY()}) +
-           " to " + text_of_point({end.getX(), end.getY()}) +
-           " that is not closed; close it, or delete it if it bounds no cell.");
-  }
-  add(line, group);
-}
-
-void OgrReader::add(const OGRLineString &line, const std::string &group)
-{
-  PolygonList::Polygon polygon;
-  for (int i = 0; i < line.getNumPoints(); ++i)
-    polygon.ring.emplace_back(line.getX(i), line.getY(i));
-  if (polygon.ring.size() > 1 && polygon.ring.front() == polygon.ring.back())
-    polygon.ring.pop_back();
-  polygon.group = group;
-  polygon.record = feature;
-  list.polygons.push_back(polygon);
-}
-
-void OgrReader::give_notices()
-{
-  const std::string of_file = " of '" + list.file.string() + "' ";
-  if (has_z)
-    list.notices.push_back("The Z coordinates" + of_file + "are ignored.");
-  if (has_curves)
-    list.notices.push_back("The curves" + of_file +
-                           "are replaced by chains of straight sides.");
-  if (n_left_out > 0)
-    list.notices.push_back(text(n_left_out, " geometries", of_file,
-                                "are left out because they bound no area; the "
-                                "first is ",
-                                first_left_out, "."));
-  if (!messages.first_warning.empty())
-    list.notices.push_back("On reading '" + list.file.string() +
-                           "' GDAL says: " + messages.first_warning);
-}
 } // namespace
 
 PolygonList read_ogr_file(const std::filesystem::path &file)

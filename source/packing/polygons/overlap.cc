@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polygons/overlap.h>
+#include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/base/tensor.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

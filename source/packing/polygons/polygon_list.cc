@@ -8,20 +8,12 @@
 
 namespace Voussoir
 {
-std::string PolygonList::describe_record(const unsigned int record) const
-{
-  return text(record_name, ' ', record, " of '", file.string(), "'");
-}
-
-std::string PolygonList::describe(const unsigned int cell) const
-{
-  return text("Cell ", cell, " (", describe_record(polygons[cell].record), ")");
-}
-
 void PolygonList::refuse(const unsigned int cell,
+                         const unsigned int record,
                          const std::string &fault) const
 {
-  throw InputError(describe(cell) + " " + fault);
+  throw InputError(text("Cell ", cell, " (", record_name, ' ', record, " of '",
+                        file.string(), "') ", fault));
 }
 
 std::string read_polygon_text(const std::filesystem::path &file)

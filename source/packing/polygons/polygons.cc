@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/packing/polygons/off_file.h>
-#include <voussoir/packing/polygons/ogr_file.h>
 #include <voussoir/packing/polygons/points_file.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 #include <voussoir/packing/polygons/polygons.h>
-#include <voussoir/packing/polygons/wkt_file.h>
+#include <voussoir/packing/polygons/readers.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 
@@ -51,8 +48,17 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
       tolerance > 0. ? tolerance : automatic_tolerance(polygons);
   check_tolerance(polygons, used_tolerance);
   CellLoops cells = match_polygons(polygons, used_tolerance);
-  if (!centres_file.empty())
-    cells.centres = read_centres(directory, polygons);
+  if (centres_file.empty())
+    return cells;
+  cells.centres =
+      read_points_file((directory / centres_file).lexically_normal()).points;
+  if (cells.centres.size() != cells.n_cells())
+    throw InputError(
+        text("The centres file '",
+             (directory / centres_file).lexically_normal().string(), "' has ",
+             cells.centres.size(), " points, but '", polygons.file.string(),
+             "' has ", cells.n_cells(),
+             " cells; each cell needs one centre, in the same order."));
   return cells;
 }
 
@@ -64,22 +70,6 @@ PolygonGenerator::input_files(const std::filesystem::path &directory) const
     if (!name.empty())
       files.push_back(directory / name);
   return files;
-}
-
-std::vector<dealii::Point<2>>
-PolygonGenerator::read_centres(const std::filesystem::path &directory,
-                               const PolygonList &polygons) const
-{
-  const PointList centres =
-      read_points_file((directory / centres_file).lexically_normal());
-  if (centres.points.size() != polygons.polygons.size())
-    throw InputError(text("The centres file '", centres.file.string(), "' has ",
-                          centres.points.size(), " points, but '",
-                          polygons.file.string(), "' has ",
-                          polygons.polygons.size(),
-                          " cells; each cell needs one centre, in the same "
-                          "order."));
-  return centres.points;
 }
 
 PolygonList read_polygons(const std::filesystem::path &file)

@@ -10,13 +10,6 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-CellCutter::CellCutter(const ConvexPolygon &polygon,
-                       const std::vector<Point<2>> &generators,
-                       const unsigned int first_vertex)
-    : polygon(polygon), generators(generators), first_vertex(first_vertex),
-      corners(polygon.n_sides(), none)
-{}
-
 void CellCutter::cut(const unsigned int cell, std::vector<Corner> &loop)
 {
   remaining.swap(loop);

@@ -7,11 +7,6 @@
 
 namespace Voussoir
 {
-CellSize::CellSize(const std::string &formula, const std::string &parameter)
-    : formula(formula), parameter(parameter),
-      expression(formula, {"x", "y"}, parameter)
-{}
-
 double CellSize::operator()(const dealii::Point<2> &p) const
 {
   const double size = expression({p[0], p[1]});

@@ -31,11 +31,10 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
     const double reference = size(centre);
     double mass = 0.;
     Tensor<1, 2> moment;
-    Tensor<1, 2> a =
-        cells.vertices[cells.loops[cells.first[c + 1] - 1]] - centre;
-    for (unsigned int i = cells.first[c]; i < cells.first[c + 1]; ++i)
+    for (unsigned int i = 0; i < cells.n_sides(c); ++i)
     {
-      const Tensor<1, 2> b = cells.vertices[cells.loops[i]] - centre;
+      const Tensor<1, 2> a = cells.vertex(c, i + cells.n_sides(c) - 1) - centre;
+      const Tensor<1, 2> b = cells.vertex(c, i) - centre;
       const double area = 0.5 * cross(a, b);
       for (const Tensor<1, 2> &x : {0.5 * a, 0.5 * (a + b), 0.5 * b})
       {
@@ -43,7 +42,6 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
         mass += weight * area / 3.;
         moment += weight * area / 3. * x;
       }
-      a = b;
     }
     centroids.push_back(centre + moment / mass);
   }
@@ -54,12 +52,11 @@ std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
 void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  add_choice<Domain>(
-      prm, "Domain", domain,
-      {{Domain::rectangle, "rectangle", "from 'Lower left' to 'Upper right'.",
+  add_choice<bool>(
+      prm, "Domain", fills_polygon,
+      {{false, "rectangle", "from 'Lower left' to 'Upper right'.",
         "Lower left, Upper right"},
-       {Domain::polygon, "polygon", "the convex polygon of 'Polygon'.",
-        "Polygon"}},
+       {true, "polygon", "the convex polygon of 'Polygon'.", "Polygon"}},
       "What the cells fill.");
   prm.add_parameter(
       "Lower left", rectangle.lower_left,
@@ -71,11 +68,10 @@ void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Polygon", polygon_vertices,
       "The vertices \"x, y; x, y; ...\" of the convex polygon, in "
       "order around it; lengths.");
-  add_choice<Source>(
-      prm, "Points", source,
-      {{Source::file, "file", "as given in 'Points file'.", "Points file"},
-       {Source::random, "random",
-        "drawn at random, as densely as 'Cell size' asks.",
+  add_choice<bool>(
+      prm, "Points", reads_points,
+      {{true, "file", "as given in 'Points file'.", "Points file"},
+       {false, "random", "drawn at random, as densely as 'Cell size' asks.",
         "Number of points, Seed"}},
       "Where the points come from.");
   prm.add_parameter("Points file", points_file,
@@ -121,14 +117,14 @@ CellLoops VoronoiGenerator::generate(const std::filesystem::path &directory,
 std::vector<std::filesystem::path>
 VoronoiGenerator::input_files(const std::filesystem::path &directory) const
 {
-  if (source == Source::random || points_file.empty())
+  if (!reads_points || points_file.empty())
     return {};
   return {directory / points_file};
 }
 
 ConvexPolygon VoronoiGenerator::make_domain() const
 {
-  if (domain == Domain::rectangle)
+  if (!fills_polygon)
   {
     const auto &[lower_left, upper_right] = rectangle;
     if (!std::isfinite(rectangle.area()) || !(upper_right[0] > lower_left[0]) ||
@@ -151,12 +147,12 @@ VoronoiGenerator::make_points(const ConvexPolygon &polygon,
                               const CellSize &size,
                               const std::filesystem::path &directory) const
 {
-  if (source == Source::file && points_file.empty())
+  if (reads_points && points_file.empty())
     throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
                      "Points file' names none.");
-  if (source == Source::file)
+  if (reads_points)
     return read_points_file((directory / points_file).lexically_normal());
-  if (domain == Domain::rectangle && size.is_constant())
+  if (!fills_polygon && size.is_constant())
     return random_points(n_points, seed, rectangle);
   return random_points(n_points, seed, polygon, size);
 }

@@ -39,15 +39,7 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  enum class Shape
-  {
-    circular,
-    pointed
-  };
-
-  void check_measures() const;
-
-  Shape shape = Shape::circular;
+  bool pointed = false;
   double mean_radius = 1.;
   double embrace = 180.;
   double span = 2.;

@@ -12,10 +12,8 @@ namespace Voussoir
 /** A joint across an arch, normal to its middle line. */
 struct ArchJoint
 {
-  /** @{ */
-  /** Its ends: on the inner and on the outer face of the arch; lengths. */
-  dealii::Point<2> intrados, extrados;
-  /** @} */
+  dealii::Point<2> intrados; /**< its end on the inner face; lengths */
+  dealii::Point<2> extrados; /**< its end on the outer face; lengths */
 };
 
 /** The left half of an arch that is symmetric to x = 0. */

@@ -2,11 +2,14 @@
 #ifndef voussoir_packing_generators_generator_h
 #define voussoir_packing_generators_generator_h
 
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/packing/packing.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -53,7 +56,29 @@ public:
  *   count the sides of.
  * @param entries the names of the parameters that it follows from.
  */
-void check_number_of_cells(double n_cells, const std::string &entries);
+inline void check_number_of_cells(const double n_cells,
+                                  const std::string &entries)
+{
+  constexpr double largest = 1e8; // a packing then needs some 100 GB
+  if (n_cells > largest)
+    throw InputError(text(entries, " make some ", n_cells,
+                          " cells; there may be ", largest, " at most."));
+}
+
+/**
+ * Check the size of a rectangle, @p what such as "wall 'Packing/wall'".
+ *
+ * @throws InputError unless both lengths are positive and finite.
+ */
+inline void
+check_size(const std::string &what, const double width, const double height)
+{
+  if (!std::isfinite(width) || !std::isfinite(height) || width <= 0. ||
+      height <= 0.)
+    throw InputError(text("The ", what, " has the width ", width,
+                          " and the height ", height,
+                          "; both must be positive and finite."));
+}
 } // namespace Voussoir
 
 #endif

@@ -29,25 +29,10 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  enum class Orientation
-  {
-    pointed_top,
-    flat_top
-  };
-
-  bool pointed() const { return orientation == Orientation::pointed_top; }
-  /**
-   * A vertex by whole numbers, so that shared ones are recognised exactly:
-   * along a line of hexagons in units of half a cell, and across it of a
-   * quarter of their largest diameter. Flat tops are the mirror image of
-   * pointed tops in the diagonal.
-   */
-  dealii::Point<2> place(unsigned int i, unsigned int j) const;
-
   unsigned int n_columns = 10;
   unsigned int n_rows = 10;
   double cell_size = 1.;
-  Orientation orientation = Orientation::pointed_top;
+  bool pointed = true;
 };
 } // namespace Voussoir
 

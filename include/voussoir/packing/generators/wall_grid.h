@@ -18,10 +18,13 @@ class WallGrid
 {
 public:
   /** @param width, height lengths. */
-  WallGrid(double width,
-           double height,
-           unsigned int n_courses,
-           unsigned int n_stretchers);
+  WallGrid(const double width,
+           const double height,
+           const unsigned int n_courses,
+           const unsigned int n_stretchers)
+      : total_width(width), total_height(height), courses(n_courses),
+        stretchers(n_stretchers)
+  {}
 
   /** The number of courses, the height of the wall in bricks. */
   unsigned int n_courses() const { return courses; }

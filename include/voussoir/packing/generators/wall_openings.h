@@ -12,14 +12,10 @@ namespace Voussoir
 /** A rectangle of a wall, from bed joint to bed joint. */
 struct WallPart
 {
-  /** @{ */
-  /** The positions of its vertical sides; lengths. */
-  double left, right;
-  /** @} */
-  /** @{ */
-  /** Its courses k: first_course <= k < end_course. */
-  unsigned int first_course, end_course;
-  /** @} */
+  double left;               /**< the position of that side; a length */
+  double right;              /**< the position of that side; a length */
+  unsigned int first_course; /**< the lowest */
+  unsigned int end_course;   /**< one above the highest */
 
   /** True if they have more than a side in common. */
   bool overlaps(const WallPart &other) const

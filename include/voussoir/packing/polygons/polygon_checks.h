@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_polygons_polygon_checks_h
 #define voussoir_packing_polygons_polygon_checks_h
 
+#include <voussoir/packing/packing.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
 namespace Voussoir
@@ -31,6 +32,29 @@ double automatic_tolerance(const PolygonList &polygons);
  * @throws InputError naming the tolerance or the cell.
  */
 void check_tolerance(const PolygonList &polygons, double tolerance);
+
+/**
+ * Check that no two polygons overlap more deeply than the tolerance, a length.
+ * The depth of an overlap is the shortest displacement that ends it; between
+ * convex polygons it is along the normal of a side of one of them (the theorem
+ * of separating axes). Others are cut into convex ones first.
+ *
+ * @param polygons simple and counterclockwise.
+ * @throws InputError naming both cells and the place.
+ */
+void refuse_overlaps(const PolygonList &polygons, double tolerance);
+
+/**
+ * A sentence on cells that face each other across a gap so narrow that they
+ * were probably meant to touch: a thousandth of the mean size of a cell, or ten
+ * times the tolerance if that is more. Such a gap is an open joint that carries
+ * nothing, which is easily mistaken for a fault of the load.
+ *
+ * @param tolerance the matching tolerance; a length.
+ * @return the number of such pairs, the first with its place, and what to do;
+ *   empty if there is none.
+ */
+std::string describe_narrow_gaps(const CellLoops &cells, double tolerance);
 } // namespace Voussoir
 
 #endif

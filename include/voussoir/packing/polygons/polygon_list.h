@@ -33,14 +33,19 @@ struct PolygonList
   /** Notices to the user on how the file was understood. */
   std::vector<std::string> notices;
 
-  /** A record for messages, such as "line 3 of 'wall.wkt'". */
-  std::string describe_record(unsigned int record) const;
-
-  /** A cell for messages, such as "Cell 2 (line 3 of 'wall.wkt')". */
-  std::string describe(unsigned int cell) const;
-
-  /** Throw the InputError that @p cell has @p fault, which begins "is ...". */
-  [[noreturn]] void refuse(unsigned int cell, const std::string &fault) const;
+  /**
+   * Throw the InputError that @p cell, which is in @p record, has the @p fault,
+   * such as "Cell 2 (line 3 of 'wall.wkt') is not closed".
+   */
+  [[noreturn]] void refuse(unsigned int cell,
+                           unsigned int record,
+                           const std::string &fault) const;
+  /** The same of a cell in the list. */
+  [[noreturn]] void refuse(const unsigned int cell,
+                           const std::string &fault) const
+  {
+    refuse(cell, polygons[cell].record, fault);
+  }
 };
 
 /**

@@ -24,10 +24,6 @@ public:
   input_files(const std::filesystem::path &directory) const override;
 
 private:
-  std::vector<dealii::Point<2>>
-  read_centres(const std::filesystem::path &directory,
-               const PolygonList &polygons) const;
-
   std::string file;
   std::string centres_file;
   double tolerance = 0.;

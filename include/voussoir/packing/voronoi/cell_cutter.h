@@ -5,8 +5,6 @@
 #include <voussoir/base/none.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
-#include <deal.II/base/types.h>
-
 #include <array>
 #include <map>
 #include <vector>
@@ -58,7 +56,10 @@ public:
    */
   CellCutter(const ConvexPolygon &polygon,
              const std::vector<dealii::Point<2>> &generators,
-             unsigned int first_vertex);
+             const unsigned int first_vertex)
+      : polygon(polygon), generators(generators), first_vertex(first_vertex),
+        corners(polygon.n_sides(), none)
+  {}
 
   /**
    * Cut the counterclockwise @p loop of a cell down to what is inside.

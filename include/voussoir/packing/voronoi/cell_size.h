@@ -21,7 +21,10 @@ public:
    * @param parameter the parameter that the formula came from, for messages.
    * @throws InputError if the formula cannot be parsed.
    */
-  CellSize(const std::string &formula, const std::string &parameter);
+  CellSize(const std::string &formula, const std::string &parameter)
+      : formula(formula), parameter(parameter),
+        expression(formula, {"x", "y"}, parameter)
+  {}
 
   /**
    * h at @p p, in a unit that cancels.

@@ -15,11 +15,8 @@ namespace Voussoir
 /** An axis-parallel rectangle; lengths. */
 struct Rectangle
 {
-  /** @{ */
-  /** Two opposite corners; lengths. */
-  dealii::Point<2> lower_left;
-  dealii::Point<2> upper_right;
-  /** @} */
+  dealii::Point<2> lower_left;  /**< corner; lengths */
+  dealii::Point<2> upper_right; /**< corner; lengths */
 
   /** Width times height; L^2. */
   double area() const

@@ -33,27 +33,15 @@ public:
   input_files(const std::filesystem::path &directory) const override;
 
 private:
-  enum class Source
-  {
-    file,
-    random
-  };
-
-  enum class Domain
-  {
-    rectangle,
-    polygon
-  };
-
   ConvexPolygon make_domain() const;
   PointList make_points(const ConvexPolygon &polygon,
                         const CellSize &size,
                         const std::filesystem::path &directory) const;
 
-  Domain domain = Domain::rectangle;
+  bool fills_polygon = false;
   Rectangle rectangle{{0., 0.}, {1., 1.}};
   std::vector<dealii::Point<2>> polygon_vertices;
-  Source source = Source::random;
+  bool reads_points = false;
   std::string points_file;
   unsigned int n_points = 100;
   unsigned int seed = 1;
