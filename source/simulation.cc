@@ -268,9 +268,8 @@ std::optional<StressPart> Simulation::find_stresses(Results &results)
     results.stress = reconstruct_stress(scene, results.forces, how, terminal);
   else
   {
-    own_part.emplace(reconstruct_on_root(scene, results.forces,
-                                         results.motion.displacement, how, team,
-                                         terminal));
+    own_part.emplace(reconstruct_on_root(scene, results.forces, results.motion,
+                                         how, team, terminal));
     results.stress.n_sub_cells = own_part->stress.n_sub_cells;
     results.stress.undetermined = own_part->stress.undetermined;
   }
@@ -291,8 +290,8 @@ Simulation::write_stress(ResultDirectory &files,
     return stress_pvtu;
   }
   files.write(stress_vtu, [&](std::ostream &out) {
-    write_stress_vtu(out, {results.scene.packing, results.stress,
-                           results.motion.displacement});
+    write_stress_vtu(out,
+                     {results.scene.packing, results.stress, results.motion});
   });
   return stress_vtu;
 }

@@ -35,6 +35,44 @@ void print_range(const std::string &name, const std::vector<double> &values)
             << std::endl;
 }
 
+/** The largest torque on a cell, over the largest load times the cell's size.
+ */
+double largest_torque(const Table &cells, const Table &interfaces)
+{
+  std::vector<double> sum = cells.at("load_torque");
+  double largest_load = 0., largest = 0.;
+  for (unsigned int c = 0; c < sum.size(); ++c)
+    largest_load = std::max(
+        largest_load, std::hypot(cells.at("load_x")[c], cells.at("load_y")[c]));
+  for (unsigned int e = 0; e < interfaces.at("nx").size(); ++e)
+  {
+    const auto of = [&](const std::string &name) {
+      return interfaces.at(name)[e];
+    };
+    // Friction acts along the edge, at either end.
+    const auto add = [&](const double cell, const std::string &end,
+                         const double fn, const double ft) {
+      if (cell < 0.)
+        return;
+      const double x = of("x" + end) - cells.at("x")[cell];
+      const double y = of("y" + end) - cells.at("y")[cell];
+      sum[cell] += x * (fn * of("ny") + ft * of("nx")) -
+                   y * (fn * of("nx") - ft * of("ny"));
+    };
+    for (const double sign : {1., -1.})
+    {
+      const double cell = of(sign > 0. ? "cell_minus" : "cell_plus");
+      add(cell, "0", sign * of("normal_force_0"),
+          sign * of("tangential_force"));
+      add(cell, "1", sign * of("normal_force_1"), 0.);
+    }
+  }
+  for (unsigned int c = 0; c < sum.size(); ++c)
+    largest =
+        std::max(largest, std::abs(sum[c]) / std::sqrt(cells.at("area")[c]));
+  return largest / largest_load;
+}
+
 double largest_imbalance(const Table &cells, const Table &interfaces)
 {
   const unsigned int n = cells.at("id").size();
@@ -92,6 +130,10 @@ int main(int, char **argv)
   std::cout << "imbalance recomputed from the .csv files <= 1e-7 of the load: "
             << (largest_imbalance(cells, interfaces) <= 1e-7 ? "OK" : "FAILED")
             << std::endl;
+  if (interfaces.count("normal_force_0") != 0)
+    std::cout << "torque recomputed from the .csv files <= 1e-7 of the load: "
+              << (largest_torque(cells, interfaces) <= 1e-7 ? "OK" : "FAILED")
+              << std::endl;
   std::vector<double> &length = interfaces["length"];
   for (const char *name : {"normal_force", "tangential_force"})
   {

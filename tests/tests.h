@@ -106,23 +106,32 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
 /** A scene with one strength everywhere, under the tractions g(x, n). */
 template <typename Traction>
 Voussoir::Scene
-scene_with(Voussoir::Packing packing, const double strength, const Traction &g)
+scene_with(Voussoir::Packing packing,
+           const double strength,
+           const Traction &g,
+           const Voussoir::Kinematics &kinematics = Voussoir::translations())
 {
   std::vector<dealii::Tensor<1, 2>> tractions;
   for (const auto &edge : packing.boundary_edges())
     tractions.push_back(g(edge.midpoint(), edge.normal));
   std::vector<double> strengths(packing.interfaces().size(), strength);
-  return Voussoir::Scene(std::move(packing), strengths, {tractions, {}, {}});
+  return Voussoir::Scene(std::move(packing), strengths, {tractions, {}, {}},
+                         kinematics);
 }
 
 /** A scene with one strength everywhere, under the tractions S n. */
-inline Voussoir::Scene scene_under_stress(Voussoir::Packing packing,
-                                          const double strength,
-                                          const dealii::Tensor<2, 2> &S)
+inline Voussoir::Scene scene_under_stress(
+    Voussoir::Packing packing,
+    const double strength,
+    const dealii::Tensor<2, 2> &S,
+    const Voussoir::Kinematics &kinematics = Voussoir::translations())
 {
-  return scene_with(std::move(packing), strength,
-                    [&](const dealii::Point<2> &,
-                        const dealii::Tensor<1, 2> &n) { return S * n; });
+  return scene_with(
+      std::move(packing), strength,
+      [&](const dealii::Point<2> &, const dealii::Tensor<1, 2> &n) {
+        return S * n;
+      },
+      kinematics);
 }
 
 /** The shear wall of 12 courses of 6 bricks: +1 along the top, -1 below. */
@@ -221,6 +230,10 @@ inline double distance(const Voussoir::InterfaceForces &a,
   for (unsigned int e = 0; e < a.normal.size(); ++e)
     largest = std::max({largest, std::abs(a.normal[e] - b.normal[e]),
                         std::abs(a.tangential[e] - b.tangential[e])});
+  for (unsigned int e = 0; e < std::min(a.at_ends.size(), b.at_ends.size());
+       ++e)
+    for (unsigned int k = 0; k < 2; ++k)
+      largest = std::max(largest, std::abs(a.at_ends[e][k] - b.at_ends[e][k]));
   return largest;
 }
 

@@ -21,12 +21,18 @@ def features(bench):
               (("standard", {"Accuracy": "standard"}), fine(0, 0), fine(0, 1),
                fine(1, 0))}
     supported = {"Supports/Where": "ny < -0.5 && y < 1e-9"}
+    weight = {"Loads/Body force": "0; -0.1"}
+    turning = {"Rotations": "true"}
     light = {
         ".csv files": {"Output/Files": "csv"},
         ".vtu of the interfaces": {"Output/Files": "vtu"},
         **{f"stress, {name}": stress[name] for name in list(stress)[:1]},
         "supports": supported,
-        "supports and body force": {**supported, "Loads/Body force": "0; -0.1"},
+        "supports and body force": {**supported, **weight},
+        "rotations": turning,
+        "rotations, supports": {**supported, **turning},
+        "rotations, supports and body force":
+            {**supported, **weight, **turning},
         "strength by expression":
             {"Friction/Strength": f"{STRONG} + 0.1*x*abs(ny)"},
         "Equilibrate": {"Solver/Equilibrate": "true"},

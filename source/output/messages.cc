@@ -40,32 +40,35 @@ std::string inexact(const Results &results)
               where);
 }
 
+/** A resistance to turning, over the moment, that is rounding. */
+constexpr double no_resistance = 1e-9;
+
 /** The message on forces that would turn blocks. */
 std::string turning(const Packing &packing, const Overturning &found)
 {
   const unsigned int n = found.cells.size();
-  const std::string cell =
-      text(packing.describe(found.cells.front()), " at ",
-           text_of_point(packing.centre(found.cells.front())));
-  const double share = std::abs(found.moment) / (2. * found.resistance);
+  const unsigned int first = found.cells.front();
+  const double share = std::abs(found.moment) / found.resistance;
   std::string why;
-  if (!(found.resistance > 0.))
-    why = "nothing presses on the interfaces around";
+  if (found.resistance <= no_resistance * std::abs(found.moment))
+    why = ": nothing presses on the interfaces around";
   else if (found.interfaces.size() > 1)
-    why = text("the moment on them is ", 2. * share,
-               " times what the normal forces on the ", found.interfaces.size(),
-               " interfaces around them balance when all act at an end");
+    why = text(": the moment is ", share, " times what the ",
+               found.interfaces.size(),
+               " interfaces around can balance, each pressed at one end");
   else
   {
     const Packing::Interface &i = packing.interfaces()[found.interfaces[0]];
-    why = text("the resultant on the interface from ", text_of_point(i.start),
-               " to ", text_of_point(i.end), " lies ", share - 0.5,
+    why = text(": the resultant on the interface from ", text_of_point(i.start),
+               " to ", text_of_point(i.end), " lies ", 0.5 * (share - 1.),
                " of its length outside it");
   }
   return text(
       "Blocks do not turn in this run, and these forces would overturn ",
-      n > 1 ? text(counted(n, "block"), ", among them ") : "", cell, ": ", why,
-      ". Other forces may hold them, or none: set 'Rotations = true'.");
+      n > 1 ? text(n, " blocks, among them ") : "", packing.describe(first),
+      " at ", text_of_point(packing.centre(first)), why,
+      ". Other forces may prevent that, or none: set 'Rotations = "
+      "true'.");
 }
 
 bool is_loaded(const Scene &scene)

@@ -19,7 +19,7 @@ std::vector<char> characters(const std::string &text)
 
 StressedCells shown(const StressPart &part)
 {
-  return {part.packing, part.stress, part.displacement, part.first_cell};
+  return {part.packing, part.stress, part.motion, part.first_cell};
 }
 
 std::string name_of_piece(const std::string &process)

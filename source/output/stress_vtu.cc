@@ -193,12 +193,13 @@ void StressGrid::add_fields()
     return scalar(std::uint8_t(!std::binary_search(
         undetermined.begin(), undetermined.end(), number_of(c))));
   });
-  file.add_point_vector(
-      "displacement", [this](auto begin, auto end, double *place) {
-        points_of_cells().fill(begin, end, place, [this](Cell c, unsigned int) {
-          return vector(shown.displacement[c]);
+  file.add_point_vector("displacement", [this](auto begin, auto end,
+                                               double *place) {
+    points_of_cells().fill(
+        begin, end, place, [this](const Cell c, const unsigned int k) {
+          return vector(shown.motion.at(c, point(c, k) - packing.centre(c)));
         });
-      });
+  });
 }
 
 void StressGrid::fill_corners(const std::size_t begin,

@@ -10,8 +10,6 @@
 
 namespace Voussoir
 {
-using dealii::Tensor;
-
 namespace
 {
 /** The data sent of the cells of one process. */
@@ -19,7 +17,7 @@ struct Message
 {
   CellLoops cells;
   CellForces forces;
-  std::vector<Tensor<1, 2>> displacement;
+  Motion motion;
 };
 
 /** Visit all of a message that is a list of numbers or vectors. */
@@ -34,7 +32,8 @@ void for_each_list(MessageType &message, const Visitor &visit)
   visit(message.forces.on_side);
   visit(message.forces.shift_on_side);
   visit(message.forces.body);
-  visit(message.displacement);
+  visit(message.motion.displacement);
+  visit(message.motion.rotation);
 }
 
 /** No name of a group has it; see check_group_name(). */
@@ -62,6 +61,18 @@ Message receive(const Team &team)
   return message;
 }
 
+Motion part_of(const Motion &motion, const CellRange &cells)
+{
+  Motion part;
+  const auto copy = [&](const auto &all, auto &some) {
+    if (!all.empty())
+      some.assign(all.begin() + cells.begin, all.begin() + cells.end);
+  };
+  copy(motion.displacement, part.displacement);
+  copy(motion.rotation, part.rotation);
+  return part;
+}
+
 /** The same on all processes, each with its own message. */
 StressPart reconstruct(Message message,
                        const unsigned int first_cell,
@@ -84,14 +95,14 @@ StressPart reconstruct(Message message,
       stress.undetermined.insert(stress.undetermined.end(), cells.begin(),
                                  cells.end());
   }
-  return {first_cell, std::move(packing), std::move(message.displacement),
+  return {first_cell, std::move(packing), std::move(message.motion),
           std::move(stress)};
 }
 } // namespace
 
 StressPart reconstruct_on_root(const Scene &scene,
                                const InterfaceForces &forces,
-                               const std::vector<Tensor<1, 2>> &u,
+                               const Motion &motion,
                                const Reconstruction &how,
                                const Team &team,
                                Terminal &terminal)
@@ -108,8 +119,7 @@ StressPart reconstruct_on_root(const Scene &scene,
           static_cast<unsigned int>(n_cells * r / team.size()),
           static_cast<unsigned int>(n_cells * (r + 1) / team.size())};
       message = {cut_free(scene.packing, cells),
-                 cell_forces(scene, forces, cells),
-                 {u.begin() + cells.begin, u.begin() + cells.end}};
+                 cell_forces(scene, forces, cells), part_of(motion, cells)};
       if (r > 0)
       {
         team.send(std::vector<unsigned int>{cells.begin}, r);

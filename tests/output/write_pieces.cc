@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <type_traits>
 
 using namespace Voussoir;
 
@@ -24,11 +25,13 @@ int main(int argc, char **argv)
   const unsigned int n_cells = 30000;
   const ConvexPolygon square(Rectangle{{0., 0.}, {1., 1.}});
   const Packing packing(voronoi_cells(random_points(n_cells, 1), square));
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  Motion motion;
   StressField stress;
   for (unsigned int c = 0; c < n_cells; ++c)
   {
-    displacement.push_back(dealii::Tensor<1, 2>({1. / 3. + c, 1. / 7. - c}));
+    motion.displacement.push_back(
+        dealii::Tensor<1, 2>({1. / 3. + c, 1. / 7. - c}));
+    motion.rotation.push_back(0.01 * c);
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     {
       SubCellStress s;
@@ -45,7 +48,7 @@ int main(int argc, char **argv)
     return std::ofstream(directory / name);
   };
   auto whole = file("stress.vtu");
-  write_stress_vtu(whole, {packing, stress, displacement});
+  write_stress_vtu(whole, {packing, stress, motion});
   std::vector<std::string> names;
   unsigned int begin = 0;
   for (const unsigned int end : {10000U, 10001U, n_cells})
@@ -58,11 +61,16 @@ int main(int argc, char **argv)
         stress.sub_cells.begin() + stress.first(packing, begin, 0),
         stress.sub_cells.begin() + stress.first(packing, end, 0));
     inside.undetermined = stress.undetermined;
-    const std::vector<dealii::Tensor<1, 2>> u(displacement.begin() + begin,
-                                              displacement.begin() + end);
-    write_stress_vtu(piece, {cells, inside, u, begin});
+    const auto of_piece = [&](const auto &all) {
+      return std::decay_t<decltype(all)>(all.begin() + begin,
+                                         all.begin() + end);
+    };
+    Motion part;
+    part.displacement = of_piece(motion.displacement);
+    part.rotation = of_piece(motion.rotation);
+    write_stress_vtu(piece, {cells, inside, part, begin});
     begin = end;
   }
   auto record = file("stress.pvtu");
-  write_stress_pvtu(record, {packing, stress, displacement}, names);
+  write_stress_pvtu(record, {packing, stress, motion}, names);
 }

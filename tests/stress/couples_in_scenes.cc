@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Blocks that turn. A uniform symmetric stress comes back. Under their weight,
+// Blocks that turn. A uniform symmetric stress comes back, in every interface,
+// with the same force at both ends, and in every sub-cell. Under their weight,
 // and tractions that vary along an edge, the mean stress of each block is
 // symmetric, the forces on the cells cut free have the same one, and the
 // refined stress has div sigma = -b.
@@ -21,15 +22,18 @@ const Reconstruction fine = {true, 0, 0};
 
 void compare_uniform(const Tensor<2, 2> &S, const unsigned int seed)
 {
-  Packing packing = random_packing(200, seed);
-  Loads loads;
-  for (const auto &edge : packing.boundary_edges())
-    loads.traction.push_back(S * edge.normal);
-  const std::vector<double> strengths(packing.interfaces().size(), 10.);
-  const Scene scene(std::move(packing), strengths, std::move(loads),
-                    rotations());
+  const Scene scene =
+      scene_under_stress(random_packing(200, seed), 10., S, rotations());
   Solver solver(least_energy, 1e-12);
   const InterfaceForces forces = solver.forces(scene);
+  double difference = 0.;
+  for (unsigned int e = 0; e < forces.at_ends.size(); ++e)
+    difference = std::max(
+        difference, std::abs(forces.at_ends[e][0] - forces.at_ends[e][1]) /
+                        scene.packing.interfaces()[e].length);
+  check_error("uniform, interfaces", distance_from_uniform(scene, forces, S),
+              1e-9);
+  check_error("uniform, both ends", difference, 1e-9);
   for (const Reconstruction &how : {standard, fine})
   {
     const StressField field =
@@ -141,6 +145,8 @@ int main()
 {
   compare_uniform(tensor(-1., 0.3, 0.3, -1.2), 4);
   compare_uniform(tensor(-1., 0., 0., -0.1), 5);
+  compare_uniform(tensor(-0.6, -0.5, -0.5, -0.5), 6);
+  compare_uniform(tensor(-1., 0., 0., -1.), 7);
   compare_balance("random cells", on_the_ground(random_packing(100, 3), 5.));
   compare_balance("wall", on_the_ground(wall(8, 4), 5.));
 }

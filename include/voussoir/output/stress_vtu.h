@@ -3,6 +3,7 @@
 #define voussoir_output_stress_vtu_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/scene/motion.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <iosfwd>
@@ -24,8 +25,8 @@ struct StressedCells
   const Packing &packing;
   /** The stress in their sub-cells. */
   const StressField &stress;
-  /** Of each cell; L. */
-  const std::vector<dealii::Tensor<1, 2>> &displacement;
+  /** The motion of the cells; L. */
+  const Motion &motion;
   /** The number of the first cell, if others are elsewhere. */
   unsigned int first_cell = 0;
 };

@@ -3,6 +3,7 @@
 #define voussoir_stress_stress_part_h
 
 #include <voussoir/parallel/team.h>
+#include <voussoir/scene/motion.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -21,8 +22,8 @@ struct StressPart
   unsigned int first_cell;
   /** Its cells, numbered from 0, with boundary edges only; see cut_free(). */
   Packing packing;
-  /** Of each of them; L. */
-  std::vector<dealii::Tensor<1, 2>> displacement;
+  /** The motion of each of them; L. */
+  Motion motion;
   /** The stress in them; but see reconstruct_on_root(). */
   StressField stress;
 };
@@ -37,7 +38,7 @@ struct StressPart
  */
 StressPart reconstruct_on_root(const Scene &scene,
                                const InterfaceForces &forces,
-                               const std::vector<dealii::Tensor<1, 2>> &u,
+                               const Motion &motion,
                                const Reconstruction &how,
                                const Team &team,
                                Terminal &terminal);
