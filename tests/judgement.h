@@ -21,7 +21,7 @@ struct Judgement
   Verdict verdict = Verdict::refused;
   /** If carried: the forces in the units of the scene. */
   Voussoir::InterfaceForces forces;
-  /** Residual or violation, the larger. */
+  /** Certificate::error(). */
   double error = 0.;
   /** If refused: the message. */
   std::string message;
@@ -48,8 +48,7 @@ inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
     }
     judgement.forces = dimensional_forces(problem, found);
     const Certificate certificate = certify(scene, judgement.forces);
-    judgement.error = std::max(certificate.equilibrium_residual,
-                               certificate.admissibility_violation);
+    judgement.error = certificate.error();
     if (judgement.error <= largest_accepted_error)
       judgement.verdict = Verdict::carried;
     else

@@ -15,7 +15,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** A scene seen otherwise. */
-struct View
+struct Transformed
 {
   double angle = 0.;
   Tensor<1, 2> offset;
@@ -39,7 +39,7 @@ struct View
   }
 };
 
-CellLoops seen(const CellLoops &cells, const View &view)
+CellLoops seen(const CellLoops &cells, const Transformed &view)
 {
   CellLoops result;
   for (const Point<2> &x : cells.vertices)
@@ -56,7 +56,7 @@ CellLoops seen(const CellLoops &cells, const View &view)
 }
 
 /** On the ground, under weight with a horizontal share and a load on top. */
-Scene scene_of(const CellLoops &cells, const View &view)
+Scene scene_of(const CellLoops &cells, const Transformed &view)
 {
   Packing packing(seen(cells, view));
   const auto is_at = [&](const auto &edge, const double y) {
@@ -90,7 +90,7 @@ Scene scene_of(const CellLoops &cells, const View &view)
 using Forces =
     std::map<std::pair<unsigned int, unsigned int>, std::array<double, 4>>;
 
-Forces forces_of(const CellLoops &cells, View view, const Way &way)
+Forces forces_of(const CellLoops &cells, Transformed view, const Way &way)
 {
   if (view.old_number.empty())
   {
@@ -136,7 +136,7 @@ int main()
   constexpr unsigned int n_cells = 80;
   const CellLoops cells =
       voronoi_cells(random_points(n_cells, 3), Rectangle{{0., 0.}, {1., 1.}});
-  std::map<std::string, View> views;
+  std::map<std::string, Transformed> views;
   views["turned"].angle = 2.3;
   views["far away"].offset = Tensor<1, 2>({1e6, -1e6});
   views["in other units"].length = 1e3;
@@ -148,7 +148,7 @@ int main()
                views["renumbered"].old_number.end(), std::mt19937(1));
   for (const Way &way : all_ways)
   {
-    const Forces reference = forces_of(cells, View(), way);
+    const Forces reference = forces_of(cells, Transformed(), way);
     for (const auto &[name, view] : views)
       check_error(way.name + ", " + name,
                   difference(reference, forces_of(cells, view, way)), 1e-8);

@@ -42,8 +42,10 @@ struct Overturning
  * or is cut off around blocks whose moment is too large for the interfaces
  * around them.
  *
- * @return nothing if the torques are rounding or can be taken up: then the load
- *   is carried with rotations, too. Otherwise the blocks most of whose moment
+ * @param forces with torques that are not rounding; see
+ *   Certificate::max_torque.
+ * @return nothing if the torques can be taken up: then the load is carried with
+ *   rotations, too. Otherwise the blocks most of whose moment
  *   is left; other forces may yet hold them.
  */
 std::optional<Overturning> find_overturning(const Scene &scene,
