@@ -261,9 +261,13 @@ expect_equal("stress", whole.fields["stress"].T,
 expect_equal("div", whole.fields["div"].T, [side, -0.1 * cell, zero])
 expect_equal("skew", whole.fields["skew"], 0.7 * cell)
 owner = np.repeat(cell, 4)
+centre = np.repeat(np.reshape(whole.corners, (-1, 4)).min(axis=1), 4)
+arm = whole.points[whole.corners] - whole.points[centre]
+angle = 0.5 * (owner % 3)
 expect_equal("displacement",
              whole.point_fields["displacement"][whole.corners].T,
-             [1. / 3. + owner, 1. / 7. - owner, np.zeros(len(owner))])
+             [1. / 3. + owner - angle * arm[:, 1],
+              1. / 7. - owner + angle * arm[:, 0], np.zeros(len(owner))])
 expect_equal("reconstructed", whole.fields["reconstructed"],
              (cell != 1) & (cell != 29999))
 expect_pieces(whole, pieces)

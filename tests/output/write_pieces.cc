@@ -31,7 +31,7 @@ int main(int argc, char **argv)
   {
     motion.displacement.push_back(
         dealii::Tensor<1, 2>({1. / 3. + c, 1. / 7. - c}));
-    motion.rotation.push_back(0.01 * c);
+    motion.rotation.push_back(0.5 * (c % 3));
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
     {
       SubCellStress s;
