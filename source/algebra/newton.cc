@@ -60,6 +60,11 @@ Newton::Newton(const Structure &structure,
       last_decrement(std::numeric_limits<double>::infinity()),
       last_force_change(std::numeric_limits<double>::infinity())
 {
+  restart(std::move(u));
+}
+
+void Newton::restart(std::vector<double> u)
+{
   present.u = std::move(u);
   present.jumps = structure.jumps(present.u);
   evaluate(present);

@@ -61,6 +61,7 @@ FrictionCone::FrictionCone(const double strength,
 
 void FrictionCone::linearise()
 {
+  second_of_v = second_of_r = 0.;
   room = determinant(b, q, w);
   const double root_s = std::sqrt(determinant(r, v, eps));
   const double root_lambda = std::sqrt(room);
@@ -84,7 +85,22 @@ FrictionCone::Step FrictionCone::step(const double target,
 {
   const double dw = -(target * (w / room) - eps + h12 * dq) / h22;
   return {dq, dw, constant(target) + slope * dq,
-          target * (b / room) - r + h01 * dq + h02 * dw};
+          target * (b / room) - r + h01 * dq + h02 * dw + second_of_r};
+}
+
+void FrictionCone::correct_for(const Step &predictor)
+{
+  second_of_v = second_of_r = 0.;
+  if (eps > 0.)
+    return;
+  // Without smoothing the cone is two bounds, b + q and b - q, with the
+  // multipliers (r - v) / 2 and (r + v) / 2.
+  const double backward =
+      predictor.q * 0.5 * (predictor.r - predictor.v) / (b + q);
+  const double forward =
+      -predictor.q * 0.5 * (predictor.r + predictor.v) / (b - q);
+  second_of_v = backward - forward;
+  second_of_r = -backward - forward;
 }
 
 double FrictionCone::longest_of_force(const Step &step) const

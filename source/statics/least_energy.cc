@@ -69,12 +69,8 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
   team.call(least_energy_task);
   const Solution solution =
       minimise_together(&problem, order, displacement_unit, team, terminal);
-  std::vector<JointCost> costs;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    costs.push_back({1. / problem.contact_stiffness(e),
-                     1. / problem.joints()[e].stiffness(), 0.});
-  return settle(problem, costs, controls, displacement_unit, solution,
-                terminal);
+  return settle(problem, elastic_costs(problem), controls, displacement_unit,
+                solution, terminal);
 }
 
 void assist_least_energy(const Team &team, Terminal &terminal)

@@ -30,7 +30,56 @@ constexpr double imbalance_of_load_factor = 1e-12;
  * 0.1 to 2 of the limit load).
  */
 constexpr unsigned int n_max_for_load_factor = 60;
+
+/**
+ * The same for approach_minimum(), measured: up to 26; and the product from
+ * which Newton's method takes one or two steps.
+ */
+constexpr unsigned int n_max_to_approach = 40;
+constexpr double product_of_approach = 1e-8;
+
+/** The product with which forces count as those of least cost. */
+double largest_product(const double tolerance)
+{
+  return std::max(product_over_tolerance * tolerance, smallest_product);
+}
+
+void show(const InteriorPoint &point, Terminal &terminal)
+{
+  terminal.iteration("Interior point",
+                     text("iteration ", point.n_iterations(), ", imbalance ",
+                          point.imbalance(), ", product ", point.product()));
+}
 } // namespace
+
+std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
+{
+  std::vector<JointCost> costs;
+  costs.reserve(problem.joints().size());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    costs.push_back({1. / problem.contact_stiffness(e),
+                     1. / problem.joints()[e].stiffness(), 0.});
+  return costs;
+}
+
+std::vector<double> approach_minimum(const DiscreteProblem &problem,
+                                     const std::vector<JointCost> &costs,
+                                     const double tolerance,
+                                     unsigned int &n_iterations,
+                                     Terminal &terminal)
+{
+  InteriorPoint point(problem, costs, InteriorPoint::Aim::least_cost);
+  const auto is_near = [&]() {
+    return point.imbalance() <= tolerance &&
+           point.product() <= product_of_approach;
+  };
+  do
+    show(point, terminal);
+  while (point.n_iterations() < n_max_to_approach && point.step() &&
+         !is_near() && !find_mechanism(problem, point.u()));
+  n_iterations += point.n_iterations();
+  return point.u();
+}
 
 Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     const std::vector<JointCost> &costs,
@@ -40,8 +89,6 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     Terminal &terminal)
 {
   InteriorPoint point(problem, costs, InteriorPoint::Aim::least_cost);
-  const double largest_product =
-      std::max(product_over_tolerance * controls.tolerance, smallest_product);
   Solution solution = before;
   std::vector<double> u;
   while (!solution.converged() && !solution.mechanism &&
@@ -50,9 +97,7 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
          point.step())
   {
     const double imbalance = point.imbalance(), product = point.product();
-    terminal.iteration("Interior point",
-                       text("iteration ", point.n_iterations(), ", imbalance ",
-                            imbalance, ", product ", product));
+    show(point, terminal);
     if ((solution.mechanism = find_mechanism(problem, point.u())))
       solution.stop = Stop::Reason::collapse;
     else if (imbalance <= controls.tolerance &&
@@ -60,8 +105,9 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
     {
       // Forces are balanced also if rounding stops the method before it
       // converges.
-      solution.stop = product <= largest_product ? Stop::Reason::converged
-                                                 : Stop::Reason::rounding;
+      solution.stop = product <= largest_product(controls.tolerance)
+                          ? Stop::Reason::converged
+                          : Stop::Reason::rounding;
       solution.forces = point.forces();
       u = point.u();
     }

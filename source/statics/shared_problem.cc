@@ -212,11 +212,18 @@ void SharedProblem::on_root(const Action &action) const
     throw SolverError(fault);
 }
 
-std::vector<double> SharedProblem::opening() const
+std::vector<double> SharedProblem::displacement(const Finder &find) const
 {
   std::vector<double> of_whole;
-  on_root([&]() { of_whole = opening_of(*whole).displacement; });
+  on_root([&]() { of_whole = find(*whole); });
   return part ? scatter(of_whole) : of_whole;
+}
+
+std::vector<double> SharedProblem::opening() const
+{
+  return displacement([](const DiscreteProblem &problem) {
+    return opening_of(problem).displacement;
+  });
 }
 
 bool SharedProblem::has_opening() const

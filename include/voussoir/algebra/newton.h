@@ -88,6 +88,9 @@ public:
    */
   void full_step();
 
+  /** Go on from @p u, n_dofs() numbers with the ghosts. */
+  void restart(std::vector<double> u);
+
   /** The displacement: n_dofs() numbers, with the ghosts. */
   const std::vector<double> &u() const { return present.u; }
   /** Of each row of each joint of this process. */

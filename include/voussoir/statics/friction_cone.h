@@ -52,7 +52,7 @@ public:
   {
     const double of_v = target * (q / room) - v;
     const double of_eps = target * (w / room) - eps;
-    return of_v - h12 / h22 * of_eps;
+    return of_v - h12 / h22 * of_eps + second_of_v;
   }
 
   /** A step, by what changes in it. */
@@ -65,6 +65,12 @@ public:
   };
   /** The step to the product @p target whose change of force is @p dq. */
   Step step(double target, double dq) const;
+  /**
+   * Let the next steps, until linearise(), make up for the products of changes
+   * that the linearisation leaves out of the step @p predictor (Mehrotra, *SIAM
+   * Journal on Optimization* 2 (1992), 575); without smoothing only.
+   */
+  void correct_for(const Step &predictor);
   /** The multiple of the step that lambda may take, and that s may take. */
   double longest_of_force(const Step &step) const;
   /** See longest_of_force(). */
@@ -88,6 +94,8 @@ private:
   /** The matrix that takes a change of lambda to minus that of s. */
   double h01 = 0., h02 = 0., h11 = 0., h12 = 0., h22 = 1.;
   double slope = 0.;
+  /** What correct_for() adds to a step. */
+  double second_of_v = 0., second_of_r = 0.;
 };
 } // namespace Voussoir
 

@@ -95,6 +95,8 @@ private:
     double p, z;
     /** The shortfall of z. */
     double short_z = 0.;
+    /** What the predictor leaves out: the product of its two changes. */
+    double second_order = 0.;
   };
   /** One joint, but for its contacts. */
   struct State

@@ -33,6 +33,26 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     const Solution &before,
                                     Terminal &terminal);
 
+/** What the forces of each joint cost in the energy of ElasticJoint. */
+std::vector<JointCost> elastic_costs(const DiscreteProblem &problem);
+
+/**
+ * Come close to the forces that cost the least.
+ *
+ * @param problem has the joints.
+ * @param costs of each of them.
+ * @param tolerance of the imbalance.
+ * @param n_iterations the number of iterations that this has taken is added.
+ * @param terminal sees the iterations.
+ * @return the displacement, n_dofs() numbers; a mechanism if there is no
+ *   minimum.
+ */
+std::vector<double> approach_minimum(const DiscreteProblem &problem,
+                                     const std::vector<JointCost> &costs,
+                                     double tolerance,
+                                     unsigned int &n_iterations,
+                                     Terminal &terminal);
+
 /**
  * Look for a mechanism by way of the load factor, whose multipliers are the
  * critical one; for problems with an opening.

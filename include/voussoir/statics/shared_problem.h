@@ -6,6 +6,7 @@
 #include <voussoir/statics/mechanism.h>
 #include <voussoir/statics/solution.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,6 +39,10 @@ public:
   /** The part of this process. */
   const Structure &structure() const { return part ? *part : *whole; }
 
+  /** A displacement of the whole, n_dofs() numbers. */
+  using Finder = std::function<std::vector<double>(const DiscreteProblem &)>;
+  /** This process' part of what the root is to @p find; collective. */
+  std::vector<double> displacement(const Finder &find) const;
   /** This process' part of the displacement of opening_of(); collective. */
   std::vector<double> opening() const;
   /** True if opening_of() has one; collective. */
