@@ -79,10 +79,24 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       "ends of an interface, so that its resultant has a place on it: arches "
       "and towers may overturn. false: they slide only, as in the paper.",
       dealii::Patterns::Bool());
+  add_choice<Analysis>(
+      prm, "Analysis", analysis,
+      {{Analysis::state, "state",
+        "forces that carry the loads, or the mechanism in which the packing "
+        "collapses.",
+        "Formulation"},
+       {Analysis::load_factor, "load factor",
+        "the greatest factor of the live loads that is carried, or the least, "
+        "between two proofs: forces that balance the loads at it, and a "
+        "mechanism that bounds it.",
+        "Live loads, Load factor"}},
+      "What is asked of the packing.");
   solver.add_parameters(prm);
   packing.add_parameters(prm);
   supports.add_parameters(prm);
   loads.add_parameters(prm);
+  live_loads.add_parameters(prm);
+  load_factor.add_parameters(prm);
   friction.add_parameters(prm);
   stress.add_parameters(prm);
   add_output_parameters(prm);
@@ -132,6 +146,10 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   for (const std::filesystem::path &file : packing.input_files(directory))
     files.spare(file);
   std::optional<EarlierRun> earlier;
+  if (!forces_from.empty() && analysis == Analysis::load_factor)
+    throw InputError("'Forces from' gives the forces of a state, and "
+                     "'Analysis' is 'load factor'; set 'Analysis = state' or "
+                     "leave 'Forces from' empty.");
   if (!forces_from.empty())
     earlier.emplace(forces_from);
 
@@ -139,7 +157,9 @@ void Simulation::run(const dealii::ParameterHandler &prm,
     terminal.stage("Processes", std::to_string(team.size()));
   timer.enter_subsection("packing");
   terminal.begin("Packing");
-  const Scene scene = make_scene(directory);
+  Given given = read(directory);
+  const bool is_state = analysis == Analysis::state;
+  const Scene scene = scene_of(is_state ? std::move(given) : given);
   terminal.stage(
       "Packing",
       text(counted(scene.packing.n_cells(), "cell"), ", ",
@@ -151,9 +171,9 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   show_supports(terminal, scene);
   timer.leave_subsection();
 
-  RunRecord record(scene);
-  record.title = title;
-  record.n_processes = team.size();
+  if (!is_state)
+    return find_factor(files, given, scene, prm);
+  RunRecord record = record_of(scene);
   Answer answer =
       earlier ? judge(scene, read_forces(*earlier, scene, record), record,
                       solver.controls().tolerance, timer, terminal)
@@ -166,19 +186,95 @@ void Simulation::run(const dealii::ParameterHandler &prm,
           prm);
 }
 
-Scene Simulation::make_scene(const std::filesystem::path &directory) const
+RunRecord Simulation::record_of(const Scene &scene) const
+{
+  RunRecord record(scene);
+  record.title = title;
+  record.n_processes = team.size();
+  return record;
+}
+
+Simulation::Given Simulation::read(const std::filesystem::path &directory) const
 {
   Packing blocks = packing.make_packing(directory, terminal);
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);
-  Strengths strengths = friction.strengths(blocks);
-  Loads on_blocks = loads.loads(blocks);
-  for (const auto &warnings : {strengths.warnings, on_blocks.warnings})
+  Given given = {std::move(blocks), {}, {}, {}};
+  given.strengths = friction.strengths(given.packing);
+  given.loads = loads.loads(given.packing);
+  if (analysis == Analysis::load_factor)
+    given.live_loads = live_loads.loads(given.packing);
+  for (const auto &warnings : {given.strengths.warnings, given.loads.warnings,
+                               given.live_loads.warnings})
     for (const std::string &warning : warnings)
       terminal.warning(warning);
-  return {std::move(blocks), std::move(strengths.of_interface),
-          std::move(on_blocks), blocks_turn ? rotations() : translations()};
+  if (analysis == Analysis::load_factor &&
+      load_factor.factor() == LoadFactorParameters::Factor::all_loads)
+  {
+    given.live_loads.add(1., given.loads);
+    given.loads = {};
+    given.loads.traction.resize(given.packing.boundary_edges().size());
+  }
+  return given;
+}
+
+Scene Simulation::scene_of(Given given) const
+{
+  Scene scene(std::move(given.packing), std::move(given.strengths.of_interface),
+              std::move(given.loads),
+              blocks_turn ? rotations() : translations());
+  scene.coefficient = std::move(given.strengths.coefficient);
+  return scene;
+}
+
+void Simulation::find_factor(ResultDirectory &files,
+                             const Given &given,
+                             const Scene &dead,
+                             const dealii::ParameterHandler &prm)
+{
+  timer.enter_subsection("statics");
+  terminal.begin("Statics");
+  Given with_live = given;
+  with_live.loads = given.live_loads;
+  const Scene live = scene_of(std::move(with_live));
+  if (!live.is_loaded())
+    throw InputError("'Analysis' is 'load factor', and there are no loads to "
+                     "be multiplied: 'Live loads' gives them, or 'Loads' with "
+                     "'Load factor/Factor = all loads'.");
+  LoadFactorAnswer answer = find_load_factor(
+      dead, live, load_factor.controls(solver.controls()), terminal);
+  timer.leave_subsection();
+  if (!answer.factor)
+    write(files,
+          Collapse(record_of(dead), prove(dead, std::move(answer.collapse))),
+          prm);
+
+  LoadFactor &factor = *answer.factor;
+  Given at_factor = given;
+  at_factor.loads.add(factor.carried, given.live_loads);
+  const Scene scene = scene_of(std::move(at_factor));
+  RunRecord record = record_of(scene);
+  record.formulation = "load factor";
+  record.selection = "one of the states that carry the loads at the factor";
+  record.outcome = factor.stop.words();
+  record.n_iterations = record.n_evaluations = factor.n_iterations;
+  terminal.stage("Statics", text("load factor: ", record.outcome, " after ",
+                                 counted(record.n_iterations, "iteration")));
+  Carried found;
+  found.forces = std::move(factor.forces);
+  found.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
+  Answer state = judge(scene, std::move(found), record,
+                       solver.controls().tolerance, timer, terminal);
+  if (auto *const carried = std::get_if<Carried>(&state))
+  {
+    Results results(record, std::move(*carried));
+    results.load_factor = std::move(factor);
+    write(files, std::move(results), prm);
+  }
+  else
+    throw SolverError("The state found at the load factor does not carry its "
+                      "loads; loosen 'Solver/Tolerance of the load factor'.");
 }
 
 Carried Simulation::read_forces(EarlierRun &earlier,
@@ -244,8 +340,12 @@ void Simulation::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
+    if (results.load_factor && results.load_factor->has_mechanism())
+      grids.push_back(mechanism_vtu);
     write_collection(files, grids);
   }
+  if (results.load_factor && results.load_factor->has_mechanism())
+    write_mechanism(files, critical_mechanism(results));
   publish(files, results, prm);
   show_summary(terminal, results);
 }
@@ -302,26 +402,34 @@ void Simulation::write(ResultDirectory &files,
 {
   timer.enter_subsection("output");
   terminal.begin("Output");
-  const auto add = [&](const std::string &name, const auto &writer) {
-    files.write(name, [&](std::ostream &out) { writer(out, collapse); });
-  };
+  write_mechanism(files, collapse);
   std::vector<std::string> to_look_at;
   if (writes(ResultFiles::vtu))
   {
-    add(mechanism_vtu, write_mechanism_vtu);
     write_collection(files, {mechanism_vtu});
     to_look_at.push_back(results_pvd);
   }
   if (writes(ResultFiles::csv))
-  {
-    add(mechanism_csv, write_mechanism_csv);
-    add(mechanism_joints_csv, write_mechanism_joints_csv);
     to_look_at.push_back(mechanism_joints_csv);
-  }
   publish(files, collapse, prm);
   terminal.status(Status{Status::Kind::collapse, 0.}.word(), false);
   throw LoadNotCarried(
       message_of(collapse, boost::algorithm::join(to_look_at, " and ")));
+}
+
+void Simulation::write_mechanism(ResultDirectory &files,
+                                 const Collapse &collapse) const
+{
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name, [&](std::ostream &out) { writer(out, collapse); });
+  };
+  if (writes(ResultFiles::vtu))
+    add(mechanism_vtu, write_mechanism_vtu);
+  if (writes(ResultFiles::csv))
+  {
+    add(mechanism_csv, write_mechanism_csv);
+    add(mechanism_joints_csv, write_mechanism_joints_csv);
+  }
 }
 
 template <typename Found>

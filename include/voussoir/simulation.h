@@ -9,6 +9,7 @@
 #include <voussoir/scene/friction.h>
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/supports.h>
+#include <voussoir/statics/load_factor_parameters.h>
 #include <voussoir/statics/solver_parameters.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
@@ -69,7 +70,23 @@ private:
    */
   Carried
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
-  Scene make_scene(const std::filesystem::path &directory) const;
+  /** A packing with what its interfaces carry, and the loads on it. */
+  struct Given
+  {
+    Packing packing;
+    Strengths strengths;
+    Loads loads;
+    /** Without any unless a factor is looked for. */
+    Loads live_loads;
+  };
+  Given read(const std::filesystem::path &directory) const;
+  Scene scene_of(Given given) const;
+  RunRecord record_of(const Scene &scene) const;
+  /** Look for a factor instead of a state, and write what is found. */
+  void find_factor(ResultDirectory &files,
+                   const Given &given,
+                   const Scene &dead,
+                   const dealii::ParameterHandler &prm);
   /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
   /**
@@ -91,6 +108,7 @@ private:
   [[noreturn]] void write(ResultDirectory &files,
                           Collapse collapse,
                           const dealii::ParameterHandler &prm);
+  void write_mechanism(ResultDirectory &files, const Collapse &collapse) const;
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,
@@ -105,12 +123,21 @@ private:
   /** Of results of which the forces are used; empty to solve. */
   std::string forces_from;
   bool blocks_turn = false;
+  /** What is asked of a scene. */
+  enum class Analysis
+  {
+    state,
+    load_factor
+  };
+  Analysis analysis = Analysis::state;
   unsigned int verbosity = 1;
   ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;
   PackingParameters packing;
   SupportParameters supports;
   LoadParameters loads;
+  LoadParameters live_loads = LoadParameters("Live loads");
+  LoadFactorParameters load_factor;
   FrictionParameters friction;
   SolverParameters solver;
   StressParameters stress;

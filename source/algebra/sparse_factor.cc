@@ -13,6 +13,9 @@ using Joint = Structure::Joint;
 
 namespace
 {
+/** What holds an unknown that nothing holds, over what holds others most. */
+constexpr double next_to_nothing = 1e-30;
+
 /** The result of CHOLMOD; throws std::bad_alloc if it is null. */
 template <typename T>
 T *check(T *result)
@@ -25,9 +28,11 @@ T *check(T *result)
 
 SparseFactor::SparseFactor(const JointBlocks &blocks,
                            const unsigned int n_bodies,
-                           const std::vector<unsigned int> &last)
+                           const std::vector<unsigned int> &last,
+                           const std::vector<bool> &held)
     : blocks(blocks), structure(blocks.of()), n_bodies(n_bodies), last(last),
-      common(std::make_unique<cholmod_common>()), addition(last.size())
+      held(held), common(std::make_unique<cholmod_common>()),
+      addition(last.size())
 {
   cholmod_start(common.get());
   common->print = 0; // failures are reported by their status
@@ -53,15 +58,16 @@ unsigned int SparseFactor::n_last() const
 
 struct SparseFactor::Below
 {
-  Below(const std::vector<Joint> &joints, const unsigned int n_bodies)
-      : first(n_bodies + 1, 0)
+  Below(const SparseFactor &factor) : first(factor.n_bodies + 1, 0)
   {
+    const std::vector<Joint> &joints = factor.structure.joints();
+    const unsigned int n_bodies = factor.n_bodies;
     const auto for_all = [&](const auto &visit) {
       for (unsigned int e = 0; e < joints.size(); ++e)
       {
         const auto [low, high] =
             std::minmax(joints[e].cell_minus, joints[e].cell_plus);
-        if (high < n_bodies)
+        if (high < n_bodies && !factor.is_held(low) && !factor.is_held(high))
           visit(low, high, e);
       }
     };
@@ -92,7 +98,7 @@ struct SparseFactor::Below
  */
 void SparseFactor::make_pattern()
 {
-  const Below below(structure.joints(), n_bodies);
+  const Below below(*this);
   const unsigned int n = blocks.n();
   const std::size_t n_entries =
       std::size_t(n_bodies) * n * (n + 1) / 2 + below.joint.size() * n * n;
@@ -127,7 +133,8 @@ void SparseFactor::make_pattern()
 }
 
 void SparseFactor::fill(const std::vector<double> &coefficients,
-                        const double shift)
+                        const double shift,
+                        const double relative_shift)
 {
   const unsigned int n = blocks.n();
   double *values = static_cast<double *>(matrix->x);
@@ -142,19 +149,25 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
     if (minus >= n_bodies || plus >= n_bodies)
       continue;
     blocks.find(e, coefficients.data(), of);
+    const bool couples = !is_held(minus) && !is_held(plus);
     // The block is stored in the columns of the lower body.
     const bool transposed = plus < minus;
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
       {
-        values[of_joint[n * e + j] + i] +=
-            of.mixed[transposed ? j * n + i : i * n + j];
+        if (couples)
+          values[of_joint[n * e + j] + i] +=
+              of.mixed[transposed ? j * n + i : i * n + j];
         if (i < j)
           continue;
-        values[of_body[n * minus + j] + i - j] += of.minus[i * n + j];
-        values[of_body[n * plus + j] + i - j] += of.plus[i * n + j];
+        if (!is_held(minus))
+          values[of_body[n * minus + j] + i - j] += of.minus[i * n + j];
+        if (!is_held(plus))
+          values[of_body[n * plus + j] + i - j] += of.plus[i * n + j];
       }
   }
+  if (!held.empty() || relative_shift > 0.)
+    hold_bodies(relative_shift);
   for (unsigned int k = 0; k < last.size(); ++k)
   {
     addition[k] = 0.;
@@ -164,6 +177,23 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
       addition[k] = 1.;
     for (unsigned int j = 0; j < n; ++j)
       values[of_body[n * last[k] + j]] += addition[k];
+  }
+}
+
+/** Where nothing holds an unknown, next to nothing does. */
+void SparseFactor::hold_bodies(const double relative_shift)
+{
+  double *values = static_cast<double *>(matrix->x);
+  const unsigned int n = blocks.n();
+  double largest = 0.;
+  for (const int k : of_body)
+    largest = std::max(largest, values[k]);
+  for (unsigned int k = 0; k < of_body.size(); ++k)
+  {
+    double &diagonal = values[of_body[k]];
+    diagonal = is_held(k / n) ? 1.
+                              : diagonal * (1. + relative_shift) +
+                                    next_to_nothing * largest;
   }
 }
 
@@ -189,9 +219,10 @@ void SparseFactor::analyse()
 }
 
 bool SparseFactor::factorise(const std::vector<double> &coefficients,
-                             const double shift)
+                             const double shift,
+                             const double relative_shift)
 {
-  fill(coefficients, shift);
+  fill(coefficients, shift, relative_shift);
   if (factor == nullptr)
     analyse();
   cholmod_factorize(matrix, factor, common.get());

@@ -13,6 +13,7 @@ Structure::Structure(const Kinematics &kinematics, const FrictionLaw &friction)
     : unknowns_per_body(kinematics.n_unknowns()),
       rows_per_joint(kinematics.n_rows())
 {
+  Assert(rows_per_joint <= most_rows, dealii::ExcInternalError());
   own.kinematics = &kinematics;
   own.friction = &friction;
 }
@@ -51,8 +52,7 @@ void Structure::Joints::add(const Joint &joint,
 
 void Structure::add_joint(const Joint &joint, const JointFrame &frame)
 {
-  std::array<ContactRow, 3> rows;
-  Assert(rows_per_joint <= rows.size(), dealii::ExcInternalError());
+  std::array<ContactRow, most_rows> rows;
   own.kinematics->find_rows(frame, rows.data());
   own.joints.add(joint, rows.data(), rows_per_joint, unknowns_per_body > 2);
 }
@@ -86,7 +86,7 @@ void Structure::add_jump_gradients(const double factor,
                                    const std::vector<double> &f,
                                    std::vector<double> &gradient) const
 {
-  std::array<double, 3> of_joint;
+  std::array<double, most_rows> of_joint;
   for (std::size_t e = 0, k = 0; e < joints().size(); ++e)
   {
     for (unsigned int r = 0; r < rows_per_joint; ++r, ++k)

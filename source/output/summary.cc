@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <cmath>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -83,6 +84,24 @@ Json ground_summary(const Results &results)
           {"supports", supports}};
 }
 
+/** The number, or null, which stands for what is not finite. */
+Json finite(const double x)
+{
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+/** The load factor between its proofs. */
+Json summary_of_factor(const LoadFactor &factor)
+{
+  Json json = {{"carried", factor.carried},
+               {"bound", finite(factor.bound)},
+               {"width", finite(factor.width())},
+               {"unbounded", factor.is_unbounded}};
+  if (factor.has_mechanism())
+    json["closing_violation"] = factor.proof.closing_violation;
+  return json;
+}
+
 /** Add what stands last, and write. */
 void write(std::ostream &out, Json summary, const RunRecord &run)
 {
@@ -100,6 +119,19 @@ void write(std::ostream &out, Json summary, const RunRecord &run)
        text(DEAL_II_TRILINOS_VERSION_MAJOR, ".", DEAL_II_TRILINOS_VERSION_MINOR,
             ".", DEAL_II_TRILINOS_VERSION_SUBMINOR)}};
   out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+std::string description_of(const LoadFactor &factor)
+{
+  if (factor.is_unbounded)
+    return text(text_to_copy(factor.carried),
+                " is carried, and so is any beyond it: the live loads balance "
+                "by pressure alone");
+  if (!std::isfinite(factor.bound))
+    return text_to_copy(factor.carried) +
+           " is carried; no mechanism was found that bounds it";
+  return text(text_to_copy(factor.carried), " is carried, ",
+              text_to_copy(factor.bound), " collapses; they differ by ",
+              factor.width(), " of it");
 }
 } // namespace
 
@@ -119,6 +151,8 @@ void write_summary_json(std::ostream &out, const Results &results)
   if (!certificate.unbalanced.empty() &&
       results.status.kind != Status::Kind::solved)
     summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
+  if (results.load_factor)
+    summary["load_factor"] = summary_of_factor(*results.load_factor);
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   if (!results.never_pressed.empty())
@@ -167,6 +201,8 @@ void show_summary(Terminal &terminal, const Results &results)
                                results.forces.normal[e] / interfaces[e].length);
 
   terminal.status(results.status.description(), true);
+  if (results.load_factor)
+    terminal.summary("Load factor", description_of(*results.load_factor));
   terminal.summary("Selection", results.selection);
   if (!results.earlier_outcome.empty())
     terminal.summary("Forces", results.outcome);

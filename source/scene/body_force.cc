@@ -140,6 +140,19 @@ void BodyForce::add(const Packing &packing,
   }
 }
 
+void BodyForce::add(const double factor, const BodyForce &other)
+{
+  if (empty())
+  {
+    on_sub_cell.resize(other.on_sub_cell.size());
+    moment_of_cell.resize(other.moment_of_cell.size());
+  }
+  for (std::size_t i = 0; i < other.on_sub_cell.size(); ++i)
+    on_sub_cell[i] += factor * other.on_sub_cell[i];
+  for (std::size_t c = 0; c < other.moment_of_cell.size(); ++c)
+    moment_of_cell[c] += factor * other.moment_of_cell[c];
+}
+
 /** That of the force torque / I R(pi/2) (x - x_c), I the polar moment. */
 void BodyForce::add_torque(const Packing &packing,
                            const unsigned int cell,

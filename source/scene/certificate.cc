@@ -71,13 +71,13 @@ double violation(const Scene &scene,
                  const InterfaceForces &forces,
                  const unsigned int e)
 {
-  const double length = scene.packing.interfaces()[e].length;
   double tension = forces.normal[e];
   if (!forces.at_ends.empty())
     tension = std::max(forces.at_ends[e][0], forces.at_ends[e][1]);
+  const double compression = std::max(-forces.normal[e], 0.);
   return std::max(
       {0., tension,
-       std::abs(forces.tangential[e]) - scene.strength[e] * length});
+       std::abs(forces.tangential[e]) - scene.shear_strength(e, compression)});
 }
 
 /**
@@ -224,54 +224,105 @@ bool proves_collapse(const MechanismCertificate &certificate)
          certificate.share_of_closing < largest_share;
 }
 
-MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
+namespace
 {
-  double largest = 0., closing = 0., work = 0., dissipation = 0.;
-  double largest_load = 0., all_closings = 0.;
-  const Packing &packing = scene.packing;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+/** What a motion does to a scene, added up. */
+struct WorkOfMotion
+{
+  /** The largest displacement of a cell or of an end of a joint with it. */
+  double largest = 0.;
+  /** The largest closing of a joint, and the sum over the joints. */
+  double closing = 0., all_closings = 0.;
+  double dissipation = 0.;
+};
+
+double work_of_loads(const Scene &scene, const Motion &motion)
+{
+  double work = 0.;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
   {
-    largest = std::max(largest, motion.displacement[c].norm());
     work += scene.load[c] * motion.displacement[c];
     if (!motion.rotation.empty())
       work += scene.load_torque[c] * motion.rotation[c];
-    largest_load = std::max(largest_load, scene.load[c].norm());
   }
+  return work;
+}
+
+double largest_load(const Scene &scene)
+{
+  double largest = 0.;
+  for (const Tensor<1, 2> &load : scene.load)
+    largest = std::max(largest, load.norm());
+  return largest;
+}
+
+WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
+{
+  WorkOfMotion of;
+  const Packing &packing = scene.packing;
+  for (const Tensor<1, 2> &u : motion.displacement)
+    of.largest = std::max(of.largest, u.norm());
   const auto displacement = [&](const unsigned int c,
                                 const dealii::Point<2> &x) {
     Tensor<1, 2> u; // the ground does not move
     if (c != packing.ground())
       u = motion.at(c, x - packing.centre(c));
-    largest = std::max(largest, u.norm());
+    of.largest = std::max(of.largest, u.norm());
     return u;
   };
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
-    double of_joint = 0., sliding = 0.;
+    double least_opening = std::numeric_limits<double>::infinity();
+    double sliding = 0.;
     for (const dealii::Point<2> &x : {i.start, i.end})
     {
       const Tensor<1, 2> jump =
           displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
-      of_joint = std::max(of_joint, -(jump * i.normal));
-      sliding += 0.5 * (jump * i.tangent());
+      least_opening = std::min(least_opening, jump * i.normal);
+      sliding += 0.5 * std::abs(jump * i.tangent());
     }
-    closing = std::max(closing, of_joint);
-    all_closings += of_joint;
-    dissipation += scene.strength[e] * i.length * std::abs(sliding);
+    // With Coulomb's friction, associated, sliding lifts the joint.
+    if (!scene.coefficient.empty())
+      least_opening -= scene.coefficient[e] * sliding;
+    const double of_joint = std::max(0., -least_opening);
+    of.closing = std::max(of.closing, of_joint);
+    of.all_closings += of_joint;
+    of.dissipation += scene.strength[e] * i.length * sliding;
   }
+  return of;
+}
+} // namespace
 
+MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
+{
+  const WorkOfMotion of = work_in_joints(scene, motion);
+  const double work = work_of_loads(scene, motion);
   MechanismCertificate certificate;
-  if (largest > 0.)
-    certificate.closing_violation = closing / largest;
+  if (of.largest > 0.)
+    certificate.closing_violation = of.closing / of.largest;
   if (work > 0.)
     certificate.work_over_dissipation =
-        dissipation > 0. ? work / dissipation
-                         : std::numeric_limits<double>::infinity();
-  if (all_closings > 0.)
+        of.dissipation > 0. ? work / of.dissipation
+                            : std::numeric_limits<double>::infinity();
+  if (of.all_closings > 0.)
     certificate.share_of_closing =
-        work > dissipation ? all_closings * largest_load / (work - dissipation)
-                           : std::numeric_limits<double>::infinity();
+        work > of.dissipation
+            ? of.all_closings * largest_load(scene) / (work - of.dissipation)
+            : std::numeric_limits<double>::infinity();
   return certificate;
+}
+
+FactorBound
+bound_of_factor(const Scene &dead, const Scene &live, const Motion &motion)
+{
+  const WorkOfMotion of = work_in_joints(dead, motion);
+  FactorBound bound;
+  bound.live_work = work_of_loads(live, motion);
+  bound.factor =
+      (of.dissipation - work_of_loads(dead, motion)) / bound.live_work;
+  if (of.largest > 0.)
+    bound.closing_violation = of.closing / of.largest;
+  return bound;
 }
 } // namespace Voussoir

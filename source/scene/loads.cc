@@ -136,10 +136,28 @@ double torque_at(const Packing &packing,
 }
 } // namespace
 
+void Loads::add(const double factor, const Loads &other)
+{
+  for (std::size_t b = 0; b < traction.size(); ++b)
+    traction[b] += factor * other.traction[b];
+  if (traction_moment.empty())
+    traction_moment.resize(other.traction_moment.size());
+  for (std::size_t b = 0; b < other.traction_moment.size(); ++b)
+    traction_moment[b] += factor * other.traction_moment[b];
+  body.add(factor, other.body);
+  for (CellForce force : other.on_cells)
+  {
+    force.force *= factor;
+    force.torque *= factor;
+    on_cells.push_back(std::move(force));
+  }
+  warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
+}
+
 void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  prm.enter_subsection("Loads");
+  prm.enter_subsection(section);
   add_choice<Kind>(prm, "Boundary load", kind,
                    {{Kind::traction, "traction",
                      "the expressions in 'Traction'.", "Traction"},
@@ -203,13 +221,13 @@ LoadParameters::tractions(const Packing &packing,
   const std::vector<bool> chosen =
       loaded_where == "1"
           ? std::vector<bool>(n_edges, true)
-          : boundary_edges_where(packing, loaded_where, "Loads/Where");
+          : boundary_edges_where(packing, loaded_where, section + "/Where");
   EdgeTractions tractions(n_edges);
   if (kind == Kind::traction)
     add_traction_of_expression(packing, chosen, tractions, warnings);
   else
     add_uniform_stress(packing, chosen, tractions);
-  const std::string parameter = "Loads/Segment tractions";
+  const std::string parameter = section + "/Segment tractions";
   for (const SegmentTraction &segment :
        segment_tractions_of_text(on_segments, parameter))
     add_segment_traction(packing, segment, parameter, tractions);
@@ -222,7 +240,7 @@ void LoadParameters::add_traction_of_expression(
     EdgeTractions &tractions,
     std::vector<std::string> &warnings) const
 {
-  const std::string parameter = "Loads/Traction";
+  const std::string parameter = section + "/Traction";
   const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
   Jumps jumps[2] = {{{g.formula(0)}, {0., 0.}}, {{g.formula(1)}, {0., 0.}}};
   Inaccuracies inaccuracies(parameter);
@@ -263,7 +281,7 @@ void LoadParameters::add_uniform_stress(const Packing &packing,
   Tensor<2, 2> S;
   dealii::Patterns::Tools::to_value(stress, S);
   if (S[0][1] != S[1][0] || !std::isfinite(S.norm()))
-    throw InputError("'Loads/Stress' = '" + stress +
+    throw InputError("'" + section + "/Stress' = '" + stress +
                      "' must be finite and symmetric: S_xy = S_yx.");
   for (unsigned int b = 0; b < chosen.size(); ++b)
     if (chosen[b])
@@ -273,7 +291,7 @@ void LoadParameters::add_uniform_stress(const Packing &packing,
 BodyForce LoadParameters::body_force(const Packing &packing,
                                      std::vector<std::string> &warnings) const
 {
-  const std::string parameter = "Loads/Body force";
+  const std::string parameter = section + "/Body force";
   const VectorExpression b(body, {"x", "y"}, parameter);
   if (b.is_zero())
     return {};
@@ -302,7 +320,7 @@ BodyForce LoadParameters::body_force(const Packing &packing,
 std::vector<CellForce>
 LoadParameters::forces_on_cells(const Packing &packing) const
 {
-  const std::string parameter = "Loads/Cell forces";
+  const std::string parameter = section + "/Cell forces";
   std::vector<CellForce> forces;
   for (const auto &[name, value] : split_named_list(cell_forces, parameter))
   {

@@ -236,8 +236,8 @@ double utilisation(const Scene &scene,
                    const InterfaceForces &forces,
                    const unsigned int e)
 {
-  return scene.friction->utilisation(scene.strength[e] *
-                                         scene.packing.interfaces()[e].length,
+  const double compression = std::max(-forces.normal[e], 0.);
+  return scene.friction->utilisation(scene.shear_strength(e, compression),
                                      forces.normal[e], forces.tangential[e]);
 }
 

@@ -34,12 +34,8 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
     {
       body[c] = own.centres.size();
       own.centres.push_back((packing.centre(c) - centroid) / length_unit);
-      const Tensor<1, 2> load = scene.load[c] / (stress_unit * length_unit);
-      own.loads.insert(own.loads.end(), {load[0], load[1]});
-      if (scene.turns())
-        own.loads.push_back(scene.load_torque[c] /
-                            (stress_unit * length_unit * length_unit));
       own.loads.resize(n_unknowns() * own.centres.size());
+      find_load(scene, c, &own.loads[dof(body[c], 0)]);
     }
   n_moving_cells = own.centres.size();
   for (unsigned int c = 0; c <= packing.n_cells(); ++c)
@@ -65,6 +61,18 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
     groups.union_set(joint.cell_minus, joint.cell_plus);
   group = lowest_in_sets(groups, n_bodies());
   balance_loads();
+}
+
+/** Find the load on a cell, n_unknowns() numbers. */
+void DiscreteProblem::find_load(const Scene &scene,
+                                const unsigned int cell,
+                                double *load) const
+{
+  const double force_unit = stress_unit * length_unit;
+  for (unsigned int i = 0; i < 2; ++i)
+    load[i] = scene.load[cell][i] / force_unit;
+  if (scene.turns())
+    load[2] = scene.load_torque[cell] / (force_unit * length_unit);
 }
 
 /** Joints with the ground have it as c+; those within it are none. */
@@ -101,7 +109,8 @@ void DiscreteProblem::add_interface(const Scene &scene,
   }
   const double length = i.length / length_unit;
   add_joint({minus, plus, length, scene.packing.distance(i) / length_unit,
-             scene.strength[interface] / stress_unit * length},
+             scene.strength[interface] / stress_unit * length,
+             scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
             frame);
 }
 
@@ -236,6 +245,14 @@ DiscreteProblem::with_strengths_up_to(const double strength) const
   for (Joint &joint : problem.own.joints.list)
     joint.strength = std::min(joint.strength, strength * joint.length);
   return problem;
+}
+
+std::vector<double> DiscreteProblem::loads_of(const Scene &scene) const
+{
+  std::vector<double> loads(n_dofs());
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    find_load(scene, c, &loads[dof(c, 0)]);
+  return loads;
 }
 
 DiscreteProblem DiscreteProblem::without_loads() const

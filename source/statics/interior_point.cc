@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/statics/interior_point.h>
 
@@ -13,11 +14,11 @@ using Joint = Structure::Joint;
 namespace
 {
 /**
- * The products at the start, over their weights. Near the limit of the load
- * displacements are far from there: by a hundred times less the method takes
- * half as many steps again, by a hundred times more a few less (measured).
+ * The products at the start, over their weights, of `near_least_cost`: near the
+ * limit of the load displacements are far from the start, and with one it takes
+ * half as many steps again (measured).
  */
-constexpr double first_product = 10.;
+constexpr double first_product_of_approach = 10.;
 /** The part of the way to the end of its domain that a step may take. */
 constexpr double fraction_to_boundary = 0.99;
 /** The least factor by which a step aims to multiply the products. */
@@ -38,22 +39,6 @@ constexpr double largest_shift = 1e-6;
 
 /** The part of a step below which rounding dominates. */
 constexpr double shortest_step = 1e-6;
-
-double largest_component(const std::vector<double> &v)
-{
-  double largest = 0.;
-  for (const double component : v)
-    largest = std::max(largest, std::abs(component));
-  return largest;
-}
-
-double dot(const std::vector<double> &a, const std::vector<double> &b)
-{
-  long double sum = 0.;
-  for (unsigned int i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return static_cast<double>(sum);
-}
 } // namespace
 
 InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
@@ -63,6 +48,8 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
       n_contacts(problem.n_contacts()), displacement(problem.n_dofs(), 0.),
       alpha(aim == Aim::load_factor ? 0. : 1.), stiffness(problem.n_all_rows())
 {
+  const double first_product =
+      aim == Aim::near_least_cost ? first_product_of_approach : 1.;
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
     // All products start from the same times their weights, with a pressure of
@@ -98,18 +85,25 @@ bool InteriorPoint::step()
   const Parts parts = longest(predictor, 1.);
   const double rest = 1. - std::min(parts.of_forces, parts.of_displacements);
   const double centring = std::max(rest * rest * rest, least_centring);
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    contacts[k].second_order =
-        predictor.contacts[k].p * predictor.contacts[k].z;
-  for (unsigned int e = 0; e < states.size(); ++e)
-    if (states[e].friction.exists())
-      states[e].friction.correct_for(predictor.frictions[e]);
+  if (aim == Aim::near_least_cost)
+    correct_for(predictor);
   const Step corrector = direction(centring * mean);
   const Parts possible = longest(corrector, fraction_to_boundary);
   if (!(std::max(possible.of_forces, possible.of_displacements) >
         shortest_step))
     return false;
   return take(corrector, possible);
+}
+
+/** Let the next step make up for what the linearisation leaves out. */
+void InteriorPoint::correct_for(const Step &predictor)
+{
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    contacts[k].second_order =
+        predictor.contacts[k].p * predictor.contacts[k].z;
+  for (unsigned int e = 0; e < states.size(); ++e)
+    if (states[e].friction.exists())
+      states[e].friction.correct_for(predictor.frictions[e]);
 }
 
 /** The forces that are missing to the balance of each body. */
@@ -300,7 +294,7 @@ InteriorPoint::Parts InteriorPoint::longest(const Step &step,
           of_displacements, friction.longest_of_sliding(step.frictions[e]));
     }
   // A compliance ties displacements to forces.
-  if (aim == Aim::least_cost)
+  if (aim != Aim::load_factor)
     of_forces = of_displacements = std::min(of_forces, of_displacements);
   return {fraction * of_forces, fraction * of_displacements};
 }

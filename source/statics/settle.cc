@@ -68,7 +68,7 @@ std::vector<double> approach_minimum(const DiscreteProblem &problem,
                                      unsigned int &n_iterations,
                                      Terminal &terminal)
 {
-  InteriorPoint point(problem, costs, InteriorPoint::Aim::least_cost);
+  InteriorPoint point(problem, costs, InteriorPoint::Aim::near_least_cost);
   const auto is_near = [&]() {
     return point.imbalance() <= tolerance &&
            point.product() <= product_of_approach;

@@ -35,6 +35,10 @@ void SolverParameters::add_parameters(dealii::ParameterHandler &prm)
                     "square root of the number of cells. Hard contact stops at "
                     "a hundredth of its 'Barrier parameter', if that is less.",
                     Double(1e-14, 1e-2));
+  prm.add_parameter("Tolerance of the load factor", common.tolerance_of_factor,
+                    "The largest distance of the two bounds of a load factor "
+                    "to stop at, over the larger of them.",
+                    Double(1e-15, 1.));
   prm.add_parameter("Maximum iterations", common.n_max_iterations,
                     "Give up after so many iterations. A search for a proof of "
                     "collapse that follows has as many of its own.",

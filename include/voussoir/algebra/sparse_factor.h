@@ -31,11 +31,14 @@ public:
    * @param blocks of the matrix.
    * @param n_bodies the number of bodies that count; not fewer than are own.
    * @param last bodies to be eliminated after all others, ascending.
+   * @param held true for bodies whose unknowns are zero; empty if there are
+   *   none.
    * @throws std::bad_alloc if there is not enough memory.
    */
   SparseFactor(const JointBlocks &blocks,
                unsigned int n_bodies,
-               const std::vector<unsigned int> &last = {});
+               const std::vector<unsigned int> &last = {},
+               const std::vector<bool> &held = {});
   ~SparseFactor();
   SparseFactor(const SparseFactor &) = delete;
   SparseFactor &operator=(const SparseFactor &) = delete;
@@ -45,11 +48,17 @@ public:
    * diagonal of each of the last bodies its largest entry is added, so that
    * there are factors whatever else holds these bodies; see added().
    *
+   * @param coefficients of all rows of all joints.
+   * @param shift added to the diagonal.
+   * @param relative_shift multiplies each entry of the diagonal by one more
+   *   than it.
    * @return false if the matrix is not positive definite.
    * @throws std::bad_alloc if there is not enough memory, and where CHOLMOD's
    *   integers are too small.
    */
-  bool factorise(const std::vector<double> &coefficients, double shift);
+  bool factorise(const std::vector<double> &coefficients,
+                 double shift,
+                 double relative_shift = 0.);
 
   /** The number of unknowns: JointBlocks::n() times n_bodies. */
   unsigned int n() const;
@@ -89,7 +98,14 @@ private:
   /** The joints below each body: those to bodies of higher numbers. */
   struct Below;
   void make_pattern();
-  void fill(const std::vector<double> &coefficients, double shift);
+  bool is_held(const unsigned int body) const
+  {
+    return !held.empty() && held[body];
+  }
+  void fill(const std::vector<double> &coefficients,
+            double shift,
+            double relative_shift);
+  void hold_bodies(double relative_shift);
   void analyse();
   void extract_last_block();
   std::vector<double> solve(std::initializer_list<int> systems,
@@ -100,6 +116,7 @@ private:
   const Structure &structure;
   const unsigned int n_bodies;
   const std::vector<unsigned int> last;
+  const std::vector<bool> held;
   std::unique_ptr<cholmod_common_struct> common;
   cholmod_sparse_struct *matrix = nullptr;
   cholmod_factor_struct *factor = nullptr;

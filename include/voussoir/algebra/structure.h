@@ -30,6 +30,9 @@ namespace Voussoir
 class Structure
 {
 public:
+  /** The largest number of rows of a joint. */
+  static constexpr unsigned int most_rows = 5;
+
   /** An interface e; nondimensional. */
   struct Joint
   {
@@ -41,8 +44,11 @@ public:
     double length;
     /** d_e, which is positive; see Packing::distance(). */
     double distance;
-    /** s_e |e|, the strength; see FrictionLaw. */
+    /** s_e |e|, the strength; see FrictionLaw. With Coulomb's friction c_e |e|.
+     */
     double strength;
+    /** mu_e, which Coulomb's friction adds times the compression. */
+    double coefficient = 0.;
     /** k_e = |e| / d_e, of a joint with modulus one. */
     double stiffness() const { return length / distance; }
   };

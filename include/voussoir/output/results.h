@@ -5,9 +5,11 @@
 #include <voussoir/scene/reactions.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/statics/analysis.h>
+#include <voussoir/statics/load_factor.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +51,8 @@ struct Results : RunRecord, Carried
   std::vector<dealii::Tensor<2, 2>> mean_stresses;
   /** In the sub-cells of each cell; empty if not asked for. */
   StressField stress;
+  /** The factor at which the forces are, if one was looked for. */
+  std::optional<LoadFactor> load_factor;
 };
 
 /** All that a run found whose load is not carried, in the user's units. */
@@ -59,6 +63,15 @@ struct Collapse : RunRecord, NotCarried
       : RunRecord(std::move(run)), NotCarried(std::move(found))
   {}
 };
+
+/** The mechanism that bounds the load factor of @p results. */
+inline Collapse critical_mechanism(const Results &results)
+{
+  const Motion &motion = results.load_factor->mechanism;
+  return {results,
+          {motion, certify_mechanism(results.scene, motion),
+           load_parts(results.scene, motion)}};
+}
 } // namespace Voussoir
 
 #endif

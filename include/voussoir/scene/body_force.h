@@ -49,6 +49,9 @@ public:
            const dealii::Tensor<1, 2> &f,
            double torque = 0.);
 
+  /** Add @p factor times another body force on the same packing. */
+  void add(double factor, const BodyForce &other);
+
   /** True if there is none, and none was added. */
   bool empty() const { return on_sub_cell.empty(); }
 

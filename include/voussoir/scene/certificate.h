@@ -113,6 +113,29 @@ bool proves_collapse(const MechanismCertificate &certificate);
 /** Judge a motion of the cells, of any size and unit. */
 MechanismCertificate certify_mechanism(const Scene &scene,
                                        const Motion &motion);
+
+/** What a motion proves of the factor of the live loads. */
+struct FactorBound
+{
+  /**
+   * No factor above it is carried if the live loads do work, and none below it
+   * if they take work: the dissipation of friction less the work of the dead
+   * loads, over that of the live loads.
+   */
+  double factor = 0.;
+  /** The work of the live loads; S L times the unit of the motion. */
+  double live_work = 0.;
+  /** MechanismCertificate::closing_violation. */
+  double closing_violation = 0.;
+};
+
+/**
+ * Bound the factor of the loads of @p live beside those of @p dead, a scene
+ * with the same packing, by a motion of any size and unit: the kinematic
+ * theorem of limit analysis.
+ */
+FactorBound
+bound_of_factor(const Scene &dead, const Scene &live, const Motion &motion);
 } // namespace Voussoir
 
 #endif

@@ -16,20 +16,32 @@ struct Strengths
 {
   /**
    * s_e of each, in the order of Packing::interfaces(): the mean of s_T over
-   * the interface, not negative; S.
+   * the interface, not negative; S. With Coulomb's friction c_e, the mean of
+   * the cohesion.
    */
   std::vector<double> of_interface;
+  /** mu_e of each, the mean of mu over the interface; empty for Tresca. */
+  std::vector<double> coefficient = {};
   /** Warnings to the user on means that are not exact. */
   std::vector<std::string> warnings;
 };
 
 /**
- * The section `Friction`: the Tresca strength s_T of the interfaces, those to
- * the ground among them.
+ * The section `Friction`: the law of friction of the interfaces, those to the
+ * ground among them, and its parameters.
  */
 class FrictionParameters
 {
 public:
+  /** The law that bounds |f_e^t|. */
+  enum class Law
+  {
+    /** s_e |e|. */
+    tresca,
+    /** c_e |e| - mu_e f_e^n, where joints open by mu_e times the sliding. */
+    associated_coulomb
+  };
+
   /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
@@ -44,8 +56,10 @@ public:
   Strengths strengths(const Packing &packing) const;
 
 private:
-  std::string strength = "1";
-  std::string pair_strengths;
+  Law law = Law::tresca;
+  std::string strength = "1", pair_strengths;
+  std::string coefficient = "0.6", pair_coefficients;
+  std::string cohesion = "0", pair_cohesions;
 };
 } // namespace Voussoir
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -39,12 +40,20 @@ struct Loads
   std::vector<dealii::Tensor<1, 2>> traction_moment = {};
   /** Warnings to the user on integrals that are not exact. */
   std::vector<std::string> warnings = {};
+
+  /** Add @p factor times other loads on the same packing, their warnings too.*/
+  void add(double factor, const Loads &other);
 };
 
-/** The section `Loads`. */
+/** The section `Loads`, or another one of the same entries. */
 class LoadParameters
 {
 public:
+  /** @param section its name. */
+  explicit LoadParameters(std::string section = "Loads")
+      : section(std::move(section))
+  {}
+
   /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
@@ -79,6 +88,7 @@ private:
                        std::vector<std::string> &warnings) const;
   std::vector<CellForce> forces_on_cells(const Packing &packing) const;
 
+  std::string section;
   Kind kind = Kind::traction;
   std::string traction = "0; 0";
   std::string stress = "0, 0; 0, 0";

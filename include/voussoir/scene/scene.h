@@ -8,6 +8,7 @@
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/motion.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -37,12 +38,28 @@ struct Scene
 
   /** The blocks, with their supports. */
   Packing packing;
-  /** s_e of each interface, not negative; S. */
+  /** s_e of each interface, not negative; S. With Coulomb's friction c_e. */
   std::vector<double> strength;
+  /** mu_e of each interface, not negative; empty if all are zero. */
+  std::vector<double> coefficient;
   /** The forces that interfaces of a strength admit. */
   const FrictionLaw *friction = &tresca();
   /** The motions of the blocks. */
   const Kinematics *kinematics;
+  /**
+   * The largest |f_e^t| on interface @p e under the @p compression -f_e^n; S L.
+   */
+  double shear_strength(const unsigned int e, const double compression) const
+  {
+    return strength[e] * packing.interfaces()[e].length +
+           (coefficient.empty() ? 0. : coefficient[e] * compression);
+  }
+  /** True if any load acts on a cell. */
+  bool is_loaded() const
+  {
+    return std::any_of(load_size.begin(), load_size.end(),
+                       [](const double size) { return size > 0.; });
+  }
   /** True if they turn, so that moments are balanced. */
   bool turns() const { return kinematics->n_rigid_motions() > 2; }
   /** g_e on each boundary edge, tension positive; S. */

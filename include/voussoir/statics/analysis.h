@@ -94,6 +94,13 @@ Answer analyse(const Scene &scene,
                Terminal &terminal);
 
 /**
+ * Judge a motion that is to prove that the load is not carried.
+ *
+ * @throws SolverError if it proves nothing.
+ */
+NotCarried prove(const Scene &scene, Motion motion);
+
+/**
  * Judge forces, whoever found them: fill in the certificate and the status, or
  * prove the opposite.
  *

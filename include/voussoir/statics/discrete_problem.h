@@ -113,6 +113,12 @@ public:
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;
 
+  /**
+   * The loads of another scene on the same packing, in the units of this one:
+   * n_dofs() numbers, without those on the ground.
+   */
+  std::vector<double> loads_of(const Scene &scene) const;
+
   /** The unit of length, in the user's; L. */
   double length_scale() const { return length_unit; }
   /** The unit of stress, in the user's; S. One if there is no load. */
@@ -121,6 +127,7 @@ public:
   double rounding_of_coordinates() const { return coordinate_rounding; }
 
 private:
+  void find_load(const Scene &scene, unsigned int cell, double *load) const;
   void choose_scales(const Scene &scene, const std::vector<bool> &moves);
   void add_interface(const Scene &scene,
                      unsigned int interface,

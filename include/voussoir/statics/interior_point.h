@@ -52,6 +52,11 @@ public:
   {
     /** The forces that cost the least. */
     least_cost,
+    /**
+     * The same in less than half the steps, by predictor and corrector
+     * (Mehrotra), and with some digits less in the end.
+     */
+    near_least_cost,
     /** The load factor; nothing has a cost. */
     load_factor
   };
@@ -139,6 +144,7 @@ private:
   bool prepare();
   std::vector<double> solve(const std::vector<double> &right);
   Step direction(double target);
+  void correct_for(const Step &predictor);
   Parts longest(const Step &step, double fraction) const;
   bool take(const Step &step, const Parts &parts);
 

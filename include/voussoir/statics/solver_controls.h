@@ -15,6 +15,8 @@ struct SolverControls
   unsigned int n_max_iterations = 300;
   /** True if equilibrate() follows. */
   bool equilibrate = false;
+  /** The largest distance of the bounds of a factor, over the factor. */
+  double tolerance_of_factor = 1e-8;
   /**
    * The processes that can help; a formulation that cannot use them works on
    * the root alone.

@@ -105,16 +105,19 @@ without_slivers(const WallGrid &grid, const unsigned int course, Course stones)
  * with head joints where the bond has them. A brick that is cut to less than a
  * quarter of a header is joined to its neighbour, to a brick if there is one;
  * without a neighbour it is refused.
+ *
+ * @param first the course of the bond that is the lowest one.
  */
 Course lay_course(const WallGrid &grid,
                   const Bond bond,
                   const unsigned int course,
+                  const unsigned int first,
                   const std::vector<WallPart> &openings,
                   const std::vector<WallPart> &lintels)
 {
   return without_slivers(
       grid, course,
-      cut_bricks(grid, head_joints(bond, course, grid.n_stretchers()),
+      cut_bricks(grid, head_joints(bond, first + course, grid.n_stretchers()),
                  reserved_parts(course, openings, lintels)));
 }
 
@@ -188,6 +191,10 @@ void WallGenerator::add_parameters(dealii::ParameterHandler &prm)
         "stretcher and header in turn in every course; symmetric if 'Bricks "
         "per course' is 1, 4, 7, ..."}},
       "How the bricks overlap.");
+  prm.add_parameter("Begin with second course", begins_with_second,
+                    "Whether the lowest course is what is the second one "
+                    "otherwise: in running bond that with half bricks.",
+                    Bool());
   prm.add_parameter("Courses", n_courses, "Number of courses, bottom to top.",
                     Integer(1, 1000000));
   prm.add_parameter("Bricks per course", n_bricks,
@@ -231,14 +238,15 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
       has_lintels ? place_lintels(grid, gaps, lintel_bearing)
                   : std::vector<WallPart>();
 
+  const unsigned int first = begins_with_second ? 1 : 0;
   CellLoops cells;
   cells.group_names = {"brick", "lintel"};
-  Course course = lay_course(grid, bond, 0, gaps, lintels);
+  Course course = lay_course(grid, bond, 0, first, gaps, lintels);
   BedJoint below(cells, grid.bed_joint(0), {}, course);
   for (unsigned int k = 0; k < n_courses; ++k)
   {
     Course next = k + 1 < n_courses
-                      ? lay_course(grid, bond, k + 1, gaps, lintels)
+                      ? lay_course(grid, bond, k + 1, first, gaps, lintels)
                       : Course();
     BedJoint above(cells, grid.bed_joint(k + 1), course, next);
     add_cells(cells, course, below, above);

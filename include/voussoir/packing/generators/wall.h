@@ -36,6 +36,7 @@ public:
 
 private:
   Bond bond = Bond::running;
+  bool begins_with_second = false;
   unsigned int n_courses = 12;
   unsigned int n_bricks = 6;
   double width = 1.;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_bounded_forces_h
+#define voussoir_statics_bounded_forces_h
+
+#include <voussoir/algebra/sparse_factor.h>
+#include <voussoir/algebra/structure.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The forces x of the rows of a structure within their bounds, what they add up
+ * to on the bodies, and the normal equations of that.
+ *
+ * The force of a contact is not positive, and that of a tangential row at most
+ * the strength of its joint either way; without strength it is zero. A x is the
+ * sum of forces on the bodies, and A^T u are minus the jumps.
+ */
+class BoundedForces
+{
+public:
+  /** A bound, sign times the force of a row at most the limit. */
+  struct Bound
+  {
+    /** The number of the row among all. */
+    unsigned int row;
+    /** 1 or -1. */
+    double sign;
+    /** The largest value, not negative. */
+    double limit;
+  };
+
+  /**
+   * @param structure has the joints; it must outlive this object.
+   * @param held true for the bodies that do not move and need no balance.
+   */
+  BoundedForces(const Structure &structure, std::vector<bool> held);
+
+  /** The structure. */
+  const Structure &of() const { return structure; }
+  /** All bounds, in the order of the rows, of which each has up to two. */
+  const std::vector<Bound> &bounds() const { return all_bounds; }
+  /** A x, n_dofs() numbers; zero for held bodies. */
+  std::vector<double> on_bodies(const std::vector<double> &x) const;
+  /**
+   * A^T u, one number a row, zero where there is no force; u is zero for held
+   * bodies.
+   */
+  std::vector<double> along(const std::vector<double> &u) const;
+  /** Sign times the force of the row, for each bound. */
+  std::vector<double> at_bounds(const std::vector<double> &x) const;
+  /** The sum over the bounds of each row, of sign times what each has. */
+  std::vector<double> of_rows(const std::vector<double> &z) const;
+  /** The inverse of the sum over the bounds of each row; zero without bounds.*/
+  std::vector<double> inverse_sums(const std::vector<double> &weights) const;
+  /** Set what @p loads, n_dofs() numbers, has for held bodies to zero. */
+  void clear_held(std::vector<double> &loads) const;
+
+  /**
+   * Factorise A diag(k) A^T, with a relative shift of its diagonal that makes
+   * it definite.
+   *
+   * @param k one number for each row, not negative.
+   * @return false if no shift helps.
+   */
+  bool prepare(std::vector<double> k);
+  /**
+   * Solve with that matrix without the shift, by conjugate gradients that the
+   * factors precondition.
+   *
+   * @param right n_dofs() numbers.
+   * @param reduction of the largest component of the residual to stop at.
+   * @param n_gradients the largest number of steps.
+   */
+  std::vector<double> solve(const std::vector<double> &right,
+                            double reduction,
+                            unsigned int n_gradients);
+  /** A diag(k) A^T times @p u, of the matrix that is prepared. */
+  std::vector<double> product(const std::vector<double> &u) const;
+
+private:
+  const Structure &structure;
+  const std::vector<bool> held;
+  std::vector<Bound> all_bounds;
+  /** Tangential rows of joints without strength. */
+  std::vector<unsigned int> without_force;
+  std::vector<double> weights;
+  SparseFactor factor;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_load_factor_h
+#define voussoir_statics_load_factor_h
+
+#include <voussoir/scene/certificate.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/statics/stop.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <limits>
+#include <optional>
+
+namespace Voussoir
+{
+/** The controls of find_load_factor(). */
+struct LoadFactorControls
+{
+  /** The greatest factor, or the least. */
+  bool greatest = true;
+  /** The difference of the two bounds to stop at, over the factor. */
+  double tolerance = 1e-8;
+  /** The number of iterations after which to give up. */
+  unsigned int n_max_iterations = 300;
+};
+
+/**
+ * The greatest factor, or the least, of the live loads that is carried beside
+ * the dead loads, between two proofs.
+ */
+struct LoadFactor
+{
+  /** True if there is no greatest, or least, factor. */
+  bool is_unbounded = false;
+  /** That of the forces: carried. */
+  double carried = 0.;
+  /** None beyond it is carried; infinite if unbounded. */
+  double bound = std::numeric_limits<double>::infinity();
+  /** The forces at the factor `carried`. */
+  InterfaceForces forces;
+  /** The mechanism that proves the bound; L. */
+  Motion mechanism;
+  /** Its errors as a proof. */
+  FactorBound proof;
+  /** The number of iterations. */
+  unsigned int n_iterations = 0;
+  /** The reason for which the method stopped. */
+  Stop stop;
+
+  /** True if there is a mechanism that proves a bound. */
+  bool has_mechanism() const { return !mechanism.displacement.empty(); }
+  /** The distance of the two bounds, over the size of the larger one. */
+  double width() const;
+};
+
+/** One of the two. */
+struct LoadFactorAnswer
+{
+  /** The factor, if the dead loads are carried. */
+  std::optional<LoadFactor> factor;
+  /** The mechanism in which the dead loads collapse; L. */
+  Motion collapse;
+};
+
+/**
+ * Find the greatest factor, or the least, of the loads of @p live beside those
+ * of @p dead, by SelfDual.
+ *
+ * @param dead the scene with the dead loads.
+ * @param live the same scene with the live loads instead.
+ * @param controls of the method.
+ * @param terminal sees the iterations.
+ * @throws SolverError if there is no proof of anything.
+ */
+LoadFactorAnswer find_load_factor(const Scene &dead,
+                                  const Scene &live,
+                                  const LoadFactorControls &controls,
+                                  Terminal &terminal);
+
+/** One of the two. */
+struct StateAnswer
+{
+  /** Forces that balance the loads, if they are carried. */
+  std::optional<InterfaceForces> forces;
+  /** The mechanism in which they collapse; L. */
+  Motion collapse;
+  /** The number of iterations. */
+  unsigned int n_iterations = 0;
+};
+
+/**
+ * Find any admissible forces that balance the loads of a scene, or its
+ * collapse, by SelfDual.
+ *
+ * @throws SolverError if there is neither.
+ */
+StateAnswer find_any_state(const Scene &scene,
+                           unsigned int n_max_iterations,
+                           Terminal &terminal);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/statics/bounded_forces.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The relative shifts of the diagonal: the first, the factor to the next. */
+constexpr double first_shift = 1e-14, factor_of_shift = 100.,
+                 largest_shift = 1e-2;
+} // namespace
+
+BoundedForces::BoundedForces(const Structure &structure, std::vector<bool> held)
+    : structure(structure), held(std::move(held)),
+      factor(
+          JointBlocks(structure, false), structure.n_bodies(), {}, this->held)
+{
+  const unsigned int n = structure.n_contacts();
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+  {
+    const unsigned int first = e * structure.n_rows();
+    for (unsigned int r = 0; r < n; ++r)
+      all_bounds.push_back({first + r, 1., 0.});
+    if (const double limit = structure.limit(e); limit > 0.)
+      for (const double sign : {1., -1.})
+        all_bounds.push_back({first + n, sign, limit});
+    else
+      without_force.push_back(first + n);
+  }
+}
+
+void BoundedForces::clear_held(std::vector<double> &loads) const
+{
+  for (unsigned int b = 0; b < held.size(); ++b)
+    if (held[b])
+      for (unsigned int i = 0; i < structure.n_unknowns(); ++i)
+        loads[structure.dof(b, i)] = 0.;
+}
+
+std::vector<double> BoundedForces::on_bodies(const std::vector<double> &x) const
+{
+  std::vector<double> sum(structure.n_dofs());
+  structure.add_jump_gradients(-1., x, sum);
+  clear_held(sum);
+  return sum;
+}
+
+std::vector<double> BoundedForces::along(const std::vector<double> &u) const
+{
+  std::vector<double> result = structure.jumps(u);
+  for (double &jump : result)
+    jump = -jump;
+  for (const unsigned int row : without_force)
+    result[row] = 0.;
+  return result;
+}
+
+std::vector<double> BoundedForces::at_bounds(const std::vector<double> &x) const
+{
+  std::vector<double> result;
+  result.reserve(all_bounds.size());
+  for (const Bound &bound : all_bounds)
+    result.push_back(bound.sign * x[bound.row]);
+  return result;
+}
+
+std::vector<double> BoundedForces::of_rows(const std::vector<double> &z) const
+{
+  std::vector<double> result(structure.n_all_rows(), 0.);
+  for (std::size_t b = 0; b < z.size(); ++b)
+    result[all_bounds[b].row] += all_bounds[b].sign * z[b];
+  return result;
+}
+
+std::vector<double>
+BoundedForces::inverse_sums(const std::vector<double> &weights) const
+{
+  std::vector<double> result(structure.n_all_rows(), 0.);
+  for (std::size_t b = 0; b < weights.size(); ++b)
+    result[all_bounds[b].row] += weights[b];
+  for (double &sum : result)
+    if (sum > 0.)
+      sum = 1. / sum;
+  return result;
+}
+
+bool BoundedForces::prepare(std::vector<double> k)
+{
+  weights = std::move(k);
+  for (const double weight : weights)
+    if (!std::isfinite(weight))
+      return false;
+  for (double shift = first_shift; shift <= largest_shift;
+       shift *= factor_of_shift)
+    if (factor.factorise(weights, 0., shift))
+      return true;
+  return false;
+}
+
+std::vector<double> BoundedForces::product(const std::vector<double> &u) const
+{
+  std::vector<double> x = along(u);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] *= weights[k];
+  return on_bodies(x);
+}
+
+std::vector<double> BoundedForces::solve(const std::vector<double> &right,
+                                         const double reduction,
+                                         const unsigned int n_gradients)
+{
+  std::vector<double> u = factor.solve(right, 1), best = u;
+  const double enough = reduction * largest_component(right);
+  std::vector<double> left = right;
+  add(left, -1., product(u));
+  double least = largest_component(left), previous = 0.;
+  std::vector<double> direction;
+  for (unsigned int k = 0; k < n_gradients && least > enough; ++k)
+  {
+    const std::vector<double> z = factor.solve(left, 1);
+    const double now = dot(left, z);
+    if (direction.empty())
+      direction = z;
+    else
+      for (std::size_t i = 0; i < z.size(); ++i)
+        direction[i] = z[i] + now / previous * direction[i];
+    previous = now;
+    const std::vector<double> force = product(direction);
+    const double energy = dot(direction, force);
+    if (!(energy > 0.) || !(now > 0.))
+      break;
+    add(u, now / energy, direction);
+    add(left, -now / energy, force);
+    if (const double size = largest_component(left); size < least)
+    {
+      best = u;
+      least = size;
+    }
+  }
+  return best;
+}
+} // namespace Voussoir

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/floating_point.h>
+#include <voussoir/statics/self_dual.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The part of the way to the boundary that a step takes, and its limits. */
+constexpr double fraction_to_boundary = 0.99, largest_fraction = 1. - 1e-7;
+/** The least product, over the mean of all. */
+constexpr double least_relative_product = 1e-3;
+constexpr double shortening = 0.9;
+constexpr unsigned int n_shortenings = 30;
+
+/** Gondzio's corrections: how many, the steps that need none, what they gain.
+ */
+constexpr unsigned int n_corrections = 2;
+constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
+constexpr double outlying = 10.;
+
+/** The residual at which the conjugate gradients of a step stop. */
+constexpr double reduction = 1e-11;
+constexpr unsigned int n_gradients = 12;
+/** The same for the refinement of the bordered system. */
+constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
+constexpr unsigned int n_refinements = 3;
+
+/** tau over kappa, and the error over the gain, at which a ray is one. */
+constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
+
+/** Steps without less products that end the search. */
+constexpr unsigned int n_patience = 10;
+constexpr double progress = 0.7;
+constexpr double best_merit = 1e-15;
+/** A factor, over that with which live loads are dead ones, that is zero. */
+constexpr double small_factor = 1e-3;
+} // namespace
+
+SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
+    : forces(forces), loads(std::move(loads_in)),
+      size_of_loads(std::max(
+          {largest_component(loads.dead), largest_component(loads.live)})),
+      least_product(std::numeric_limits<double>::infinity())
+{
+  const Structure &structure = forces.of();
+  double strongest = 0.;
+  for (const BoundedForces::Bound &bound : forces.bounds())
+  {
+    // All products start from one, and forces from the root of the stiffness.
+    const double k = std::sqrt(
+        structure.joints()[bound.row / structure.n_rows()].stiffness());
+    now.s.push_back(k);
+    now.z.push_back(1. / k);
+    strongest = std::max(strongest, bound.limit);
+  }
+  now.x.assign(structure.n_all_rows(), 0.);
+  now.u.assign(structure.n_dofs(), 0.);
+  now.alpha = 0.;
+  now.tau = now.kappa = 1.;
+  const double live = largest_component(loads.live);
+  if (live > 0.)
+    unit_of_alpha = small_factor *
+                    std::max(largest_component(loads.dead), strongest) / live;
+  judge();
+}
+
+SelfDual::Point SelfDual::point() const
+{
+  Point point = {now.x, now.u, now.s, now.z, now.alpha};
+  for (auto *const v : {&point.x, &point.u, &point.s, &point.z})
+    for (double &component : *v)
+      component /= now.tau;
+  point.alpha /= now.tau;
+  return point;
+}
+
+double SelfDual::mean_product() const
+{
+  return (dot(now.s, now.z) + now.tau * now.kappa) / (now.s.size() + 1.);
+}
+
+SelfDual::Residuals SelfDual::residuals() const
+{
+  Residuals r;
+  r.balance = forces.on_bodies(now.x);
+  add(r.balance, now.tau, loads.dead);
+  if (!loads.live.empty())
+    add(r.balance, now.alpha, loads.live);
+  r.bounds = forces.at_bounds(now.x);
+  double h_z = 0.;
+  for (std::size_t b = 0; b < r.bounds.size(); ++b)
+  {
+    const double limit = forces.bounds()[b].limit;
+    r.bounds[b] += now.s[b] - now.tau * limit;
+    h_z += limit * now.z[b];
+  }
+  r.multipliers = forces.along(now.u);
+  add(r.multipliers, 1., forces.of_rows(now.z));
+  r.live_work =
+      loads.live.empty() ? 0. : dot(loads.live, now.u) - now.tau * loads.sense;
+  r.gap = now.kappa - loads.sense * now.alpha - (dot(loads.dead, now.u) - h_z);
+  return r;
+}
+
+/** Find the residuals and what they say. */
+SelfDual::State SelfDual::judge()
+{
+  residual = residuals();
+  const double primal = -loads.sense * now.alpha;
+  const double dual = primal - residual.gap + now.kappa;
+  const auto relative = [&](const std::vector<double> &v) {
+    return largest_component(v) / now.tau;
+  };
+  double of_multipliers = 0.;
+  const Structure &structure = forces.of();
+  for (std::size_t k = 0; k < residual.multipliers.size(); ++k)
+    of_multipliers = std::max(
+        of_multipliers,
+        std::abs(residual.multipliers[k]) *
+            std::sqrt(structure.joints()[k / structure.n_rows()].stiffness()));
+  double of_bounds = 0.;
+  for (std::size_t b = 0; b < residual.bounds.size(); ++b)
+    of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /
+                                        (1. + forces.bounds()[b].limit));
+  const double reference = std::max(std::abs(primal) / now.tau,
+                                    unit_of_alpha > 0. ? unit_of_alpha : 1.);
+  error = std::max({std::abs(primal - dual) / now.tau / reference,
+                    relative(residual.balance) / size_of_loads,
+                    of_bounds / now.tau, of_multipliers / now.tau,
+                    std::abs(residual.live_work) / now.tau});
+  if (error < best_merit)
+    return State::optimal;
+
+  if (now.tau < small_tau * now.kappa)
+  {
+    std::vector<double> balance = residual.balance;
+    add(balance, -now.tau, loads.dead);
+    double of_ray = 0.;
+    for (std::size_t b = 0; b < residual.bounds.size(); ++b)
+      of_ray = std::max(of_ray, std::abs(residual.bounds[b] +
+                                         now.tau * forces.bounds()[b].limit));
+    const double live_work =
+        loads.live.empty() ? 0. : residual.live_work + now.tau * loads.sense;
+    if (dual > 0. &&
+        std::max(largest_component(residual.multipliers), std::abs(live_work)) <
+            error_of_ray * dual / size_of_loads)
+      return State::infeasible;
+    if (primal < 0. &&
+        largest_component(balance) < -error_of_ray * primal * size_of_loads &&
+        of_ray < -error_of_ray * primal)
+      return State::unbounded;
+  }
+  const double mean = mean_product();
+  if (mean < progress * least_product)
+  {
+    least_product = mean;
+    iteration_of_least = iterations;
+  }
+  return iterations > iteration_of_least + n_patience ? State::stalled
+                                                      : State::running;
+}
+
+bool SelfDual::prepare()
+{
+  ratio.resize(now.s.size());
+  for (std::size_t b = 0; b < ratio.size(); ++b)
+    ratio[b] = now.z[b] / now.s[b];
+  stiffness = forces.inverse_sums(ratio);
+  if (!forces.prepare(stiffness))
+    return false;
+  if (!loads.live.empty())
+  {
+    u_of_live = forces.solve(loads.live, reduction, n_gradients);
+    work_of_live = dot(loads.live, u_of_live);
+  }
+
+  // What a step depends on through tau, as a correction of the present point:
+  // this keeps digits near the optimum.
+  std::vector<double> of_bounds(ratio.size());
+  for (std::size_t b = 0; b < ratio.size(); ++b)
+    of_bounds[b] = (2. * now.z[b] - ratio[b] * residual.bounds[b]) / now.tau;
+  std::vector<double> r1 = forces.of_rows(of_bounds);
+  add(r1, -1. / now.tau, residual.multipliers);
+  std::vector<double> balance = residual.balance;
+  for (double &component : balance)
+    component /= -now.tau;
+  solve_bordered(r1, balance, -residual.live_work / now.tau, by_tau);
+  by_tau.z = forces.at_bounds(by_tau.x);
+  double curvature = 0.;
+  for (std::size_t b = 0; b < ratio.size(); ++b)
+  {
+    by_tau.z[b] = ratio[b] * by_tau.z[b] +
+                  (ratio[b] * residual.bounds[b] - now.z[b]) / now.tau;
+    curvature += by_tau.z[b] * by_tau.z[b] / ratio[b];
+  }
+  add(by_tau.x, 1. / now.tau, now.x);
+  add(by_tau.u, 1. / now.tau, now.u);
+  by_tau.alpha += now.alpha / now.tau;
+  slope_of_tau = -now.kappa / now.tau - curvature;
+  return true;
+}
+
+/**
+ * Find x, u and alpha with
+ *
+ *     x / stiffness + A^T u = r1,  A x + alpha f_1 = balance,
+ *     f_1 . u = live_work.
+ */
+void SelfDual::solve_bordered(const std::vector<double> &r1,
+                              const std::vector<double> &balance,
+                              const double live_work,
+                              Variables &found)
+{
+  std::vector<double> k_r1 = r1;
+  for (std::size_t k = 0; k < k_r1.size(); ++k)
+    k_r1[k] *= stiffness[k];
+  std::vector<double> right = forces.on_bodies(k_r1);
+  add(right, -1., balance);
+  found.u = forces.solve(right, reduction, n_gradients);
+  found.alpha = 0.;
+  if (!loads.live.empty())
+  {
+    found.alpha = (live_work - dot(loads.live, found.u)) / work_of_live;
+    add(found.u, found.alpha, u_of_live);
+    for (unsigned int n = 0; n < n_refinements; ++n)
+    {
+      std::vector<double> left = right;
+      add(left, found.alpha, loads.live);
+      add(left, -1., forces.product(found.u));
+      const double missing = live_work - dot(loads.live, found.u);
+      if (largest_component(left) < small_residual * size_of_loads * now.tau &&
+          std::abs(missing) < small_residual)
+        break;
+      const std::vector<double> du =
+          forces.solve(left, reduction_of_refinement, n_gradients);
+      const double more = (missing - dot(loads.live, du)) / work_of_live;
+      add(found.u, 1., du);
+      add(found.u, more, u_of_live);
+      found.alpha += more;
+    }
+  }
+  found.x = k_r1;
+  const std::vector<double> along = forces.along(found.u);
+  for (std::size_t k = 0; k < along.size(); ++k)
+    found.x[k] -= stiffness[k] * along[k];
+}
+
+/**
+ * The step to where @p part of the residuals is gone, and the products less by
+ * @p products.
+ */
+SelfDual::Step SelfDual::direction(const std::vector<double> &products,
+                                   const double last_product,
+                                   const double part)
+{
+  std::vector<double> g(products.size());
+  for (std::size_t b = 0; b < g.size(); ++b)
+    g[b] = (part * now.z[b] * residual.bounds[b] - products[b]) / now.s[b];
+  std::vector<double> r1 = forces.of_rows(g);
+  for (std::size_t k = 0; k < r1.size(); ++k)
+    r1[k] = -r1[k] - part * residual.multipliers[k];
+  std::vector<double> balance = residual.balance;
+  for (double &component : balance)
+    component *= -part;
+  Step step;
+  solve_bordered(r1, balance, -part * residual.live_work, step);
+  step.z = forces.at_bounds(step.x);
+  double h_z = 0.;
+  for (std::size_t b = 0; b < g.size(); ++b)
+  {
+    step.z[b] = g[b] + ratio[b] * step.z[b];
+    h_z += forces.bounds()[b].limit * step.z[b];
+  }
+  step.tau = (-part * residual.gap + last_product / now.tau +
+              loads.sense * step.alpha + dot(loads.dead, step.u) - h_z) /
+             slope_of_tau;
+  add(step.x, step.tau, by_tau.x);
+  add(step.u, step.tau, by_tau.u);
+  add(step.z, step.tau, by_tau.z);
+  step.alpha += step.tau * by_tau.alpha;
+  step.s = forces.at_bounds(step.x);
+  for (std::size_t b = 0; b < g.size(); ++b)
+    step.s[b] = -part * residual.bounds[b] - step.s[b] +
+                step.tau * forces.bounds()[b].limit;
+  step.kappa = (-last_product - now.kappa * step.tau) / now.tau;
+  return step;
+}
+
+/** The part of a step to where something vanishes, at most one. */
+double SelfDual::longest(const Step &step) const
+{
+  double fastest = std::max({1., -step.tau / now.tau, -step.kappa / now.kappa});
+  for (std::size_t b = 0; b < now.s.size(); ++b)
+    fastest = std::max({fastest, -step.s[b] / now.s[b], -step.z[b] / now.z[b]});
+  return 1. / fastest;
+}
+
+void SelfDual::find_products(const Step &step,
+                             const double length,
+                             std::vector<double> &products,
+                             double &last) const
+{
+  products.resize(now.s.size());
+  for (std::size_t b = 0; b < now.s.size(); ++b)
+    products[b] =
+        (now.s[b] + length * step.s[b]) * (now.z[b] + length * step.z[b]);
+  last = (now.tau + length * step.tau) * (now.kappa + length * step.kappa);
+}
+
+/** Shorten a step until no product is far below the mean. */
+double SelfDual::keep_products_near(const Step &step, double length) const
+{
+  std::vector<double> products;
+  double last;
+  for (unsigned int n = 0; n < n_shortenings; ++n, length *= shortening)
+  {
+    find_products(step, length, products, last);
+    double sum = last, least = last;
+    for (const double product : products)
+    {
+      sum += product;
+      least = std::min(least, product);
+    }
+    if (least >= least_relative_product * sum / (products.size() + 1.))
+      break;
+  }
+  return length;
+}
+
+SelfDual::State SelfDual::step()
+{
+  const InvalidOperationsAllowed allowed;
+  if (!prepare())
+    return State::stalled;
+  const double mean = mean_product();
+  std::vector<double> products(now.s.size()), trial;
+  for (std::size_t b = 0; b < products.size(); ++b)
+    products[b] = now.s[b] * now.z[b];
+  double last = now.tau * now.kappa, trial_last;
+  Step best = direction(products, last, 1.);
+  double length = longest(best);
+
+  find_products(best, length, trial, trial_last);
+  double sum = trial_last;
+  for (const double product : trial)
+    sum += product;
+  const double left = sum / (trial.size() + 1.) / mean;
+  const double centring =
+      length > 0.1 ? std::pow(std::min(1., std::max(left, 1e-10)), 3.)
+                   : 1. - length;
+  const double target = centring * mean;
+  for (std::size_t b = 0; b < products.size(); ++b)
+    products[b] += best.s[b] * best.z[b] - target;
+  last += best.tau * best.kappa - target;
+  best = direction(products, last, 1. - centring);
+  length = longest(best);
+
+  for (unsigned int n = 0; n < n_corrections && length <= long_enough; ++n)
+  {
+    // Bring products that a longer step would leave far from the target back.
+    find_products(best, std::min(1., length + longer_trial), trial, trial_last);
+    const auto correction = [&](const double product) {
+      return std::max(
+          std::clamp(product, target / outlying, target * outlying) - product,
+          -outlying * target);
+    };
+    for (std::size_t b = 0; b < trial.size(); ++b)
+      trial[b] = products[b] - correction(trial[b]);
+    trial_last = last - correction(trial_last);
+    const Step other = direction(trial, trial_last, 1. - centring);
+    const double other_length = longest(other);
+    if (!(other_length >= length + least_gain))
+      break;
+    best = other;
+    length = other_length;
+    products = trial;
+    last = trial_last;
+  }
+  if (length < 1.)
+    length *=
+        std::min(std::max(fraction_to_boundary, 1. - mean), largest_fraction);
+  length = keep_products_near(best, length);
+  if (!std::isfinite(length * (best.tau + best.kappa + best.alpha)))
+    return State::stalled;
+
+  ++iterations;
+  add(now.x, length, best.x);
+  add(now.u, length, best.u);
+  add(now.s, length, best.s);
+  add(now.z, length, best.z);
+  now.alpha += length * best.alpha;
+  now.tau += length * best.tau;
+  now.kappa += length * best.kappa;
+  return judge();
+}
+} // namespace Voussoir
