@@ -24,7 +24,7 @@ constexpr unsigned int n_between = 2;
 constexpr double worth_keeping = 1e-2;
 
 /** The part of the wanted width that the anchor of a state may take. */
-constexpr double share_of_anchor = 0.1;
+constexpr double share_of_anchor = 0.05;
 
 /** The largest errors of a state and of a mechanism that are proofs. */
 constexpr double largest_residual = 1e-11, largest_closing = 1e-12;

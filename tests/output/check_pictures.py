@@ -27,7 +27,9 @@ HALF_BLUE, WHITE = (115, 168, 217), (247, 247, 247)
 MOST = (140, 8, 46)  # utilisation or displacement at its largest
 STRESSES = {"sigma_xx", "sigma_xy", "sigma_yy", "von_mises"}
 SOLVED = STRESSES | {"principal", "chains", "utilisation", "blocks", "displacement"}
-TURNING = {"rocking_column", "semicircular_arch"}  # scenes with Rotations = true
+# Scenes with Rotations = true.
+TURNING = {"rocking_column", "semicircular_arch", "block_on_incline",
+           "ferris_tin_loi_1", "ferris_tin_loi_2"}
 
 
 def expect(what, condition):
