@@ -83,8 +83,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       prm, "Analysis", analysis,
       {{Analysis::state, "state",
         "forces that carry the loads, or the mechanism in which the packing "
-        "collapses.",
-        "Formulation"},
+        "collapses."},
        {Analysis::load_factor, "load factor",
         "the greatest factor of the live loads that is carried, or the least, "
         "between two proofs: forces that balance the loads at it, and a "

@@ -93,10 +93,10 @@ void Search::look_beside(const std::string &path,
     if (!entries.empty())
       sentences.emplace(
           std::pair(single, section.substr(0, section.find('/', 1))),
-          boost::algorithm::join(entries, ", ") + " in '" + section.substr(1) +
-              (entries.size() == 1 ? "' has" : "' have") +
-              " no effect, since '" + (path + "/" + choice).substr(1) +
-              "' is '" + chosen + "'.");
+          boost::algorithm::join(entries, ", ") +
+              (section.empty() ? "" : " in '" + section.substr(1) + "'") +
+              (entries.size() == 1 ? " has" : " have") + " no effect, since '" +
+              (path + "/" + choice).substr(1) + "' is '" + chosen + "'.");
   };
   Names entries;
   for (const auto &[value, names] : uses)

@@ -61,6 +61,7 @@ PICTURES = [
      ("--width", "500")),
     ("rocking_column_collapse", "rocking_column",
      (("Loads/Body force=4.01; -20",),), "mechanism", ("--width", "350")),
+    ("ferris_tin_loi_1_collapse", "ferris_tin_loi_1", OWN, "mechanism", ()),
     ("rubble_wall", "rubble_wall", OWN, "sigma_yy", ()),
     ("rubble_wall_blocks", "rubble_wall", OWN, "blocks", ()),
     ("graded_hexagon", "graded_hexagon", OWN, "sigma_xx",

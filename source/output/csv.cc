@@ -35,8 +35,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
   out << "cell_minus,cell_plus,x0,y0,x1,y1,nx,ny,length,normal_force,"
          "tangential_force,strength,utilisation"
       << (marked ? ",never_pressed,always_sliding" : "")
-      << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity\n"
-                        : "\n");
+      << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity" : "")
+      << (scene.coefficient.empty() ? "\n" : ",coefficient\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -51,6 +51,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       line << ',' << results.forces.at_ends[e][0] << ','
            << results.forces.at_ends[e][1] << ','
            << results.forces.eccentricity(i, e);
+    if (!scene.coefficient.empty())
+      line << ',' << scene.coefficient[e];
     line << '\n';
   });
 }
@@ -97,7 +99,8 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
   const Scene &scene = collapse.scene;
   out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
          "dissipation"
-      << (scene.turns() ? ",opening_0,opening_1\n" : "\n");
+      << (scene.turns() ? ",opening_0,opening_1" : "")
+      << (scene.coefficient.empty() ? "\n" : ",coefficient\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -112,6 +115,8 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
     if (scene.turns())
       line << ',' << jump_at(i.start) * i.normal << ','
            << jump_at(i.end) * i.normal;
+    if (!scene.coefficient.empty())
+      line << ',' << scene.coefficient[e];
     line << '\n';
   });
 }

@@ -136,7 +136,9 @@ std::string message_of(const Collapse &collapse, const std::string &files)
             << std::lround(100. * share_of_first(collapse.parts))
             << "% of the work that is put in. "
             << (files.empty() ? "Change" : "See " + files + "; change")
-            << " 'Loads' or raise 'Friction/Strength'.";
+            << " 'Loads' or raise 'Friction/"
+            << (collapse.scene.coefficient.empty() ? "Strength" : "Coefficient")
+            << "'.";
   return message.str();
 }
 } // namespace Voussoir
