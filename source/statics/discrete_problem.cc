@@ -68,11 +68,11 @@ void DiscreteProblem::find_load(const Scene &scene,
                                 const unsigned int cell,
                                 double *load) const
 {
-  const double force_unit = stress_unit * length_unit;
-  for (unsigned int i = 0; i < 2; ++i)
-    load[i] = scene.load[cell][i] / force_unit;
+  const Tensor<1, 2> force = scene.load[cell] / (stress_unit * length_unit);
+  std::copy_n(force.begin_raw(), 2, load);
   if (scene.turns())
-    load[2] = scene.load_torque[cell] / (force_unit * length_unit);
+    load[2] =
+        scene.load_torque[cell] / (stress_unit * length_unit * length_unit);
 }
 
 /** Joints with the ground have it as c+; those within it are none. */
