@@ -237,10 +237,6 @@ void Simulation::find_factor(ResultDirectory &files,
   Given with_live = given;
   with_live.loads = given.live_loads;
   const Scene live = scene_of(std::move(with_live));
-  if (!live.is_loaded())
-    throw InputError("'Analysis' is 'load factor', and there are no loads to "
-                     "be multiplied: 'Live loads' gives them, or 'Loads' with "
-                     "'Load factor/Factor = all loads'.");
   LoadFactorAnswer answer = find_load_factor(
       dead, live, load_factor.controls(solver.controls()), terminal);
   timer.leave_subsection();

@@ -320,7 +320,9 @@ bound_of_factor(const Scene &dead, const Scene &live, const Motion &motion)
   FactorBound bound;
   bound.live_work = work_of_loads(live, motion);
   bound.factor =
-      (of.dissipation - work_of_loads(dead, motion)) / bound.live_work;
+      bound.live_work != 0.
+          ? (of.dissipation - work_of_loads(dead, motion)) / bound.live_work
+          : std::numeric_limits<double>::infinity();
   if (of.largest > 0.)
     bound.closing_violation = of.closing / of.largest;
   return bound;

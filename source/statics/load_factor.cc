@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/extreme_rays.h>
 #include <voussoir/statics/factor_bounds.h>
@@ -60,6 +61,7 @@ public:
   }
   double factor(const double alpha) const { return alpha * unit_of_factor; }
   bool has_dead_loads() const { return largest_component(of_dead) > 0.; }
+  bool has_live_loads() const { return largest_component(of_live) > 0.; }
   InterfaceForces forces_of(const std::vector<double> &x) const
   {
     Solution solution;
@@ -110,6 +112,8 @@ public:
 
   void look_near(const SelfDual::Point &point, const double share_of_anchor)
   {
+    // What is not a number proves nothing below.
+    const InvalidOperationsAllowed allowed;
     FactorState state = state_near(problem.forces, loads, point);
     if (state.residual > largest_residual && anchor)
       state = state_near(problem.forces, loads, point, anchor, share_of_anchor);
@@ -209,6 +213,8 @@ Fixed carry(Problem &problem,
 
 double LoadFactor::width() const
 {
+  if (!std::isfinite(carried) || !std::isfinite(bound))
+    return std::numeric_limits<double>::infinity();
   const double size = std::max(std::abs(carried), std::abs(bound));
   return size > 0. ? std::abs(bound - carried) / size : 0.;
 }
@@ -219,6 +225,10 @@ LoadFactorAnswer find_load_factor(const Scene &dead,
                                   Terminal &terminal)
 {
   Problem problem(dead, live);
+  if (!problem.has_live_loads())
+    throw InputError("'Analysis' is 'load factor', and there are no loads to "
+                     "be multiplied: 'Live loads' gives them, or 'Loads' with "
+                     "'Load factor/Factor = all loads'.");
   const SelfDual::Loads loads =
       problem.with_factor(controls.greatest ? 1. : -1.);
   Proofs proofs(problem, loads);

@@ -116,4 +116,10 @@ int main()
            "  set Number of points = 200\n end\nend\n"
            "subsection Friction\n set Strength = 0.3\nend\n"
            "subsection Solver\n set Maximum iterations = 1\nend\n");
+
+  // Load factors
+  run_with("set Analysis = load factor\n");
+  run_with("set Analysis = load factor\nset Forces from = output\n");
+  run_with("subsection Friction\n set Law = associated Coulomb\n"
+           " set Coefficient = -0.5\nend\n");
 }

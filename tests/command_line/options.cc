@@ -43,8 +43,9 @@ int main()
   const std::string changed =
       run({"printed.prm", "--print-parameters", "--set", "Friction/Strength=7",
            "--set", "Packing/Voronoi/Seed=8", "--set", "Title=a = b"});
-  for (const char *line : {"set Strength          = 7", "set Seed             = 8",
-                           "set Title            = a = b"})
+  for (const char *line :
+       {"set Strength          = 7", "set Seed             = 8",
+        "set Title            = a = b"})
     check(line, changed.find(line) != std::string::npos);
 
   // Paths in a .prm file begin at that file.

@@ -69,6 +69,7 @@ struct LoadFactorAnswer
  * @param live the same scene with the live loads instead.
  * @param controls of the method.
  * @param terminal sees the iterations.
+ * @throws InputError if there are no live loads.
  * @throws SolverError if there is no proof of anything.
  */
 LoadFactorAnswer find_load_factor(const Scene &dead,
