@@ -2,8 +2,8 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/analysis.h>
+#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
-#include <voussoir/statics/load_factor.h>
 
 #include <algorithm>
 #include <limits>
@@ -126,52 +126,16 @@ Answer judge(const Scene &scene,
   return found;
 }
 
-namespace
-{
-/**
- * The same by friction whose limit grows with the pressure, for which no
- * formulation selects a state.
- */
-Answer analyse_by_rays(const Scene &scene,
-                       const SolverControls &controls,
-                       SolverRecord &record,
-                       dealii::TimerOutput &timer,
-                       Terminal &terminal)
-{
-  timer.enter_subsection("statics");
-  terminal.begin("Statics");
-  StateAnswer answer =
-      find_any_state(scene, controls.n_max_iterations, terminal);
-  record.formulation = "interior point";
-  record.selection = "one of the states that carry the loads, far from the "
-                     "limits of most interfaces";
-  const Stop stop =
-      answer.forces ? Stop::Reason::converged : Stop::Reason::collapse;
-  record.outcome = stop.words();
-  record.n_iterations = record.n_evaluations = answer.n_iterations;
-  terminal.stage("Statics",
-                 text(record.formulation, ": ", record.outcome, " after ",
-                      counted(record.n_iterations, "iteration")));
-  timer.leave_subsection();
-  if (!answer.forces)
-    return prove(scene, std::move(answer.collapse));
-  Carried found;
-  found.forces = std::move(*answer.forces);
-  found.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
-  return judge(scene, std::move(found), record, controls.tolerance, timer,
-               terminal);
-}
-} // namespace
-
 Answer analyse(const Scene &scene,
-               const Formulation &formulation,
+               const Formulation &chosen,
                const SolverControls &controls,
                SolverRecord &record,
                dealii::TimerOutput &timer,
                Terminal &terminal)
 {
-  if (!scene.coefficient.empty())
-    return analyse_by_rays(scene, controls, record, timer, terminal);
+  const AnyState any_state;
+  const Formulation &formulation =
+      scene.coefficient.empty() ? chosen : any_state;
   timer.enter_subsection("statics");
   terminal.begin("Statics");
   const DiscreteProblem problem(scene);

@@ -25,7 +25,7 @@ constexpr unsigned int n_before_doubt = 20;
 /**
  * The steps of blocks that turn after which an interior point goes the rest of
  * the way. Near the limit Newton's steps walk from hinge to hinge (measured, 24
- * random packings: up to 300, with this 74, and most 40).
+ * random packings: up to 300, and with this 58).
  */
 constexpr unsigned int n_before_interior_point = 18;
 

@@ -50,9 +50,12 @@ struct OfJoint
       tension = std::max(tension, forces[first + r]);
     }
     tangential = forces[first + problem.n_contacts()];
+    strength = joint.strength + joint.coefficient * std::max(-normal, 0.);
   }
   const Joint &joint;
   double normal = 0., tension = 0., tangential = 0.;
+  /** With what friction gains by pressure. */
+  double strength;
 };
 
 /**
@@ -71,9 +74,9 @@ double error(const DiscreteProblem &problem, const std::vector<double> &forces)
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const OfJoint of(problem, e, forces);
-    largest = std::max({largest, of.tension,
-                        problem.friction().violation(
-                            of.joint.strength, of.normal, of.tangential)});
+    largest = std::max(
+        {largest, of.tension,
+         problem.friction().violation(of.strength, of.normal, of.tangential)});
   }
   return largest;
 }
@@ -88,8 +91,8 @@ void move_into_limits(const DiscreteProblem &problem,
     for (unsigned int r = 0; r < n; ++r)
       of_joint[r] = std::min(of_joint[r], 0.);
     const OfJoint of(problem, e, forces);
-    of_joint[n] = problem.friction().projection(of.joint.strength, of.normal,
-                                                of.tangential);
+    of_joint[n] =
+        problem.friction().projection(of.strength, of.normal, of.tangential);
   }
 }
 
@@ -112,7 +115,7 @@ std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
           problem.contact_stiffness(e) * weight(-forces[first + r], 1. / n);
     stiffness[first + n] =
         of.joint.stiffness() *
-        weight(problem.friction().limit(of.joint.strength, -of.normal) -
+        weight(problem.friction().limit(of.strength, -of.normal) -
                    std::abs(of.tangential),
                1.);
   }

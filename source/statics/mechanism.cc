@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/joint_system.h>
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/mechanism.h>
 
@@ -34,14 +35,6 @@ constexpr unsigned int n_rounds = 10;
  * that do not move in a mechanism that a solver has nearly found.
  */
 constexpr double small_jumps[] = {1e-3, 1e-4, 1e-5, 1e-6};
-
-double largest_component(const std::vector<double> &v)
-{
-  double largest = 0.;
-  for (const double component : v)
-    largest = std::max(largest, std::abs(component));
-  return largest;
-}
 
 /** @return false if @p divisor is not positive and finite. */
 bool divide(std::vector<double> &v, const double divisor)

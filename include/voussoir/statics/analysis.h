@@ -77,7 +77,8 @@ using Answer = std::variant<Carried, NotCarried>;
  * Solve a scene, and judge what was found.
  *
  * @param scene in the user's units.
- * @param formulation selects the forces.
+ * @param chosen selects the forces; AnyState with friction whose limit grows
+ *   with the pressure.
  * @param controls of the solver.
  * @param record is filled.
  * @param timer counts "statics" and "certificate".
@@ -87,7 +88,7 @@ using Answer = std::variant<Carried, NotCarried>;
  *   accepts nor a proof.
  */
 Answer analyse(const Scene &scene,
-               const Formulation &formulation,
+               const Formulation &chosen,
                const SolverControls &controls,
                SolverRecord &record,
                dealii::TimerOutput &timer,

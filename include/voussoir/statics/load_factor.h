@@ -76,27 +76,6 @@ LoadFactorAnswer find_load_factor(const Scene &dead,
                                   const Scene &live,
                                   const LoadFactorControls &controls,
                                   Terminal &terminal);
-
-/** One of the two. */
-struct StateAnswer
-{
-  /** Forces that balance the loads, if they are carried. */
-  std::optional<InterfaceForces> forces;
-  /** The mechanism in which they collapse; L. */
-  Motion collapse;
-  /** The number of iterations. */
-  unsigned int n_iterations = 0;
-};
-
-/**
- * Find any admissible forces that balance the loads of a scene, or its
- * collapse, by SelfDual.
- *
- * @throws SolverError if there is neither.
- */
-StateAnswer find_any_state(const Scene &scene,
-                           unsigned int n_max_iterations,
-                           Terminal &terminal);
 } // namespace Voussoir
 
 #endif
