@@ -97,6 +97,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   live_loads.add_parameters(prm);
   load_factor.add_parameters(prm);
   friction.add_parameters(prm);
+  contact.add_parameters(prm);
   stress.add_parameters(prm);
   add_output_parameters(prm);
 }
@@ -201,6 +202,7 @@ Simulation::Given Simulation::read(const std::filesystem::path &directory) const
   supports.support(blocks);
   Given given = {std::move(blocks), {}, {}, {}};
   given.strengths = friction.strengths(given.packing);
+  contact.add_strengths(given.packing, given.strengths);
   given.loads = loads.loads(given.packing);
   if (analysis == Analysis::load_factor)
     given.live_loads = live_loads.loads(given.packing);
@@ -224,6 +226,8 @@ Scene Simulation::scene_of(Given given) const
               std::move(given.loads),
               blocks_turn ? rotations() : translations());
   scene.coefficient = std::move(given.strengths.coefficient);
+  scene.tensile_strength = std::move(given.strengths.tensile);
+  scene.compressive_strength = std::move(given.strengths.compressive);
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
 #include <voussoir/packing/packing_parameters.h>
+#include <voussoir/scene/contact.h>
 #include <voussoir/scene/friction.h>
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/supports.h>
@@ -139,6 +140,7 @@ private:
   LoadParameters live_loads = LoadParameters("Live loads");
   LoadFactorParameters load_factor;
   FrictionParameters friction;
+  ContactParameters contact;
   SolverParameters solver;
   StressParameters stress;
 };

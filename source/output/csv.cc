@@ -2,6 +2,7 @@
 #include <voussoir/output/csv.h>
 #include <voussoir/output/text_lines.h>
 
+#include <array>
 #include <cmath>
 #include <ostream>
 
@@ -26,6 +27,22 @@ dealii::Tensor<1, 2> jump_along(const Packing &packing,
     jump += motion.at(i.cell_plus, x - packing.centre(i.cell_plus));
   return jump;
 }
+
+/** The names of the columns of what a scene has of the limits. */
+std::string columns_of_limits(const Scene &scene)
+{
+  return std::string(scene.coefficient.empty() ? "" : ",coefficient") +
+         (scene.tensile_strength.empty() ? "" : ",tensile_strength") +
+         (scene.compressive_strength.empty() ? "" : ",compressive_strength");
+}
+
+void add_limits(TextLines &line, const Scene &scene, const unsigned int e)
+{
+  for (const auto *limits : {&scene.coefficient, &scene.tensile_strength,
+                             &scene.compressive_strength})
+    if (!limits->empty())
+      line << ',' << (*limits)[e];
+}
 } // namespace
 
 void write_interfaces_csv(std::ostream &out, const Results &results)
@@ -36,7 +53,9 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
          "tangential_force,strength,utilisation"
       << (marked ? ",never_pressed,always_sliding" : "")
       << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity" : "")
-      << (scene.coefficient.empty() ? "\n" : ",coefficient\n");
+      << columns_of_limits(scene)
+      << (scene.compressive_strength.empty() ? "\n"
+                                             : ",crushing_utilisation\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -51,8 +70,10 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       line << ',' << results.forces.at_ends[e][0] << ','
            << results.forces.at_ends[e][1] << ','
            << results.forces.eccentricity(i, e);
-    if (!scene.coefficient.empty())
-      line << ',' << scene.coefficient[e];
+    add_limits(line, scene, e);
+    if (!scene.compressive_strength.empty())
+      line << ','
+           << scene.limits(e).crushing_utilisation(results.forces.ends(e));
     line << '\n';
   });
 }
@@ -100,7 +121,7 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
   out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
          "dissipation"
       << (scene.turns() ? ",opening_0,opening_1" : "")
-      << (scene.coefficient.empty() ? "\n" : ",coefficient\n");
+      << columns_of_limits(scene) << '\n';
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -108,15 +129,16 @@ void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
       return jump_along(scene.packing, collapse.motion, i, x);
     };
     const dealii::Tensor<1, 2> jump = jump_at(i.midpoint());
-    line.row(i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
-             i.normal[1], i.length, scene.strength[e], jump * i.normal,
-             jump * i.tangent(),
-             scene.strength[e] * i.length * std::abs(jump * i.tangent()));
+    const std::array<double, 2> openings = {
+        {jump_at(i.start) * i.normal, jump_at(i.end) * i.normal}};
+    line.row(
+        i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
+        i.normal[1], i.length, scene.strength[e], jump * i.normal,
+        jump * i.tangent(),
+        scene.limits(e).resistance(openings, jump * i.tangent()).dissipation);
     if (scene.turns())
-      line << ',' << jump_at(i.start) * i.normal << ','
-           << jump_at(i.end) * i.normal;
-    if (!scene.coefficient.empty())
-      line << ',' << scene.coefficient[e];
+      line << ',' << openings[0] << ',' << openings[1];
+    add_limits(line, scene, e);
     line << '\n';
   });
 }

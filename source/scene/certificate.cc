@@ -3,6 +3,7 @@
 #include <voussoir/scene/certificate.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -71,13 +72,10 @@ double violation(const Scene &scene,
                  const InterfaceForces &forces,
                  const unsigned int e)
 {
-  double tension = forces.normal[e];
-  if (!forces.at_ends.empty())
-    tension = std::max(forces.at_ends[e][0], forces.at_ends[e][1]);
-  const double compression = std::max(-forces.normal[e], 0.);
-  return std::max(
-      {0., tension,
-       std::abs(forces.tangential[e]) - scene.shear_strength(e, compression)});
+  const JointLimits limits = scene.limits(e);
+  return std::max(limits.excess(forces.ends(e)),
+                  std::abs(forces.tangential[e]) -
+                      limits.shear_strength(forces.normal[e]));
 }
 
 /**
@@ -273,22 +271,21 @@ WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &i = packing.interfaces()[e];
-    double least_opening = std::numeric_limits<double>::infinity();
+    std::array<double, 2> openings;
     double sliding = 0.;
-    for (const dealii::Point<2> &x : {i.start, i.end})
+    for (unsigned int k = 0; k < 2; ++k)
     {
+      const dealii::Point<2> &x = k == 0 ? i.start : i.end;
       const Tensor<1, 2> jump =
           displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
-      least_opening = std::min(least_opening, jump * i.normal);
+      openings[k] = jump * i.normal;
       sliding += 0.5 * std::abs(jump * i.tangent());
     }
-    // With Coulomb's friction, associated, sliding lifts the joint.
-    if (!scene.coefficient.empty())
-      least_opening -= scene.coefficient[e] * sliding;
-    const double of_joint = std::max(0., -least_opening);
-    of.closing = std::max(of.closing, of_joint);
-    of.all_closings += of_joint;
-    of.dissipation += scene.strength[e] * i.length * sliding;
+    const JointLimits::Resistance joint =
+        scene.limits(e).resistance(openings, sliding);
+    of.dissipation += joint.dissipation;
+    of.closing = std::max(of.closing, joint.closing);
+    of.all_closings += joint.closing;
   }
   return of;
 }

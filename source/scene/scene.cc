@@ -236,9 +236,9 @@ double utilisation(const Scene &scene,
                    const InterfaceForces &forces,
                    const unsigned int e)
 {
-  const double compression = std::max(-forces.normal[e], 0.);
-  return scene.friction->utilisation(scene.shear_strength(e, compression),
-                                     forces.normal[e], forces.tangential[e]);
+  return scene.friction->utilisation(
+      scene.limits(e).shear_strength(forces.normal[e]), forces.normal[e],
+      forces.tangential[e]);
 }
 
 std::vector<double> residual_torques(const Scene &scene,

@@ -79,6 +79,12 @@ void check_certificate(const Scene &scene,
   throw SolverError(
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
+/** True if formulations have the limits of the joints. */
+bool formulations_serve(const Scene &scene)
+{
+  return scene.coefficient.empty() && scene.tensile_strength.empty() &&
+         scene.compressive_strength.empty();
+}
 } // namespace
 
 NotCarried prove(const Scene &scene, Motion motion)
@@ -135,7 +141,7 @@ Answer analyse(const Scene &scene,
 {
   const AnyState any_state;
   const Formulation &formulation =
-      scene.coefficient.empty() ? chosen : any_state;
+      formulations_serve(scene) ? chosen : any_state;
   timer.enter_subsection("statics");
   terminal.begin("Statics");
   const DiscreteProblem problem(scene);

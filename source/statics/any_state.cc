@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/statics/any_state.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,16 +12,8 @@ namespace Voussoir
 {
 namespace
 {
-std::vector<bool> held_bodies(const DiscreteProblem &problem)
-{
-  std::vector<bool> held(problem.n_bodies());
-  for (unsigned int b = 0; b < held.size(); ++b)
-    held[b] = problem.is_held(b);
-  return held;
-}
-
 /** The mechanism of a ray, along which the loads do work for nothing. */
-std::vector<double> collapse_of(RayProblem &problem,
+std::vector<double> collapse_of(BoundedForces &forces,
                                 const SelfDual::Loads &loads,
                                 SelfDual::Point ray)
 {
@@ -28,30 +21,17 @@ std::vector<double> collapse_of(RayProblem &problem,
   for (auto *const v : {&ray.u, &ray.z})
     for (double &component : *v)
       component /= size;
-  return mechanism_near(problem.forces, loads, ray);
-}
-} // namespace
-
-RayProblem::RayProblem(const DiscreteProblem &problem)
-    : problem(problem), rays(problem), forces(rays, held_bodies(problem))
-{}
-
-Motion RayProblem::motion_of(std::vector<double> u) const
-{
-  const double size = largest_component(u);
-  for (double &component : u)
-    component /= size;
-  problem.hold_bodies(u);
-  return problem.motion_of_cells(u, problem.length_scale());
+  return mechanism_near(forces, loads, ray);
 }
 
-AnyForces find_any_forces(RayProblem &problem,
-                          const std::vector<double> &loads,
-                          const unsigned int n_max_iterations,
-                          Terminal &terminal)
+/** The same as find_any_forces() with the present rows. */
+AnyForces find_with_rows(RowProblem &problem,
+                         const std::vector<double> &loads,
+                         const unsigned int n_max_iterations,
+                         Terminal &terminal)
 {
   const SelfDual::Loads fixed = {loads, {}, 1.};
-  SelfDual program(problem.forces, fixed);
+  SelfDual program(problem.forces(), fixed);
   SelfDual::State state = SelfDual::State::running;
   AnyForces found;
   while (state == SelfDual::State::running && !found.state &&
@@ -63,31 +43,114 @@ AnyForces find_any_forces(RayProblem &problem,
                             program.merit()));
     if (!(program.merit() < merit_worth_correcting))
       continue;
-    FactorState near = state_near(problem.forces, fixed, program.point());
+    FactorState near = state_near(problem.forces(), fixed, program.point());
     if (near.residual <= largest_residual_of_state)
       found.state = std::move(near);
   }
   if (state == SelfDual::State::infeasible)
-    found.collapse = collapse_of(problem, fixed, program.point());
+    found.collapse = collapse_of(problem.forces(), fixed, program.point());
   found.n_iterations = program.n_iterations();
   return found;
+}
+
+/** The strips of joints between blocks that turn. */
+constexpr unsigned int n_strips_of_turning = 12;
+/**
+ * How near cuts come to a place: of strips as wide as 1 / 12 to begin with, the
+ * place is known to one of them, and so again of those that they are cut into.
+ */
+constexpr double first_reach = 1. / 12., factor_of_reach = 0.2;
+} // namespace
+
+RowProblem::RowProblem(const DiscreteProblem &problem)
+    : problem(problem),
+      strips(problem.normal_limits().size(),
+             problem.n_contacts() > 1 ? n_strips_of_turning : 1)
+{
+  make_rows();
+}
+
+void RowProblem::make_rows()
+{
+  present_forces.reset();
+  present_rows = std::make_unique<BoundedRows>(problem, strips);
+  std::vector<bool> held(present_rows->n_bodies(), false);
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    held[b] = problem.is_held(b);
+  present_forces = std::make_unique<BoundedForces>(*present_rows, held);
+}
+
+bool RowProblem::has_strips() const
+{
+  return problem.n_contacts() > 1 &&
+         std::any_of(problem.normal_limits().begin(),
+                     problem.normal_limits().end(),
+                     [](const NormalLimits &limits) {
+                       return std::isfinite(limits.crushing);
+                     });
+}
+
+void RowProblem::refine(const std::vector<double> &u, const unsigned int round)
+{
+  strips = present_rows->cuts_for(
+      u, first_reach * std::pow(factor_of_reach, round));
+  make_rows();
+}
+
+std::vector<double> RowProblem::loads(std::vector<double> of_problem,
+                                      const bool with_offset) const
+{
+  of_problem.resize(present_rows->n_dofs(), 0.);
+  if (with_offset)
+    add(of_problem, 1., present_rows->offset());
+  present_forces->clear_held(of_problem);
+  return of_problem;
+}
+
+Motion RowProblem::motion_of(std::vector<double> u) const
+{
+  u.resize(problem.n_dofs());
+  const double size = largest_component(u);
+  for (double &component : u)
+    component /= size;
+  problem.hold_bodies(u);
+  return problem.motion_of_cells(u, problem.length_scale());
+}
+
+AnyForces find_any_forces(RowProblem &problem,
+                          const std::vector<double> &loads,
+                          const unsigned int n_max_iterations,
+                          Terminal &terminal)
+{
+  AnyForces found;
+  for (unsigned int round = 0;; ++round)
+  {
+    const unsigned int n_before = found.n_iterations;
+    found = find_with_rows(problem, loads, n_max_iterations, terminal);
+    found.n_iterations += n_before;
+    // Strips carry less than the joint does: a collapse is one only when they
+    // are cut for it.
+    if (found.collapse.empty() || !problem.has_strips() ||
+        round == RowProblem::n_rounds)
+      return found;
+    problem.refine(found.collapse, round);
+  }
 }
 
 Solution AnyState::select(const DiscreteProblem &problem,
                           const SolverControls &controls,
                           Terminal &terminal) const
 {
-  RayProblem by_rays(problem);
-  std::vector<double> loads = problem.loads();
-  by_rays.forces.clear_held(loads);
+  RowProblem by_rows(problem);
   const AnyForces found =
-      find_any_forces(by_rays, loads, controls.n_max_iterations, terminal);
+      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
+                      controls.n_max_iterations, terminal);
   Solution solution;
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
   if (found.state)
   {
     solution.stop = Stop::Reason::converged;
-    solution.forces = by_rays.rays.forces_of(found.state->x);
+    solution.forces = by_rows.rows().forces_of(found.state->x);
     solution.motion = Motion(problem.n_cells(), problem.kinematics());
     return solution;
   }
@@ -104,7 +167,7 @@ Solution AnyState::select(const DiscreteProblem &problem,
     dissipation +=
         problem.limit(e) * std::abs(problem.sliding(e, found.collapse.data()));
   solution.mechanism =
-      Mechanism{by_rays.motion_of(found.collapse),
+      Mechanism{by_rows.motion_of(found.collapse),
                 problem.work(found.collapse.data()), dissipation};
   return solution;
 }

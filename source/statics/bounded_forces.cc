@@ -2,6 +2,7 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/bounded_forces.h>
 
+#include <cmath>
 #include <utility>
 
 namespace Voussoir
@@ -13,22 +14,22 @@ constexpr double first_shift = 1e-14, factor_of_shift = 100.,
                  largest_shift = 1e-2;
 } // namespace
 
-BoundedForces::BoundedForces(const Structure &structure, std::vector<bool> held)
-    : structure(structure), held(std::move(held)),
-      factor(
-          JointBlocks(structure, false), structure.n_bodies(), {}, this->held)
+BoundedForces::BoundedForces(const BoundedRows &rows, std::vector<bool> held)
+    : rows(rows), held(std::move(held)),
+      factor(JointBlocks(rows, false), rows.n_bodies(), {}, this->held)
 {
-  const unsigned int n = structure.n_contacts();
-  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+  for (unsigned int r = 0; r < rows.n_all_rows(); ++r)
   {
-    const unsigned int first = e * structure.n_rows();
-    for (unsigned int r = 0; r < n; ++r)
-      all_bounds.push_back({first + r, 1., 0.});
-    if (const double limit = structure.limit(e); limit > 0.)
-      for (const double sign : {1., -1.})
-        all_bounds.push_back({first + n, sign, limit});
-    else
-      without_force.push_back(first + n);
+    const BoundedRows::Bounds &of_row = rows.bounds()[r];
+    if (of_row.least == 0. && of_row.greatest == 0.)
+    {
+      without_force.push_back(r);
+      continue;
+    }
+    if (std::isfinite(of_row.greatest))
+      all_bounds.push_back({r, 1., of_row.greatest});
+    if (std::isfinite(of_row.least))
+      all_bounds.push_back({r, -1., -of_row.least});
   }
 }
 
@@ -36,21 +37,21 @@ void BoundedForces::clear_held(std::vector<double> &loads) const
 {
   for (unsigned int b = 0; b < held.size(); ++b)
     if (held[b])
-      for (unsigned int i = 0; i < structure.n_unknowns(); ++i)
-        loads[structure.dof(b, i)] = 0.;
+      for (unsigned int i = 0; i < rows.n_unknowns(); ++i)
+        loads[rows.dof(b, i)] = 0.;
 }
 
 std::vector<double> BoundedForces::on_bodies(const std::vector<double> &x) const
 {
-  std::vector<double> sum(structure.n_dofs());
-  structure.add_jump_gradients(-1., x, sum);
+  std::vector<double> sum(rows.n_dofs());
+  rows.add_jump_gradients(-1., x, sum);
   clear_held(sum);
   return sum;
 }
 
 std::vector<double> BoundedForces::along(const std::vector<double> &u) const
 {
-  std::vector<double> result = structure.jumps(u);
+  std::vector<double> result = rows.jumps(u);
   for (double &jump : result)
     jump = -jump;
   for (const unsigned int row : without_force)
@@ -69,7 +70,7 @@ std::vector<double> BoundedForces::at_bounds(const std::vector<double> &x) const
 
 std::vector<double> BoundedForces::of_rows(const std::vector<double> &z) const
 {
-  std::vector<double> result(structure.n_all_rows(), 0.);
+  std::vector<double> result(rows.n_all_rows(), 0.);
   for (std::size_t b = 0; b < z.size(); ++b)
     result[all_bounds[b].row] += all_bounds[b].sign * z[b];
   return result;
@@ -78,7 +79,7 @@ std::vector<double> BoundedForces::of_rows(const std::vector<double> &z) const
 std::vector<double>
 BoundedForces::inverse_sums(const std::vector<double> &weights) const
 {
-  std::vector<double> result(structure.n_all_rows(), 0.);
+  std::vector<double> result(rows.n_all_rows(), 0.);
   for (std::size_t b = 0; b < weights.size(); ++b)
     result[all_bounds[b].row] += weights[b];
   for (double &sum : result)

@@ -112,6 +112,12 @@ void DiscreteProblem::add_interface(const Scene &scene,
              scene.strength[interface] / stress_unit * length,
              scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
             frame);
+  if (scene.tensile_strength.empty() && scene.compressive_strength.empty())
+    return;
+  const JointLimits limits = scene.limits(interface);
+  const double force_unit = stress_unit * length_unit;
+  limits_of_joints.push_back(
+      {limits.tension / force_unit, limits.crushing / force_unit});
 }
 
 void DiscreteProblem::choose_scales(const Scene &scene,

@@ -41,19 +41,24 @@ struct OfJoint
   OfJoint(const DiscreteProblem &problem,
           const unsigned int e,
           const std::vector<double> &forces)
-      : joint(problem.joints()[e])
+      : joint(problem.joints()[e]),
+        most(problem.tension(e) / problem.n_contacts())
   {
     const std::size_t first = std::size_t(e) * problem.n_rows();
     for (unsigned int r = 0; r < problem.n_contacts(); ++r)
     {
       normal += forces[first + r];
-      tension = std::max(tension, forces[first + r]);
+      excess = std::max(excess, forces[first + r] - most);
     }
     tangential = forces[first + problem.n_contacts()];
-    strength = joint.strength + joint.coefficient * std::max(-normal, 0.);
+    strength = std::max(joint.strength - joint.coefficient * normal, 0.);
   }
   const Joint &joint;
-  double normal = 0., tension = 0., tangential = 0.;
+  /** The largest tension of a contact. */
+  const double most;
+  /** Of a contact, beyond that. */
+  double excess = 0.;
+  double normal = 0., tangential = 0.;
   /** With what friction gains by pressure. */
   double strength;
 };
@@ -75,8 +80,8 @@ double error(const DiscreteProblem &problem, const std::vector<double> &forces)
   {
     const OfJoint of(problem, e, forces);
     largest = std::max(
-        {largest, of.tension,
-         problem.friction().violation(of.strength, of.normal, of.tangential)});
+        {largest, of.excess,
+         std::abs(of.tangential) - problem.friction().limit(of.strength, 0.)});
   }
   return largest;
 }
@@ -88,8 +93,9 @@ void move_into_limits(const DiscreteProblem &problem,
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     double *of_joint = &forces[std::size_t(e) * problem.n_rows()];
+    const double most = problem.tension(e) / n;
     for (unsigned int r = 0; r < n; ++r)
-      of_joint[r] = std::min(of_joint[r], 0.);
+      of_joint[r] = std::min(of_joint[r], most);
     const OfJoint of(problem, e, forces);
     of_joint[n] =
         problem.friction().projection(of.strength, of.normal, of.tangential);
@@ -111,8 +117,8 @@ std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
       return std::min(1., slack / (ample * of.joint.length * share));
     };
     for (unsigned int r = 0; r < n; ++r)
-      stiffness[first + r] =
-          problem.contact_stiffness(e) * weight(-forces[first + r], 1. / n);
+      stiffness[first + r] = problem.contact_stiffness(e) *
+                             weight(of.most - forces[first + r], 1. / n);
     stiffness[first + n] =
         of.joint.stiffness() *
         weight(problem.friction().limit(of.strength, -of.normal) -

@@ -78,8 +78,9 @@ std::vector<double> within_bounds(const BoundedForces &forces,
   for (std::size_t b = 0; b < bounds.size(); ++b)
     if (b + 1 < bounds.size() && bounds[b + 1].row == bounds[b].row)
     {
-      x[bounds[b].row] = bounds[b].limit * (slack[b + 1] - slack[b]) /
-                         (slack[b + 1] + slack[b]);
+      x[bounds[b].row] =
+          (bounds[b].limit * slack[b + 1] - bounds[b + 1].limit * slack[b]) /
+          (slack[b + 1] + slack[b]);
       ++b;
     }
     else

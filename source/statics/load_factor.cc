@@ -44,6 +44,7 @@ public:
 
 private:
   std::vector<double> loads_at(double factor) const;
+  void look_with_rows();
   void look_near(const SelfDual::Point &point);
   void keep_if_carried(const FactorState &state);
   void keep_if_bound(Motion motion);
@@ -52,12 +53,14 @@ private:
   const LoadFactorControls &controls;
   Terminal &terminal;
   const DiscreteProblem problem;
-  RayProblem by_rays;
+  RowProblem by_rows;
   /** The live loads are of the size of the dead ones. */
   SelfDual::Loads loads;
   double unit_of_factor = 1.;
   /** A state far from the bounds. */
   std::optional<FactorState> anchor;
+  /** The displacement of the last point with a small error. */
+  std::vector<double> best_u;
   SelfDual::State state = SelfDual::State::running;
   LoadFactor found;
 };
@@ -68,11 +71,10 @@ Search::Search(const Scene &dead,
                Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
       problem(dead.is_loaded() ? dead : live),
-      by_rays(problem), loads{problem.loads_of(dead), problem.loads_of(live),
+      by_rows(problem), loads{by_rows.loads(problem.loads_of(dead), true),
+                              by_rows.loads(problem.loads_of(live), false),
                               controls.greatest ? 1. : -1.}
 {
-  by_rays.forces.clear_held(loads.dead);
-  by_rays.forces.clear_held(loads.live);
   const double dead_size = largest_component(loads.dead);
   const double live_size = largest_component(loads.live);
   if (!(live_size > 0.))
@@ -98,22 +100,38 @@ Motion Search::find_collapse_at_rest()
 {
   if (!(largest_component(loads.dead) > 0.))
     return {};
-  AnyForces at_rest = find_any_forces(by_rays, loads_at(0.),
+  AnyForces at_rest = find_any_forces(by_rows, loads_at(0.),
                                       controls.n_max_iterations, terminal);
   found.n_iterations += at_rest.n_iterations;
   anchor = std::move(at_rest.state);
   return at_rest.collapse.empty() ? Motion()
-                                  : by_rays.motion_of(at_rest.collapse);
+                                  : by_rows.motion_of(at_rest.collapse);
 }
 
 void Search::find_proofs()
 {
-  SelfDual program(by_rays.forces, loads);
+  for (unsigned int round = 0;; ++round)
+  {
+    look_with_rows();
+    if (state == SelfDual::State::unbounded || best_u.empty() ||
+        found.width() <= controls.tolerance || !by_rows.has_strips() ||
+        round == RowProblem::n_rounds)
+      return;
+    by_rows.refine(best_u, round);
+    anchor.reset(); // of other strips
+  }
+}
+
+void Search::look_with_rows()
+{
+  state = SelfDual::State::running;
+  SelfDual program(by_rows.forces(), loads);
   std::optional<SelfDual::Point> untried;
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
+  bool is_solved = false;
   while (state == SelfDual::State::running &&
-         found.width() > controls.tolerance &&
+         found.width() > controls.tolerance && !is_solved &&
          program.n_iterations() < controls.n_max_iterations)
   {
     state = program.step();
@@ -125,8 +143,9 @@ void Search::find_proofs()
       continue;
     least = program.merit();
     untried = program.point();
+    best_u = untried->u;
     if (!anchor)
-      if (FactorState early = state_near(by_rays.forces, loads, *untried);
+      if (FactorState early = state_near(by_rows.forces(), loads, *untried);
           early.residual <= largest_residual_of_state)
         anchor = std::move(early);
     if (least > first_trial * controls.tolerance ||
@@ -136,6 +155,8 @@ void Search::find_proofs()
     last_trial = program.n_iterations();
     look_near(*untried);
     untried.reset();
+    // Strips may be far from the joint, however well their own factor is known.
+    is_solved = by_rows.has_strips() && least <= controls.tolerance;
   }
   if (untried)
     look_near(*untried);
@@ -148,13 +169,13 @@ void Search::look_near(const SelfDual::Point &point)
 {
   // What is not a number proves nothing.
   const InvalidOperationsAllowed allowed;
-  FactorState near = state_near(by_rays.forces, loads, point);
+  FactorState near = state_near(by_rows.forces(), loads, point);
   if (near.residual > largest_residual_of_state && anchor)
-    near = state_near(by_rays.forces, loads, point, anchor,
+    near = state_near(by_rows.forces(), loads, point, anchor,
                       share_of_anchor * controls.tolerance);
   keep_if_carried(near);
   keep_if_bound(
-      by_rays.motion_of(mechanism_near(by_rays.forces, loads, point)));
+      by_rows.motion_of(mechanism_near(by_rows.forces(), loads, point)));
 }
 
 void Search::keep_if_carried(const FactorState &near)
@@ -164,7 +185,7 @@ void Search::keep_if_carried(const FactorState &near)
         loads.sense * (carried - found.carried) > 0.))
     return;
   Solution solution;
-  solution.forces = by_rays.rays.forces_of(near.x);
+  solution.forces = by_rows.rows().forces_of(near.x);
   found.carried = carried;
   found.forces = dimensional_forces(problem, solution);
 }
@@ -186,7 +207,7 @@ LoadFactor Search::result()
   if (state == SelfDual::State::unbounded)
   {
     const AnyForces at_one = find_any_forces(
-        by_rays, loads_at(loads.sense), controls.n_max_iterations, terminal);
+        by_rows, loads_at(loads.sense), controls.n_max_iterations, terminal);
     found.is_unbounded = at_one.state.has_value();
     if (at_one.state)
     {

@@ -49,19 +49,19 @@ SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
           {largest_component(loads.dead), largest_component(loads.live)})),
       least_product(std::numeric_limits<double>::infinity())
 {
-  const Structure &structure = forces.of();
+  const BoundedRows &rows = forces.of();
   double strongest = 0.;
   for (const BoundedForces::Bound &bound : forces.bounds())
   {
     // All products start from one, and forces from the root of the stiffness.
-    const double k = std::sqrt(
-        structure.joints()[bound.row / structure.n_rows()].stiffness());
+    const double k =
+        std::sqrt(rows.joints()[bound.row / rows.n_rows()].stiffness());
     now.s.push_back(k);
     now.z.push_back(1. / k);
     strongest = std::max(strongest, bound.limit);
   }
-  now.x.assign(structure.n_all_rows(), 0.);
-  now.u.assign(structure.n_dofs(), 0.);
+  now.x.assign(rows.n_all_rows(), 0.);
+  now.u.assign(rows.n_dofs(), 0.);
   now.alpha = 0.;
   now.tau = now.kappa = 1.;
   const double live = largest_component(loads.live);
@@ -119,12 +119,12 @@ SelfDual::State SelfDual::judge()
     return largest_component(v) / now.tau;
   };
   double of_multipliers = 0.;
-  const Structure &structure = forces.of();
+  const BoundedRows &rows = forces.of();
   for (std::size_t k = 0; k < residual.multipliers.size(); ++k)
-    of_multipliers = std::max(
-        of_multipliers,
-        std::abs(residual.multipliers[k]) *
-            std::sqrt(structure.joints()[k / structure.n_rows()].stiffness()));
+    of_multipliers =
+        std::max(of_multipliers,
+                 std::abs(residual.multipliers[k]) *
+                     std::sqrt(rows.joints()[k / rows.n_rows()].stiffness()));
   double of_bounds = 0.;
   for (std::size_t b = 0; b < residual.bounds.size(); ++b)
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /

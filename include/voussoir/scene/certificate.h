@@ -41,8 +41,8 @@ struct Certificate
   /** Largest size of the sum of all forces on a cell, over the reference. */
   double equilibrium_residual = 0.;
   /**
-   * Largest violation of f_e^n <= 0 and of |f_e^t| <= s_e |e|, over the
-   * reference force.
+   * Largest violation of f_e^n <= 0 and of |f_e^t| <= s_e |e|, or of what else
+   * JointLimits are, over the reference force.
    */
   double admissibility_violation = 0.;
   /** Largest |f_e^t| / (s_e |e|). */

@@ -22,6 +22,10 @@ struct Strengths
   std::vector<double> of_interface;
   /** mu_e of each, the mean of mu over the interface; empty for Tresca. */
   std::vector<double> coefficient = {};
+  /** f_t of each, the mean; S. Empty if all are zero; see ContactParameters. */
+  std::vector<double> tensile = {};
+  /** f_c of each, the mean, or infinite; S. Empty if all are infinite. */
+  std::vector<double> compressive = {};
   /** Warnings to the user on means that are not exact. */
   std::vector<std::string> warnings;
 };
@@ -46,12 +50,9 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * The strengths of the interfaces of @p packing.
+   * The strengths of the interfaces of @p packing against sliding.
    *
-   * @throws InputError naming the interface if a strength is negative or not a
-   *   finite number, or varies too fast for its mean; if a formula cannot be
-   *   parsed; or naming a pair of groups that does not exist, is given twice or
-   *   meets nowhere.
+   * @throws InputError as means() does.
    */
   Strengths strengths(const Packing &packing) const;
 

@@ -5,6 +5,7 @@
 #include <voussoir/algebra/friction_law.h>
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/packing/packing.h>
+#include <voussoir/scene/joint_limits.h>
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/motion.h>
 
@@ -42,17 +43,26 @@ struct Scene
   std::vector<double> strength;
   /** mu_e of each interface, not negative; empty if all are zero. */
   std::vector<double> coefficient;
+  /** f_t of each interface, not negative; S. Empty if all are zero. */
+  std::vector<double> tensile_strength;
+  /** f_c of each interface, positive; S. Empty if no interface crushes. */
+  std::vector<double> compressive_strength;
   /** The forces that interfaces of a strength admit. */
   const FrictionLaw *friction = &tresca();
   /** The motions of the blocks. */
   const Kinematics *kinematics;
-  /**
-   * The largest |f_e^t| on interface @p e under the @p compression -f_e^n; S L.
-   */
-  double shear_strength(const unsigned int e, const double compression) const
+  /** The forces that interface @p e admits. */
+  JointLimits limits(const unsigned int e) const
   {
-    return strength[e] * packing.interfaces()[e].length +
-           (coefficient.empty() ? 0. : coefficient[e] * compression);
+    const double length = packing.interfaces()[e].length;
+    JointLimits of = {strength[e] * length};
+    if (!coefficient.empty())
+      of.coefficient = coefficient[e];
+    if (!tensile_strength.empty())
+      of.tension = tensile_strength[e] * length;
+    if (!compressive_strength.empty())
+      of.crushing = compressive_strength[e] * length;
+    return of;
   }
   /** True if any load acts on a cell. */
   bool is_loaded() const
@@ -96,7 +106,7 @@ private:
  */
 struct InterfaceForces
 {
-  /** f_e^n of each interface, <= 0: compression. */
+  /** f_e^n of each interface, <= 0 in compression. */
   std::vector<double> normal;
   /**
    * What of it acts at the start and at the end of each interface, <= 0; empty
@@ -105,6 +115,14 @@ struct InterfaceForces
   std::vector<std::array<double, 2>> at_ends;
   /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
   std::vector<double> tangential;
+
+  /** The normal force at the ends of interface @p e; halves without at_ends. */
+  std::array<double, 2> ends(const unsigned int e) const
+  {
+    return at_ends.empty()
+               ? std::array<double, 2>{{0.5 * normal[e], 0.5 * normal[e]}}
+               : at_ends[e];
+  }
 
   /**
    * The force on cell c- of interface @p e, f_e^n n_e + f_e^t t_e.

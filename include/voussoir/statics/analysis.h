@@ -77,8 +77,8 @@ using Answer = std::variant<Carried, NotCarried>;
  * Solve a scene, and judge what was found.
  *
  * @param scene in the user's units.
- * @param chosen selects the forces; AnyState with friction whose limit grows
- *   with the pressure.
+ * @param chosen selects the forces; AnyState where friction grows with the
+ *   pressure, or joints bear tension or crush.
  * @param controls of the solver.
  * @param record is filled.
  * @param timer counts "statics" and "certificate".

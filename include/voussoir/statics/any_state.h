@@ -2,10 +2,11 @@
 #ifndef voussoir_statics_any_state_h
 #define voussoir_statics_any_state_h
 
-#include <voussoir/statics/extreme_rays.h>
+#include <voussoir/statics/bounded_rows.h>
 #include <voussoir/statics/factor_bounds.h>
 #include <voussoir/statics/formulation.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,22 +18,48 @@ inline constexpr double largest_residual_of_state = 1e-11;
 /** The largest SelfDual::merit() of a point worth correcting to a proof. */
 inline constexpr double merit_worth_correcting = 1e-2;
 
-/** A problem with its joints by extreme rays, whose forces have bounds only. */
-class RayProblem
+/** The joints of a problem by rows whose forces have bounds only. */
+class RowProblem
 {
 public:
   /** @param problem must outlive this object. */
-  explicit RayProblem(const DiscreteProblem &problem);
-
-  /** The motion of the cells in @p u, n_dofs() numbers of any size; L. */
-  Motion motion_of(std::vector<double> u) const;
+  explicit RowProblem(const DiscreteProblem &problem);
 
   /** The problem. */
+  const DiscreteProblem &of() const { return problem; }
+  /** Its rows. */
+  const BoundedRows &rows() const { return *present_rows; }
+  /** Their forces; the ground and one cell of each group are held. */
+  BoundedForces &forces() { return *present_forces; }
+  /** True if joints crush, so that refine() makes other rows. */
+  bool has_strips() const;
+  /**
+   * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
+   * before have no meaning any more; their number is the same.
+   *
+   * @param u the displacement, BoundedRows::n_dofs() numbers.
+   * @param round 0, 1, ...: the cuts come closer.
+   */
+  void refine(const std::vector<double> &u, unsigned int round);
+  /** The number of rounds after which nothing is gained. */
+  static constexpr unsigned int n_rounds = 5;
+  /**
+   * The loads on the bodies of the rows: those of the problem, n_dofs()
+   * numbers, without those on held bodies, and @p with_offset for those of
+   * BoundedRows::offset().
+   */
+  std::vector<double> loads(std::vector<double> of_problem,
+                            bool with_offset) const;
+  /** The motion of the cells in @p u, of any size; L. */
+  Motion motion_of(std::vector<double> u) const;
+
+private:
+  void make_rows();
+
   const DiscreteProblem &problem;
-  /** Its joints. */
-  const ExtremeRays rays;
-  /** The forces of the rays; the ground and one cell of each group are held. */
-  BoundedForces forces;
+  Strips strips;
+  std::unique_ptr<BoundedRows> present_rows;
+  std::unique_ptr<BoundedForces> present_forces;
 };
 
 /** What find_any_forces() found: one of the two, or neither. */
@@ -40,24 +67,25 @@ struct AnyForces
 {
   /** Forces strictly within their bounds, without a factor. */
   std::optional<FactorState> state;
-  /** The displacement in which the loads collapse, n_dofs() numbers. */
+  /** The displacement of the bodies of the rows in which loads collapse. */
   std::vector<double> collapse;
   /** The number of iterations. */
   unsigned int n_iterations = 0;
 };
 
 /**
- * Find any admissible forces that balance @p loads, n_dofs() numbers without
- * those on held bodies, or their collapse, by SelfDual.
+ * Find any admissible forces that balance @p loads, see RowProblem::loads(), or
+ * their collapse, by SelfDual. Joints that crush may be cut anew.
  */
-AnyForces find_any_forces(RayProblem &problem,
+AnyForces find_any_forces(RowProblem &problem,
                           const std::vector<double> &loads,
                           unsigned int n_max_iterations,
                           Terminal &terminal);
 
 /**
- * The formulation of friction whose limit grows with the pressure, for which
- * the others select nothing: any state, far from the limits of most joints.
+ * The formulation of joints whose friction grows with the pressure, or that
+ * bear tension, or crush, for which the others select nothing: any state, far
+ * from the limits of most joints.
  */
 class AnyState : public Formulation
 {

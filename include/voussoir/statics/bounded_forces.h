@@ -3,19 +3,16 @@
 #define voussoir_statics_bounded_forces_h
 
 #include <voussoir/algebra/sparse_factor.h>
-#include <voussoir/algebra/structure.h>
+#include <voussoir/statics/bounded_rows.h>
 
 #include <vector>
 
 namespace Voussoir
 {
 /**
- * The forces x of the rows of a structure within their bounds, what they add up
- * to on the bodies, and the normal equations of that.
- *
- * The force of a contact is not positive, and that of a tangential row at most
- * the strength of its joint either way; without strength it is zero. A x is the
- * sum of forces on the bodies, and A^T u are minus the jumps.
+ * The forces x of rows within their bounds, what they add up to on the bodies,
+ * and the normal equations of that. A x is the sum of forces on the bodies, and
+ * A^T u are minus the jumps.
  */
 class BoundedForces
 {
@@ -27,18 +24,18 @@ public:
     unsigned int row;
     /** 1 or -1. */
     double sign;
-    /** The largest value, not negative. */
+    /** The largest value, not negative: zero is within all bounds. */
     double limit;
   };
 
   /**
-   * @param structure has the joints; it must outlive this object.
+   * @param rows must outlive this object.
    * @param held true for the bodies that do not move and need no balance.
    */
-  BoundedForces(const Structure &structure, std::vector<bool> held);
+  BoundedForces(const BoundedRows &rows, std::vector<bool> held);
 
-  /** The structure. */
-  const Structure &of() const { return structure; }
+  /** The rows. */
+  const BoundedRows &of() const { return rows; }
   /** All bounds, in the order of the rows, of which each has up to two. */
   const std::vector<Bound> &bounds() const { return all_bounds; }
   /** A x, n_dofs() numbers; zero for held bodies. */
@@ -80,10 +77,10 @@ public:
   std::vector<double> product(const std::vector<double> &u) const;
 
 private:
-  const Structure &structure;
+  const BoundedRows &rows;
   const std::vector<bool> held;
   std::vector<Bound> all_bounds;
-  /** Tangential rows of joints without strength. */
+  /** Rows whose bounds are both zero. */
   std::vector<unsigned int> without_force;
   std::vector<double> weights;
   SparseFactor factor;

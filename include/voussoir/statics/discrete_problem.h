@@ -11,6 +11,15 @@
 
 namespace Voussoir
 {
+/** The normal forces that a joint admits beside pressure; nondimensional. */
+struct NormalLimits
+{
+  /** f_t |e|, the largest tension. */
+  double tension;
+  /** f_c |e|, the largest compression, possibly infinite. */
+  double crushing;
+};
+
 /**
  * The proof that a motion opens every joint, or that none does. By the theorem
  * of the alternative of Gordan exactly one of these exists:
@@ -86,6 +95,17 @@ public:
     return with_ground ? body == n_cells() : body == group[body];
   }
 
+  /** Of each joint; empty where joints carry pressure alone, of any size. */
+  const std::vector<NormalLimits> &normal_limits() const
+  {
+    return limits_of_joints;
+  }
+  /** NormalLimits::tension of joint @p e. */
+  double tension(const unsigned int e) const
+  {
+    return limits_of_joints.empty() ? 0. : limits_of_joints[e].tension;
+  }
+
   /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
    * motion of the ground, or else the mean one.
@@ -150,6 +170,7 @@ private:
   bool has_load = false;
   double coordinate_rounding = 0.;
   unsigned int n_moving_cells = 0;
+  std::vector<NormalLimits> limits_of_joints;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
   friend const Opening &opening_of(const DiscreteProblem &problem);

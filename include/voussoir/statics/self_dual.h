@@ -97,9 +97,7 @@ private:
     std::vector<double> x, u, s, z;
     double alpha, tau, kappa;
   };
-  struct Step : Variables
-  {
-  };
+  using Step = Variables;
   /** The residuals of the five groups of equations. */
   struct Residuals
   {
