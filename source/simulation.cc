@@ -73,12 +73,6 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       "relative path starts at the directory that the program is run in. "
       "Empty: solve.",
       Anything());
-  prm.add_parameter(
-      "Rotations", blocks_turn,
-      "true: blocks also turn, so that moments are balanced, and touch at both "
-      "ends of an interface, so that its resultant has a place on it: arches "
-      "and towers may overturn. false: they slide only, as in the paper.",
-      dealii::Patterns::Bool());
   add_choice<Analysis>(
       prm, "Analysis", analysis,
       {{Analysis::state, "state",
@@ -91,13 +85,8 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
         "Live loads, Load factor"}},
       "What is asked of the packing.");
   solver.add_parameters(prm);
-  packing.add_parameters(prm);
-  supports.add_parameters(prm);
-  loads.add_parameters(prm);
-  live_loads.add_parameters(prm);
+  of_scene.add_parameters(prm);
   load_factor.add_parameters(prm);
-  friction.add_parameters(prm);
-  contact.add_parameters(prm);
   stress.add_parameters(prm);
   add_output_parameters(prm);
 }
@@ -143,7 +132,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   for (const std::string &warning : unused_settings(prm))
     terminal.warning(warning);
   ResultDirectory files(output_directory, all_files(), terminal);
-  for (const std::filesystem::path &file : packing.input_files(directory))
+  for (const std::filesystem::path &file : of_scene.input_files(directory))
     files.spare(file);
   std::optional<EarlierRun> earlier;
   if (!forces_from.empty() && analysis == Analysis::load_factor)
@@ -157,28 +146,22 @@ void Simulation::run(const dealii::ParameterHandler &prm,
     terminal.stage("Processes", std::to_string(team.size()));
   timer.enter_subsection("packing");
   terminal.begin("Packing");
-  Given given = read(directory);
   const bool is_state = analysis == Analysis::state;
-  const Scene scene = scene_of(is_state ? std::move(given) : given);
-  terminal.stage(
-      "Packing",
-      text(counted(scene.packing.n_cells(), "cell"), ", ",
-           counted(scene.packing.interfaces().size(), "interface"), ", ",
-           scene.packing.n_supports(), " of them supports, ",
-           counted(scene.packing.boundary_edges().size(), "boundary edge")));
-  for (const std::string &warning : cells_not_convex(scene.packing))
-    terminal.warning(warning);
-  show_supports(terminal, scene);
-  timer.leave_subsection();
-
+  Given given = of_scene.read(directory, !is_state, terminal);
+  show_packing(terminal, given.packing);
   if (!is_state)
-    return find_factor(files, given, scene, prm);
+  {
+    timer.leave_subsection();
+    return find_factor(files, std::move(given), prm);
+  }
+  const Scene scene = of_scene.scene_of(std::move(given));
+  timer.leave_subsection();
   RunRecord record = record_of(scene);
   Answer answer =
       earlier ? judge(scene, read_forces(*earlier, scene, record), record,
                       solver.controls().tolerance, timer, terminal)
-              : analyse(scene, solver.formulation(), solver.controls(), record,
-                        timer, terminal);
+              : analyse(scene, solver.formulation_for(scene), solver.controls(),
+                        record, timer, terminal);
   if (auto *const carried = std::get_if<Carried>(&answer))
     write(files, Results(record, std::move(*carried)), prm);
   else
@@ -194,69 +177,27 @@ RunRecord Simulation::record_of(const Scene &scene) const
   return record;
 }
 
-Simulation::Given Simulation::read(const std::filesystem::path &directory) const
-{
-  Packing blocks = packing.make_packing(directory, terminal);
-  for (const std::string &notice : blocks.notices())
-    terminal.warning(notice);
-  supports.support(blocks);
-  Given given = {std::move(blocks), {}, {}, {}};
-  given.strengths = friction.strengths(given.packing);
-  contact.add_strengths(given.packing, given.strengths);
-  given.loads = loads.loads(given.packing);
-  if (analysis == Analysis::load_factor)
-    given.live_loads = live_loads.loads(given.packing);
-  for (const auto &warnings : {given.strengths.warnings, given.loads.warnings,
-                               given.live_loads.warnings})
-    for (const std::string &warning : warnings)
-      terminal.warning(warning);
-  if (analysis == Analysis::load_factor &&
-      load_factor.factor() == LoadFactorParameters::Factor::all_loads)
-  {
-    given.live_loads.add(1., given.loads);
-    given.loads = {};
-    given.loads.traction.resize(given.packing.boundary_edges().size());
-  }
-  return given;
-}
-
-Scene Simulation::scene_of(Given given) const
-{
-  Scene scene(std::move(given.packing), std::move(given.strengths.of_interface),
-              std::move(given.loads),
-              blocks_turn ? rotations() : translations());
-  scene.coefficient = std::move(given.strengths.coefficient);
-  scene.tensile_strength = std::move(given.strengths.tensile);
-  scene.compressive_strength = std::move(given.strengths.compressive);
-  return scene;
-}
-
 void Simulation::find_factor(ResultDirectory &files,
-                             const Given &given,
-                             const Scene &dead,
+                             Given given,
                              const dealii::ParameterHandler &prm)
 {
   timer.enter_subsection("statics");
   terminal.begin("Statics");
-  Given with_live = given;
-  with_live.loads = given.live_loads;
-  const Scene live = scene_of(std::move(with_live));
-  LoadFactorAnswer answer = find_load_factor(
-      dead, live, load_factor.controls(solver.controls()), terminal);
+  FactorSearch search =
+      search_factor(std::move(given), of_scene, load_factor, solver, terminal);
   timer.leave_subsection();
-  if (!answer.factor)
+  const Scene &scene = search.scene;
+  RunRecord record = record_of(scene);
+  if (!search.answer.factor)
     write(files,
-          Collapse(record_of(dead), prove(dead, std::move(answer.collapse))),
+          Collapse(record, prove(scene, std::move(search.answer.collapse))),
           prm);
 
-  LoadFactor &factor = *answer.factor;
-  Given at_factor = given;
-  at_factor.loads.add(factor.carried, given.live_loads);
-  const Scene scene = scene_of(std::move(at_factor));
-  RunRecord record = record_of(scene);
+  LoadFactor &factor = *search.answer.factor;
   record.formulation = "load factor";
   record.selection = "one of the states that carry the loads at the factor";
   record.outcome = factor.stop.words();
+  record.passes = factor.passes;
   record.n_iterations = record.n_evaluations = factor.n_iterations;
   terminal.stage("Statics", text("load factor: ", record.outcome, " after ",
                                  counted(record.n_iterations, "iteration")));
@@ -265,15 +206,13 @@ void Simulation::find_factor(ResultDirectory &files,
   found.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
   Answer state = judge(scene, std::move(found), record,
                        solver.controls().tolerance, timer, terminal);
-  if (auto *const carried = std::get_if<Carried>(&state))
-  {
-    Results results(record, std::move(*carried));
-    results.load_factor = std::move(factor);
-    write(files, std::move(results), prm);
-  }
-  else
+  auto *const carried = std::get_if<Carried>(&state);
+  if (!carried)
     throw SolverError("The state found at the load factor does not carry its "
                       "loads; loosen 'Solver/Tolerance of the load factor'.");
+  Results results(record, std::move(*carried));
+  results.load_factor = std::move(factor);
+  write(files, std::move(results), prm);
 }
 
 Carried Simulation::read_forces(EarlierRun &earlier,

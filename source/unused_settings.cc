@@ -98,13 +98,17 @@ void Search::look_beside(const std::string &path,
               (entries.size() == 1 ? " has" : " have") + " no effect, since '" +
               (path + "/" + choice).substr(1) + "' is '" + chosen + "'.");
   };
+  std::set<std::string> in_use;
+  for (const auto &[value, names] : uses)
+    if (value == chosen)
+      in_use.insert(names.begin(), names.end());
   Names entries;
   for (const auto &[value, names] : uses)
     for (const std::string &name : names)
     {
       const std::string used = path + "/" + name;
       const Json &node = at(used);
-      if (value == chosen)
+      if (!in_use.insert(name).second) // in use, or named before
         continue;
       if (!is_entry(node))
       {

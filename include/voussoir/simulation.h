@@ -2,16 +2,10 @@
 #ifndef voussoir_simulation_h
 #define voussoir_simulation_h
 
+#include <voussoir/factor_search.h>
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
-#include <voussoir/packing/packing_parameters.h>
-#include <voussoir/scene/contact.h>
-#include <voussoir/scene/friction.h>
-#include <voussoir/scene/loads.h>
-#include <voussoir/scene/supports.h>
-#include <voussoir/statics/load_factor_parameters.h>
-#include <voussoir/statics/solver_parameters.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
 #include <voussoir/terminal/terminal.h>
@@ -71,22 +65,10 @@ private:
    */
   Carried
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
-  /** A packing with what its interfaces carry, and the loads on it. */
-  struct Given
-  {
-    Packing packing;
-    Strengths strengths;
-    Loads loads;
-    /** Without any unless a factor is looked for. */
-    Loads live_loads;
-  };
-  Given read(const std::filesystem::path &directory) const;
-  Scene scene_of(Given given) const;
   RunRecord record_of(const Scene &scene) const;
   /** Look for a factor instead of a state, and write what is found. */
   void find_factor(ResultDirectory &files,
-                   const Given &given,
-                   const Scene &dead,
+                   Given given,
                    const dealii::ParameterHandler &prm);
   /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
@@ -123,7 +105,6 @@ private:
   std::string output_directory = "output";
   /** Of results of which the forces are used; empty to solve. */
   std::string forces_from;
-  bool blocks_turn = false;
   /** What is asked of a scene. */
   enum class Analysis
   {
@@ -134,13 +115,8 @@ private:
   unsigned int verbosity = 1;
   ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;
-  PackingParameters packing;
-  SupportParameters supports;
-  LoadParameters loads;
-  LoadParameters live_loads = LoadParameters("Live loads");
+  SceneParameters of_scene;
   LoadFactorParameters load_factor;
-  FrictionParameters friction;
-  ContactParameters contact;
   SolverParameters solver;
   StressParameters stress;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/output/messages.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/version.h>
@@ -60,6 +61,9 @@ Json summary_of(const RunRecord &run, const Status &status)
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};
+  if (run.passes.n > 0)
+    summary["solver"]["passes"] = {{"number", run.passes.n},
+                                   {"rate", run.passes.rate}};
   if (!run.solver_seconds.empty())
     summary["solver"]["seconds"] = run.solver_seconds;
   if (!run.earlier_outcome.empty())
@@ -180,9 +184,17 @@ void write_summary_json(std::ostream &out, const Collapse &collapse)
   write(out, std::move(summary), collapse);
 }
 
-void show_supports(Terminal &terminal, const Scene &scene)
+void show_packing(Terminal &terminal, const Packing &packing)
 {
-  const std::vector<StraightRun> supports = straight_supports(scene.packing);
+  terminal.stage(
+      "Packing",
+      text(counted(packing.n_cells(), "cell"), ", ",
+           counted(packing.interfaces().size(), "interface"), ", ",
+           packing.n_supports(), " of them supports, ",
+           counted(packing.boundary_edges().size(), "boundary edge")));
+  for (const std::string &warning : cells_not_convex(packing))
+    terminal.warning(warning);
+  const std::vector<StraightRun> supports = straight_supports(packing);
   for (unsigned int k = 0; k < supports.size() && k < n_shown_supports; ++k)
     terminal.stage("Support", "from " + text_of_point(supports[k].start) +
                                   " to " + text_of_point(supports[k].end));

@@ -13,10 +13,14 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
       prm, "Law", law,
       {{Law::tresca, "Tresca", "|f_t| <= s_T |e|, whatever the pressure.",
         "Strength, Pair strengths"},
+       {Law::coulomb, "Coulomb",
+        "|f_t| <= c |e| + mu p with the compressive force p. Blocks slide "
+        "along their joints; what carries is then not certain from forces "
+        "alone, and what collapses is, if it is so with the next law.",
+        "Coefficient, Pair coefficients, Cohesion, Pair cohesions"},
        {Law::associated_coulomb, "associated Coulomb",
-        "|f_t| <= c |e| + mu p with the compressive force p. Joints that "
-        "slide open by mu times the sliding, so that the theorems of limit "
-        "analysis hold.",
+        "the same, where joints that slide open by mu times the sliding, so "
+        "that the theorems of limit analysis hold.",
         "Coefficient, Pair coefficients, Cohesion, Pair cohesions"}},
       "The largest tangential force f_t on an interface of the length |e|.");
   prm.add_parameter("Strength", strength,
@@ -72,6 +76,7 @@ Strengths FrictionParameters::strengths(const Packing &packing) const
                pair_coefficients, "Pair coefficients"},
               result.warnings);
   }
+  result.dilate = law != Law::coulomb;
   return result;
 }
 } // namespace Voussoir

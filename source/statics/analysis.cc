@@ -2,7 +2,6 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/analysis.h>
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
 
 #include <algorithm>
@@ -79,12 +78,6 @@ void check_certificate(const Scene &scene,
   throw SolverError(
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
-/** True if formulations have the limits of the joints. */
-bool formulations_serve(const Scene &scene)
-{
-  return scene.coefficient.empty() && scene.tensile_strength.empty() &&
-         scene.compressive_strength.empty();
-}
 } // namespace
 
 NotCarried prove(const Scene &scene, Motion motion)
@@ -133,15 +126,12 @@ Answer judge(const Scene &scene,
 }
 
 Answer analyse(const Scene &scene,
-               const Formulation &chosen,
+               const Formulation &formulation,
                const SolverControls &controls,
                SolverRecord &record,
                dealii::TimerOutput &timer,
                Terminal &terminal)
 {
-  const AnyState any_state;
-  const Formulation &formulation =
-      formulations_serve(scene) ? chosen : any_state;
   timer.enter_subsection("statics");
   terminal.begin("Statics");
   const DiscreteProblem problem(scene);
@@ -151,6 +141,7 @@ Answer analyse(const Scene &scene,
   record.outcome = solution.stop.words();
   record.n_iterations = solution.n_iterations;
   record.n_evaluations = solution.n_evaluations;
+  record.passes = solution.passes;
   record.solver_seconds = solution.seconds;
   terminal.stage("Statics",
                  text(record.formulation, ": ", record.outcome, " after ",

@@ -3,6 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/any_state.h>
+#include <voussoir/statics/sufficient_strengths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,12 +55,7 @@ AnyForces find_with_rows(RowProblem &problem,
 }
 
 /** The strips of joints between blocks that turn. */
-constexpr unsigned int n_strips_of_turning = 12;
-/**
- * How near cuts come to a place: of strips as wide as 1 / 12 to begin with, the
- * place is known to one of them, and so again of those that they are cut into.
- */
-constexpr double first_reach = 1. / 12., factor_of_reach = 0.2;
+constexpr unsigned int n_strips_of_turning = 16;
 } // namespace
 
 RowProblem::RowProblem(const DiscreteProblem &problem)
@@ -90,10 +86,9 @@ bool RowProblem::has_strips() const
                      });
 }
 
-void RowProblem::refine(const std::vector<double> &u, const unsigned int round)
+void RowProblem::refine(const std::vector<double> &u)
 {
-  strips = present_rows->cuts_for(
-      u, first_reach * std::pow(factor_of_reach, round));
+  strips = present_rows->cuts_for(u);
   make_rows();
 }
 
@@ -133,18 +128,38 @@ AnyForces find_any_forces(RowProblem &problem,
     if (found.collapse.empty() || !problem.has_strips() ||
         round == RowProblem::n_rounds)
       return found;
-    problem.refine(found.collapse, round);
+    problem.refine(found.collapse);
   }
 }
 
-Solution AnyState::select(const DiscreteProblem &problem,
-                          const SolverControls &controls,
-                          Terminal &terminal) const
+Solution collapse_with(const RowProblem &problem, const AnyForces &found)
+{
+  Solution solution;
+  solution.n_iterations = solution.n_evaluations = found.n_iterations;
+  solution.stop = Stop::Reason::collapse;
+  const DiscreteProblem &of = problem.of();
+  double dissipation = 0.;
+  for (unsigned int e = 0; e < of.joints().size(); ++e)
+    dissipation += of.friction().dissipation(
+        of.joints()[e].strength, of.sliding(e, found.collapse.data()));
+  solution.mechanism = Mechanism{problem.motion_of(found.collapse),
+                                 of.work(found.collapse.data()), dissipation};
+  return solution;
+}
+
+namespace
+{
+/** Forces, or a mechanism, or neither. */
+Solution find_state_or_collapse(const DiscreteProblem &problem,
+                                const SolverControls &controls,
+                                Terminal &terminal)
 {
   RowProblem by_rows(problem);
   const AnyForces found =
       find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
                       controls.n_max_iterations, terminal);
+  if (!found.collapse.empty())
+    return collapse_with(by_rows, found);
   Solution solution;
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
   if (found.state)
@@ -152,23 +167,27 @@ Solution AnyState::select(const DiscreteProblem &problem,
     solution.stop = Stop::Reason::converged;
     solution.forces = by_rows.rows().forces_of(found.state->x);
     solution.motion = Motion(problem.n_cells(), problem.kinematics());
-    return solution;
   }
-  if (found.collapse.empty())
+  return solution;
+}
+} // namespace
+
+Solution AnyState::select(const DiscreteProblem &problem,
+                          const SolverControls &controls,
+                          Terminal &terminal) const
+{
+  Solution found = solve_with_sufficient_strengths(
+      problem, controls,
+      [&](const DiscreteProblem &lowered, const SolverControls &rest) {
+        return find_state_or_collapse(lowered, rest, terminal);
+      });
+  if (!found.converged() && !found.mechanism)
     throw SolverError(
         text("Neither forces that carry the loads nor a mechanism were found "
              "after ",
              counted(found.n_iterations, "iteration"),
              ". The load is close to what the packing can carry, or "
              "'Solver/Maximum iterations' is small."));
-  solution.stop = Stop::Reason::collapse;
-  double dissipation = 0.;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    dissipation +=
-        problem.limit(e) * std::abs(problem.sliding(e, found.collapse.data()));
-  solution.mechanism =
-      Mechanism{by_rows.motion_of(found.collapse),
-                problem.work(found.collapse.data()), dissipation};
-  return solution;
+  return found;
 }
 } // namespace Voussoir

@@ -14,6 +14,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /** The least distance of two cuts, over that of most. */
 constexpr double closest_cuts = 0.1;
 
+/** Cuts beside a place, on each side; the others are coarse. */
+constexpr int n_on_a_side = 4;
+/** The reach of cuts, over that of the last time. */
+constexpr double closer = 0.25;
+/** Jumps of a joint, over the largest of all, that are rounding. */
+constexpr double small_jump = 1e-4;
+
 /** The motions of another kinematics, with another number of contacts. */
 class WithContacts : public Kinematics
 {
@@ -95,7 +102,7 @@ ContactRow sum(const double factor_of_a,
 } // namespace
 
 Strips::Strips(const std::size_t n_joints, const unsigned int n_strips)
-    : n(n_strips)
+    : n(n_strips), last_cut(n_joints)
 {
   places.reserve(n_joints * (n + 1));
   for (std::size_t e = 0; e < n_joints; ++e)
@@ -103,11 +110,16 @@ Strips::Strips(const std::size_t n_joints, const unsigned int n_strips)
       places.push_back(double(k) / n);
 }
 
-void Strips::cut_at(const unsigned int e,
-                    const double place,
-                    const double reach)
+void Strips::cut_at(const unsigned int e, const double place)
 {
-  const int n_on_a_side = (n - 2) / 2;
+  Cut &last = last_cut[e];
+  const double strip = 1. / n;
+  const double reach =
+      last.reach > 0.
+          ? std::min(strip, std::max(closer * last.reach,
+                                     2. * std::abs(place - last.place)))
+          : strip;
+  last = {place, reach};
   const double distance = reach / n_on_a_side;
   std::vector<double> cuts = {0.};
   for (int k = -n_on_a_side; k <= n_on_a_side; ++k)
@@ -121,8 +133,7 @@ void Strips::cut_at(const unsigned int e,
     for (unsigned int k = 2; k < cuts.size(); ++k)
       if (cuts[k] - cuts[k - 1] > cuts[widest] - cuts[widest - 1])
         widest = k;
-    cuts.insert(cuts.begin() + widest,
-                0.5 * (cuts[widest - 1] + cuts[widest]));
+    cuts.insert(cuts.begin() + widest, 0.5 * (cuts[widest - 1] + cuts[widest]));
   }
   std::copy(cuts.begin(), cuts.end(), &places[std::size_t(e) * (n + 1)]);
 }
@@ -279,26 +290,29 @@ std::vector<double> BoundedRows::offset() const
   return sum;
 }
 
-Strips BoundedRows::cuts_for(const std::vector<double> &u,
-                             const double reach) const
+Strips BoundedRows::cuts_for(const std::vector<double> &u) const
 {
   Strips cuts = strips;
   const unsigned int last = strips.n_strips() - 1;
   if (last == 0)
     return cuts;
+  double largest = 0.;
+  for (const double jump : jumps(u))
+    largest = std::max(largest, std::abs(jump));
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     if (!crushes(e))
       continue;
     const double first_opening = jump(with_strips(e), 0, u.data());
     const double last_opening = jump(with_strips(e), last, u.data());
-    if (first_opening == last_opening)
+    // Joints at rest are left as they are: elsewhere cut they carry less.
+    if (std::abs(first_opening - last_opening) <= small_jump * largest)
       continue;
     const double from = middle(e, 0), to = middle(e, last);
     const double place =
         from + (to - from) * (first_opening / (first_opening - last_opening));
     if (place > 0. && place < 1.)
-      cuts.cut_at(e, place, reach);
+      cuts.cut_at(e, place);
   }
   return cuts;
 }

@@ -244,6 +244,30 @@ Motion DiscreteProblem::motion_of_cells(const std::vector<double> &u,
   return motion;
 }
 
+std::vector<double> DiscreteProblem::unknowns_of(const Motion &motion,
+                                                 const double unit) const
+{
+  std::vector<double> u(n_dofs(), 0.);
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[dof(c, i)] = motion.displacement[c][i] / unit;
+  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
+    u[dof(c, 2)] = motion.rotation[c] * length_unit / unit;
+  return u;
+}
+
+DiscreteProblem
+DiscreteProblem::with_tresca(const std::vector<double> &limits) const
+{
+  DiscreteProblem problem(*this);
+  for (unsigned int e = 0; e < limits.size(); ++e)
+  {
+    problem.own.joints.list[e].strength = limits[e];
+    problem.own.joints.list[e].coefficient = 0.;
+  }
+  return problem;
+}
+
 DiscreteProblem
 DiscreteProblem::with_strengths_up_to(const double strength) const
 {
@@ -259,6 +283,43 @@ std::vector<double> DiscreteProblem::loads_of(const Scene &scene) const
   for (unsigned int c = 0; c < n_cells(); ++c)
     find_load(scene, c, &loads[dof(c, 0)]);
   return loads;
+}
+
+DiscreteProblem
+DiscreteProblem::with_loads(const std::vector<double> &loads) const
+{
+  DiscreteProblem problem(*this);
+  problem.own.loads = loads;
+  problem.has_load = true;
+  problem.balance_loads();
+  return problem;
+}
+
+DiscreteProblem DiscreteProblem::in_units_of(const double factor) const
+{
+  DiscreteProblem problem(*this);
+  problem.stress_unit *= factor;
+  for (double &load : problem.own.loads)
+    load /= factor;
+  for (Joint &joint : problem.own.joints.list)
+    joint.strength /= factor;
+  for (NormalLimits &limits : problem.limits_of_joints)
+    limits = {limits.tension / factor, limits.crushing / factor};
+  return problem;
+}
+
+double DiscreteProblem::largest_limit() const
+{
+  double largest = 0.;
+  for (const Joint &joint : joints())
+    largest = std::max(largest, joint.strength);
+  for (const NormalLimits &limits : limits_of_joints)
+  {
+    largest = std::max(largest, limits.tension);
+    if (std::isfinite(limits.crushing))
+      largest = std::max(largest, limits.crushing);
+  }
+  return largest;
 }
 
 DiscreteProblem DiscreteProblem::without_loads() const

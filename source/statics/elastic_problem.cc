@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -138,13 +139,14 @@ void ElasticJoint::find_second_derivatives(const unsigned int e,
 Solution minimise_elastic(const SharedProblem &problem,
                           const ElasticOrder &order,
                           const double displacement_unit,
+                          std::vector<double> start,
                           Terminal &terminal)
 {
   const Structure &structure = problem.structure();
   const ElasticJoint law(structure);
   JointSystem system(structure, order.linear_solver);
-  Newton newton(structure, law, system,
-                std::vector<double>(structure.n_dofs(), 0.));
+  start.resize(structure.n_dofs(), 0.);
+  Newton newton(structure, law, system, std::move(start));
   std::optional<ProximalSteps> proximal(newton);
   unsigned int n_of_interior_point = 0;
   const bool blocks_turn = structure.kinematics().n_rigid_motions() > 2;

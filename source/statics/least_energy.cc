@@ -20,6 +20,7 @@ constexpr unsigned int least_cells_per_process = 500;
 Solution minimise_together(const DiscreteProblem *whole,
                            const ElasticOrder &order,
                            const double displacement_unit,
+                           const std::vector<double> &start,
                            const Team &team,
                            Terminal &terminal)
 {
@@ -29,7 +30,7 @@ Solution minimise_together(const DiscreteProblem *whole,
     const SharedProblem problem(whole, team);
     const double seconds_to_share = timer.wall_time();
     Solution solution =
-        minimise_elastic(problem, of_root, displacement_unit, terminal);
+        minimise_elastic(problem, of_root, displacement_unit, start, terminal);
     if (team.size() > 1)
       solution.seconds["sharing"] = seconds_to_share;
     return solution;
@@ -67,8 +68,11 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
       problem.n_cells() >= least_cells_per_process * controls.team.size();
   const Team team = is_shared ? controls.team : Team();
   team.call(least_energy_task);
-  const Solution solution =
-      minimise_together(&problem, order, displacement_unit, team, terminal);
+  std::vector<double> start;
+  if (controls.start && team.size() == 1)
+    start = problem.unknowns_of(*controls.start, displacement_unit);
+  const Solution solution = minimise_together(
+      &problem, order, displacement_unit, start, team, terminal);
   return settle(problem, elastic_costs(problem), controls, displacement_unit,
                 solution, terminal);
 }
@@ -77,7 +81,7 @@ void assist_least_energy(const Team &team, Terminal &terminal)
 {
   try
   {
-    minimise_together(nullptr, {}, 0., team, terminal);
+    minimise_together(nullptr, {}, 0., {}, team, terminal);
   }
   catch (const SolverError &)
   {

@@ -23,8 +23,24 @@ constexpr unsigned int n_between = 2;
 /** The part of the wanted width that the anchor of a state may take. */
 constexpr double share_of_anchor = 0.05;
 
+/** A factor, over LoadFactor::unit, that is none. */
+constexpr double small_factor = 1e-3;
+
 /** The largest closing of a mechanism that is a proof. */
 constexpr double largest_closing = 1e-12;
+
+/**
+ * The problem of the dead loads; without any of the live ones, whose own size
+ * means nothing, with forces in units of what joints bear by themselves.
+ */
+DiscreteProblem problem_of(const Scene &dead, const Scene &live)
+{
+  if (dead.is_loaded())
+    return DiscreteProblem(dead);
+  const DiscreteProblem problem(live);
+  const double limit = problem.largest_limit();
+  return limit > 0. ? problem.in_units_of(limit) : problem;
+}
 
 /** The search for a factor, phase by phase. */
 class Search
@@ -57,6 +73,8 @@ private:
   /** The live loads are of the size of the dead ones. */
   SelfDual::Loads loads;
   double unit_of_factor = 1.;
+  /** The largest dead load; the live ones have one of that size, or of one. */
+  double dead_size = 0.;
   /** A state far from the bounds. */
   std::optional<FactorState> anchor;
   /** The displacement of the last point with a small error. */
@@ -70,23 +88,31 @@ Search::Search(const Scene &dead,
                const LoadFactorControls &controls,
                Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
-      problem(dead.is_loaded() ? dead : live),
+      problem(problem_of(dead, live)),
       by_rows(problem), loads{by_rows.loads(problem.loads_of(dead), true),
                               by_rows.loads(problem.loads_of(live), false),
                               controls.greatest ? 1. : -1.}
 {
-  const double dead_size = largest_component(loads.dead);
   const double live_size = largest_component(loads.live);
   if (!(live_size > 0.))
     throw InputError("'Analysis' is 'load factor', and there are no loads to "
                      "be multiplied: 'Live loads' gives them, or 'Loads' with "
                      "'Load factor/Factor = all loads'.");
-  if (dead_size > 0.)
-    unit_of_factor = dead_size / live_size;
+  dead_size = largest_component(by_rows.loads(problem.loads_of(dead), false));
+  // Or else those of what joints bear, which are one.
+  unit_of_factor = (dead_size > 0. ? dead_size : 1.) / live_size;
   for (double &load : loads.live)
     load *= unit_of_factor;
+  found.unit = unit_of_factor;
   found.carried = -loads.sense * std::numeric_limits<double>::infinity();
   found.bound = loads.sense * std::numeric_limits<double>::infinity();
+  if (dead_size > 0.)
+    return;
+  // Without loads there is nothing to be carried.
+  Solution rest;
+  rest.forces.resize(problem.n_all_rows());
+  found.carried = 0.;
+  found.forces = dimensional_forces(problem, rest);
 }
 
 std::vector<double> Search::loads_at(const double factor) const
@@ -117,7 +143,7 @@ void Search::find_proofs()
         found.width() <= controls.tolerance || !by_rows.has_strips() ||
         round == RowProblem::n_rounds)
       return;
-    by_rows.refine(best_u, round);
+    by_rows.refine(best_u);
     anchor.reset(); // of other strips
   }
 }
@@ -181,7 +207,12 @@ void Search::look_near(const SelfDual::Point &point)
 void Search::keep_if_carried(const FactorState &near)
 {
   const double carried = near.alpha * unit_of_factor;
-  if (!(near.residual <= largest_residual_of_state &&
+  // The residual is relative to live loads of their whole size.
+  const double size =
+      std::max({largest_component(loads.dead), largest_component(loads.live)});
+  const double size_at_factor =
+      std::max(dead_size, std::abs(near.alpha) * largest_component(loads.live));
+  if (!(near.residual * size <= largest_residual_of_state * size_at_factor &&
         loads.sense * (carried - found.carried) > 0.))
     return;
   Solution solution;
@@ -235,7 +266,8 @@ double LoadFactor::width() const
 {
   if (!std::isfinite(carried) || !std::isfinite(bound))
     return std::numeric_limits<double>::infinity();
-  const double size = std::max(std::abs(carried), std::abs(bound));
+  const double size =
+      std::max({std::abs(carried), std::abs(bound), small_factor * unit});
   return size > 0. ? std::abs(bound - carried) / size : 0.;
 }
 

@@ -11,9 +11,10 @@ void LoadFactorParameters::add_parameters(dealii::ParameterHandler &prm)
       prm, "Factor", chosen,
       {{Factor::live_loads, "live loads",
         "the loads in 'Live loads'; those in 'Loads' stay as they are."},
-       {Factor::all_loads, "all loads",
-        "the loads in both sections. With Tresca's friction it is also the "
-        "factor by which all strengths may be divided."}},
+       {Factor::all_loads, "all loads", "the loads in both sections."},
+       {Factor::strength, "strength",
+        "nothing: the strengths against sliding, s_T or c and mu, are divided "
+        "by it, and the loads in both sections stay as they are."}},
       "What the factor multiplies.");
   add_choice<Direction>(
       prm, "Direction", direction,

@@ -39,6 +39,8 @@ constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 constexpr unsigned int n_patience = 10;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
+/** A bound, over the loads, that hardly matters to begin with. */
+constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
 constexpr double small_factor = 1e-3;
 } // namespace
@@ -53,11 +55,13 @@ SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
   double strongest = 0.;
   for (const BoundedForces::Bound &bound : forces.bounds())
   {
-    // All products start from one, and forces from the root of the stiffness.
+    // All products start from one, and forces from the root of the stiffness;
+    // from bounds that are much farther away they are as far.
     const double k =
         std::sqrt(rows.joints()[bound.row / rows.n_rows()].stiffness());
-    now.s.push_back(k);
-    now.z.push_back(1. / k);
+    const double s = bound.limit > far_bound ? bound.limit : k;
+    now.s.push_back(s);
+    now.z.push_back(1. / s);
     strongest = std::max(strongest, bound.limit);
   }
   now.x.assign(rows.n_all_rows(), 0.);

@@ -8,14 +8,34 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** The one place where a formulation is registered. */
+std::vector<std::unique_ptr<Formulation>> all_formulations()
+{
+  std::vector<std::unique_ptr<Formulation>> all;
+  all.push_back(std::make_unique<SmoothedFriction>());
+  all.push_back(std::make_unique<LinearProgram>());
+  all.push_back(std::make_unique<AnalyticCentre>());
+  all.push_back(std::make_unique<LeastEnergy>());
+  return all;
+}
+} // namespace
+
 SolverParameters::SolverParameters(const Team &team)
+    : formulations(all_formulations()), coulomb_state(least_energy())
 {
   common.team = team;
-  // The one place where a formulation is registered.
-  formulations.push_back(std::make_unique<SmoothedFriction>());
-  formulations.push_back(std::make_unique<LinearProgram>());
-  formulations.push_back(std::make_unique<AnalyticCentre>());
-  formulations.push_back(std::make_unique<LeastEnergy>());
+}
+
+const Formulation &SolverParameters::formulation_for(const Scene &scene) const
+{
+  if (!scene.dilates)
+    return coulomb_state;
+  const bool is_served = scene.coefficient.empty() &&
+                         scene.tensile_strength.empty() &&
+                         scene.compressive_strength.empty();
+  return is_served ? formulation() : any_state;
 }
 
 void SolverParameters::add_parameters(dealii::ParameterHandler &prm)

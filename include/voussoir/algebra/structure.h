@@ -31,7 +31,7 @@ class Structure
 {
 public:
   /** The largest number of rows of a joint. */
-  static constexpr unsigned int most_rows = 13;
+  static constexpr unsigned int most_rows = 17;
 
   /** An interface e; nondimensional. */
   struct Joint

@@ -19,8 +19,11 @@ void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
 /** @} */
 
-/** Show the ends of the first supports, and the number of the others. */
-void show_supports(Terminal &terminal, const Scene &scene);
+/**
+ * Show the size of a packing, and of its supports the ends of the first and the
+ * number of the others.
+ */
+void show_packing(Terminal &terminal, const Packing &packing);
 
 /** The summary of a run in a few lines, for people. */
 void show_summary(Terminal &terminal, const Results &results);

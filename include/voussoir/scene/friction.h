@@ -22,6 +22,8 @@ struct Strengths
   std::vector<double> of_interface;
   /** mu_e of each, the mean of mu over the interface; empty for Tresca. */
   std::vector<double> coefficient = {};
+  /** Scene::dilates. */
+  bool dilate = true;
   /** f_t of each, the mean; S. Empty if all are zero; see ContactParameters. */
   std::vector<double> tensile = {};
   /** f_c of each, the mean, or infinite; S. Empty if all are infinite. */
@@ -42,7 +44,9 @@ public:
   {
     /** s_e |e|. */
     tresca,
-    /** c_e |e| - mu_e f_e^n, where joints open by mu_e times the sliding. */
+    /** c_e |e| - mu_e f_e^n. */
+    coulomb,
+    /** The same, where joints open by mu_e times the sliding. */
     associated_coulomb
   };
 

@@ -43,6 +43,11 @@ struct Scene
   std::vector<double> strength;
   /** mu_e of each interface, not negative; empty if all are zero. */
   std::vector<double> coefficient;
+  /**
+   * False if blocks do not lift off as Coulomb's friction lets them slide, so
+   * that no theorem of limit analysis holds.
+   */
+  bool dilates = true;
   /** f_t of each interface, not negative; S. Empty if all are zero. */
   std::vector<double> tensile_strength;
   /** f_c of each interface, positive; S. Empty if no interface crushes. */

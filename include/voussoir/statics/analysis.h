@@ -34,6 +34,8 @@ struct SolverRecord
   unsigned int n_iterations = 0;
   /** Solution::n_evaluations. */
   unsigned int n_evaluations = 0;
+  /** Solution::passes. */
+  Passes passes = {};
   /** Solution::seconds. */
   std::map<std::string, double> solver_seconds;
 };
@@ -77,8 +79,7 @@ using Answer = std::variant<Carried, NotCarried>;
  * Solve a scene, and judge what was found.
  *
  * @param scene in the user's units.
- * @param chosen selects the forces; AnyState where friction grows with the
- *   pressure, or joints bear tension or crush.
+ * @param formulation selects the forces.
  * @param controls of the solver.
  * @param record is filled.
  * @param timer counts "statics" and "certificate".
@@ -88,7 +89,7 @@ using Answer = std::variant<Carried, NotCarried>;
  *   accepts nor a proof.
  */
 Answer analyse(const Scene &scene,
-               const Formulation &chosen,
+               const Formulation &formulation,
                const SolverControls &controls,
                SolverRecord &record,
                dealii::TimerOutput &timer,

@@ -38,11 +38,10 @@ public:
    * before have no meaning any more; their number is the same.
    *
    * @param u the displacement, BoundedRows::n_dofs() numbers.
-   * @param round 0, 1, ...: the cuts come closer.
    */
-  void refine(const std::vector<double> &u, unsigned int round);
-  /** The number of rounds after which nothing is gained. */
-  static constexpr unsigned int n_rounds = 5;
+  void refine(const std::vector<double> &u);
+  /** How often that may be worth while. */
+  static constexpr unsigned int n_rounds = 20;
   /**
    * The loads on the bodies of the rows: those of the problem, n_dofs()
    * numbers, without those on held bodies, and @p with_offset for those of
@@ -81,6 +80,9 @@ AnyForces find_any_forces(RowProblem &problem,
                           const std::vector<double> &loads,
                           unsigned int n_max_iterations,
                           Terminal &terminal);
+
+/** The solution of a problem that collapses as @p found says. */
+Solution collapse_with(const RowProblem &problem, const AnyForces &found);
 
 /**
  * The formulation of joints whose friction grows with the pressure, or that

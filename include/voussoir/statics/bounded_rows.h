@@ -27,14 +27,21 @@ struct Strips
     return &places[std::size_t(e) * (n + 1)];
   }
   /**
-   * Cut joint @p e at @p place, and within @p reach of it on both sides at equal
-   * distances, and coarsely elsewhere.
+   * Cut joint @p e at @p place and closely beside it, and coarsely elsewhere:
+   * the first time as if the place were known to one of the equal strips, and
+   * then more closely each time, unless the place has moved.
    */
-  void cut_at(unsigned int e, double place, double reach);
+  void cut_at(unsigned int e, double place);
 
 private:
   unsigned int n;
   std::vector<double> places;
+  /** The last place of cut_at() in each joint, and how far its cuts reach. */
+  struct Cut
+  {
+    double place = 0., reach = 0.;
+  };
+  std::vector<Cut> last_cut;
 };
 
 /**
@@ -82,7 +89,7 @@ public:
    */
   std::vector<double> offset() const;
   /** The strips with cuts where @p u neither opens nor closes joints. */
-  Strips cuts_for(const std::vector<double> &u, double reach) const;
+  Strips cuts_for(const std::vector<double> &u) const;
 
 private:
   using Rows = std::array<ContactRow, most_rows>;

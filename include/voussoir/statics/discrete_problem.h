@@ -124,11 +124,32 @@ public:
    */
   Motion motion_of_cells(const std::vector<double> &u, double unit) const;
 
+  /** The other way round; the ground is at rest. */
+  std::vector<double> unknowns_of(const Motion &motion, double unit) const;
+
+  /**
+   * The same problem with Tresca's friction, |f_e^t| at most @p limits, one for
+   * each joint, nondimensional.
+   */
+  DiscreteProblem with_tresca(const std::vector<double> &limits) const;
+
   /**
    * The same problem with all strengths s_e above @p strength, nondimensional,
    * lowered to it.
    */
   DiscreteProblem with_strengths_up_to(double strength) const;
+
+  /** The same problem with other loads, those of loads_of(). */
+  DiscreteProblem with_loads(const std::vector<double> &loads) const;
+
+  /**
+   * The largest force that a joint bears without pressure, or crushes under,
+   * nondimensional; zero if there is none.
+   */
+  double largest_limit() const;
+
+  /** The same problem with a unit of stress so many times as large. */
+  DiscreteProblem in_units_of(double factor) const;
 
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;

@@ -4,7 +4,7 @@
 
 #include <voussoir/scene/certificate.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/stop.h>
+#include <voussoir/statics/solution.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <limits>
@@ -41,6 +41,8 @@ struct LoadFactor
   Motion mechanism;
   /** Its errors as a proof. */
   FactorBound proof;
+  /** Of find_factor_without_dilatancy(). */
+  Passes passes = {};
   /** The number of iterations. */
   unsigned int n_iterations = 0;
   /** The reason for which the method stopped. */
@@ -48,7 +50,16 @@ struct LoadFactor
 
   /** True if there is a mechanism that proves a bound. */
   bool has_mechanism() const { return !mechanism.displacement.empty(); }
-  /** The distance of the two bounds, over the size of the larger one. */
+  /**
+   * The factor at which the live loads are as large as the dead ones, or
+   * without these as what joints bear by themselves: far below it factors are
+   * zero. Zero if there is nothing to compare with.
+   */
+  double unit = 0.;
+  /**
+   * The distance of the two bounds, over the size of the larger one or a
+   * thousandth of the unit, whichever is more.
+   */
   double width() const;
 };
 

@@ -19,7 +19,9 @@ public:
     /** The section `Live loads`. */
     live_loads,
     /** Both sections of loads. */
-    all_loads
+    all_loads,
+    /** The strengths against sliding, as a divisor. */
+    strength
   };
 
   /** Declare the section and bind it. */

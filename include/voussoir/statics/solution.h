@@ -12,6 +12,15 @@
 
 namespace Voussoir
 {
+/** The passes of a fixed point. */
+struct Passes
+{
+  /** Their number; zero if there is no fixed point. */
+  unsigned int n = 0;
+  /** The last change over the one before. */
+  double rate = 0.;
+};
+
 /** The result of a formulation. */
 struct Solution
 {
@@ -42,6 +51,8 @@ struct Solution
   std::optional<Mechanism> mechanism;
   /** The number of the solver's iterations. */
   unsigned int n_iterations = 0;
+  /** Of CoulombState. */
+  Passes passes = {};
   /** The number of evaluations of the energy or the forces by the solver. */
   unsigned int n_evaluations = 0;
   /** The wall time of parts of the solution, by name; seconds. */

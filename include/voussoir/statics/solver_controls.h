@@ -3,6 +3,7 @@
 #define voussoir_statics_solver_controls_h
 
 #include <voussoir/parallel/team.h>
+#include <voussoir/scene/motion.h>
 
 namespace Voussoir
 {
@@ -22,6 +23,11 @@ struct SolverControls
    * the root alone.
    */
   Team team = Team();
+  /**
+   * A motion near that of the solution, as a formulation returns it, or null.
+   * LeastEnergy starts from it, if it is alone.
+   */
+  const Motion *start = nullptr;
 };
 
 /** @{ */

@@ -2,7 +2,8 @@
 #ifndef voussoir_statics_solver_parameters_h
 #define voussoir_statics_solver_parameters_h
 
-#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/coulomb_state.h>
 
 #include <memory>
 #include <vector>
@@ -21,6 +22,11 @@ public:
 
   /** The one that was chosen, with its parameters. */
   const Formulation &formulation() const { return *formulations[chosen]; }
+  /** The same, or AnyState or CoulombState if the joints of @p scene need it.
+   */
+  const Formulation &formulation_for(const Scene &scene) const;
+  /** LeastEnergy, with its parameters. */
+  const Formulation &least_energy() const { return *formulations.back(); }
 
   /** The controls that all formulations share. */
   const SolverControls &controls() const { return common; }
@@ -28,6 +34,8 @@ public:
 private:
   std::vector<std::unique_ptr<Formulation>> formulations;
   unsigned int chosen = 0;
+  AnyState any_state;
+  CoulombState coulomb_state;
   SolverControls common;
 };
 } // namespace Voussoir

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_scene_parameters_h
+#define voussoir_scene_parameters_h
+
+#include <voussoir/packing/packing_parameters.h>
+#include <voussoir/scene/contact.h>
+#include <voussoir/scene/friction.h>
+#include <voussoir/scene/loads.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/scene/supports.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <set>
+#include <vector>
+
+namespace Voussoir
+{
+/** A packing with what its interfaces carry, and the loads on it. */
+struct Given
+{
+  /** The packing with its supports. */
+  Packing packing;
+  /** Of its interfaces. */
+  Strengths strengths;
+  /** The loads that stay as they are. */
+  Loads loads;
+  /** Those that a factor multiplies, if one is looked for. */
+  Loads live_loads;
+};
+
+/** The entry `Rotations` and the sections that describe a scene. */
+class SceneParameters
+{
+public:
+  /** Declare them and bind them. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /** Files that the packing is read from; paths start at @p directory. */
+  auto input_files(const std::filesystem::path &directory) const
+  {
+    return packing.input_files(directory);
+  }
+  /**
+   * Make all of it.
+   *
+   * @param directory where relative paths begin.
+   * @param with_live_loads false to leave these out.
+   * @param terminal sees what is noticed.
+   * @throws InputError.
+   */
+  Given read(const std::filesystem::path &directory,
+             bool with_live_loads,
+             Terminal &terminal) const;
+  /** The scene with its loads, without the live ones. */
+  Scene scene_of(Given given) const;
+  /** The same with the live loads times @p factor besides. */
+  Scene scene_at(Given given, double factor) const;
+  /** The scene with the live loads instead. */
+  Scene live_scene_of(Given given) const;
+
+private:
+  bool blocks_turn = false;
+  PackingParameters packing;
+  SupportParameters supports;
+  LoadParameters loads;
+  LoadParameters live_loads = LoadParameters("Live loads");
+  FrictionParameters friction;
+  ContactParameters contact;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/factor_search.h>
+#include <voussoir/statics/factor_without_dilatancy.h>
+#include <voussoir/statics/strength_factor.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** All loads as live ones. */
+Given with_all_live(Given given)
+{
+  given.live_loads.add(1., given.loads);
+  given.loads = {};
+  given.loads.traction.resize(given.packing.boundary_edges().size());
+  return given;
+}
+
+/** The factor of strengths that all forces are proportional to. */
+FactorSearch as_factor_of_loads(const Given &given,
+                                const SceneParameters &parameters,
+                                const LoadFactorControls &controls,
+                                Terminal &terminal)
+{
+  const Given all = with_all_live(given);
+  FactorSearch found = {find_load_factor(parameters.scene_of(all),
+                                         parameters.live_scene_of(all),
+                                         controls, terminal),
+                        parameters.scene_at(all, 1.)};
+  if (!found.answer.factor)
+    return found;
+  LoadFactor &factor = *found.answer.factor;
+  const double divisor = factor.carried;
+  if (!(divisor > 0.))
+    throw SolverError("No strengths carry the loads: there is no factor that "
+                      "they may be divided by.");
+  found.scene = with_strengths_divided(found.scene, divisor);
+  for (auto *const forces : {&factor.forces.normal, &factor.forces.tangential})
+    for (double &force : *forces)
+      force /= divisor;
+  for (auto &ends : factor.forces.at_ends)
+    for (double &force : ends)
+      force /= divisor;
+  return found;
+}
+
+FactorSearch search_strength(const Given &given,
+                             const SceneParameters &parameters,
+                             const LoadFactorControls &controls,
+                             Terminal &terminal)
+{
+  const Scene scene = parameters.scene_at(given, 1.);
+  if (!scene.dilates)
+    throw InputError("'Load factor/Factor' is 'strength', and 'Friction/Law' "
+                     "is 'Coulomb', for which what is carried with some "
+                     "strengths need not be so with greater ones; set the law "
+                     "to 'associated Coulomb', or the factor to one of loads.");
+  check_strength_factor(scene, controls);
+  if (scene.coefficient.empty() && scene.tensile_strength.empty() &&
+      scene.compressive_strength.empty())
+    return as_factor_of_loads(given, parameters, controls, terminal);
+  FactorSearch found = {find_strength_factor(scene, controls, terminal), scene};
+  if (found.answer.factor)
+    found.scene = with_strengths_divided(scene, found.answer.factor->carried);
+  return found;
+}
+} // namespace
+
+FactorSearch search_factor(Given given,
+                           const SceneParameters &parameters,
+                           const LoadFactorParameters &what,
+                           const SolverParameters &solver,
+                           Terminal &terminal)
+{
+  const LoadFactorControls controls = what.controls(solver.controls());
+  if (what.factor() == LoadFactorParameters::Factor::strength)
+    return search_strength(given, parameters, controls, terminal);
+  if (what.factor() == LoadFactorParameters::Factor::all_loads)
+    given = with_all_live(std::move(given));
+  const Scene dead = parameters.scene_of(given);
+  const Scene live = parameters.live_scene_of(given);
+  LoadFactorAnswer answer =
+      dead.dilates
+          ? find_load_factor(dead, live, controls, terminal)
+          : find_factor_without_dilatancy(dead, live, solver.least_energy(),
+                                          solver.controls(), controls,
+                                          terminal);
+  const double factor = answer.factor ? answer.factor->carried : 0.;
+  return {std::move(answer), parameters.scene_at(std::move(given), factor)};
+}
+} // namespace Voussoir

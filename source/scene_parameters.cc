@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/scene_parameters.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+void SceneParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  prm.add_parameter(
+      "Rotations", blocks_turn,
+      "true: blocks also turn, so that moments are balanced, and touch at both "
+      "ends of an interface, so that its resultant has a place on it: arches "
+      "and towers may overturn. false: they slide only, as in the paper.",
+      dealii::Patterns::Bool());
+  packing.add_parameters(prm);
+  supports.add_parameters(prm);
+  loads.add_parameters(prm);
+  live_loads.add_parameters(prm);
+  friction.add_parameters(prm);
+  contact.add_parameters(prm);
+}
+
+Given SceneParameters::read(const std::filesystem::path &directory,
+                            const bool with_live_loads,
+                            Terminal &terminal) const
+{
+  Packing blocks = packing.make_packing(directory, terminal);
+  for (const std::string &notice : blocks.notices())
+    terminal.warning(notice);
+  supports.support(blocks);
+  Given given = {std::move(blocks), {}, {}, {}};
+  given.strengths = friction.strengths(given.packing);
+  contact.add_strengths(given.packing, given.strengths);
+  given.loads = loads.loads(given.packing);
+  if (with_live_loads)
+    given.live_loads = live_loads.loads(given.packing);
+  for (const auto &warnings : {given.strengths.warnings, given.loads.warnings,
+                               given.live_loads.warnings})
+    for (const std::string &warning : warnings)
+      terminal.warning(warning);
+  return given;
+}
+
+Scene SceneParameters::scene_of(Given given) const
+{
+  Scene scene(std::move(given.packing), std::move(given.strengths.of_interface),
+              std::move(given.loads),
+              blocks_turn ? rotations() : translations());
+  scene.coefficient = std::move(given.strengths.coefficient);
+  scene.dilates = given.strengths.dilate;
+  scene.tensile_strength = std::move(given.strengths.tensile);
+  scene.compressive_strength = std::move(given.strengths.compressive);
+  return scene;
+}
+
+Scene SceneParameters::scene_at(Given given, const double factor) const
+{
+  given.loads.add(factor, given.live_loads);
+  return scene_of(std::move(given));
+}
+
+Scene SceneParameters::live_scene_of(Given given) const
+{
+  std::swap(given.loads, given.live_loads);
+  return scene_of(std::move(given));
+}
+} // namespace Voussoir

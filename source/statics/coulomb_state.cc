@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/anderson.h>
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/coulomb_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** A strength with which no joint slides, in units of the loads. */
+constexpr double ample_strength = 1e6;
+/** The steps that the acceleration remembers. */
+constexpr unsigned int depth = 5;
+/** The change of a strength, over the largest force, that is none. */
+constexpr double small_change = 1e-12;
+/** The same with which passes may end without progress. */
+constexpr double acceptable_change = 1e-8;
+/** The imbalance of the last pass; others have that of the solver. */
+constexpr double tolerance_of_last = 1e-13;
+constexpr unsigned int n_patience = 10;
+constexpr unsigned int n_max_passes = 200, n_max_retreats = 8;
+
+/** The passes of the fixed point. */
+class FixedPoint
+{
+public:
+  FixedPoint(const DiscreteProblem &problem,
+             const Formulation &formulation,
+             const SolverControls &controls,
+             Terminal &terminal)
+      : problem(problem), formulation(formulation), controls(controls),
+        terminal(terminal), anderson(depth)
+  {
+    this->controls.equilibrate = false;
+  }
+
+  /** The state, or none. */
+  std::optional<Solution> find();
+  /** Why there is none. */
+  std::string failure() const { return reason; }
+  unsigned int n_iterations() const { return iterations; }
+
+private:
+  bool solve(const std::vector<double> &limits);
+  void polish(const std::vector<double> &limits);
+  std::vector<double> own_limits() const;
+
+  const DiscreteProblem &problem;
+  const Formulation &formulation;
+  SolverControls controls;
+  Terminal &terminal;
+  Anderson anderson;
+  Solution state;
+  std::string reason;
+  unsigned int iterations = 0;
+};
+
+bool FixedPoint::solve(const std::vector<double> &limits)
+{
+  const Motion start = state.motion;
+  if (!start.displacement.empty())
+    controls.start = &start;
+  Solution found =
+      formulation.solve(problem.with_tresca(limits), controls, terminal);
+  iterations += found.n_iterations;
+  if (found.mechanism || !found.converged())
+    return false;
+  state = std::move(found);
+  return true;
+}
+
+/** Balance to rounding, if that can be had. */
+void FixedPoint::polish(const std::vector<double> &limits)
+{
+  controls.tolerance = std::min(controls.tolerance, tolerance_of_last);
+  solve(limits);
+}
+
+/** c_e |e| + mu_e p_e in the present state. */
+std::vector<double> FixedPoint::own_limits() const
+{
+  std::vector<double> limits;
+  auto force = state.forces.begin();
+  for (const Structure::Joint &joint : problem.joints())
+  {
+    double normal = 0.;
+    for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+      normal += *force++;
+    ++force;
+    limits.push_back(joint.strength - joint.coefficient * std::min(normal, 0.));
+  }
+  return limits;
+}
+
+std::optional<Solution> FixedPoint::find()
+{
+  if (!solve(std::vector<double>(problem.joints().size(), ample_strength)))
+  {
+    reason = "joints that do not slide carry nothing";
+    return {};
+  }
+  std::vector<double> limits = own_limits(), last;
+  double least = std::numeric_limits<double>::infinity(), before = least;
+  unsigned int best = 0, n_retreats = 0;
+  for (unsigned int n = 1; n <= n_max_passes; ++n)
+  {
+    if (!solve(limits))
+    {
+      if (last.empty() || ++n_retreats > n_max_retreats)
+      {
+        reason = text("the strengths of pass ", n, " carry nothing");
+        return {};
+      }
+      for (std::size_t e = 0; e < limits.size(); ++e)
+        limits[e] = 0.5 * (limits[e] + last[e]);
+      anderson.restart();
+      continue;
+    }
+    last = limits;
+    const std::vector<double> own = own_limits();
+    double change = 0.;
+    for (std::size_t e = 0; e < own.size(); ++e)
+      change = std::max(change, std::abs(own[e] - limits[e]));
+    change /= largest_component(state.forces);
+    terminal.iteration("Fixed point", text("pass ", n, ", change ", change));
+    if (change < least)
+    {
+      least = change;
+      best = n;
+    }
+    const bool is_stalled = n > best + n_patience;
+    if (change <= small_change || (is_stalled && change <= acceptable_change))
+    {
+      polish(limits);
+      state.passes = {n, before > 0. ? change / before : 0.};
+      state.n_iterations = iterations;
+      return std::move(state);
+    }
+    if (is_stalled)
+      break;
+    before = change;
+    limits = anderson.next(limits, own);
+    for (std::size_t e = 0; e < limits.size(); ++e)
+      limits[e] = std::max(limits[e], 0.);
+  }
+  reason =
+      text("its strengths still change by ", least, " of the largest force");
+  return {};
+}
+} // namespace
+
+std::optional<Solution> find_coulomb_state(const DiscreteProblem &problem,
+                                           const Formulation &of_passes,
+                                           const SolverControls &controls,
+                                           std::string &failure,
+                                           Terminal &terminal)
+{
+  FixedPoint passes(problem, of_passes, controls, terminal);
+  std::optional<Solution> found = passes.find();
+  failure = passes.failure();
+  return found;
+}
+
+Solution CoulombState::select(const DiscreteProblem &problem,
+                              const SolverControls &controls,
+                              Terminal &terminal) const
+{
+  std::string failure;
+  if (std::optional<Solution> found =
+          find_coulomb_state(problem, of_passes, controls, failure, terminal))
+    return std::move(*found);
+  // Forces that are admitted are so whether blocks dilate or not: if there are
+  // none, the mechanism of those that do is a proof.
+  RowProblem by_rows(problem);
+  const AnyForces any =
+      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
+                      controls.n_max_iterations, terminal);
+  if (!any.collapse.empty())
+    return collapse_with(by_rows, any);
+  throw SolverError(
+      text("No state with Coulomb's friction was found: ", failure, ". ",
+           any.state ? "Forces that friction admits balance the loads; but "
+                       "where blocks slide without lifting, no theorem says "
+                       "that such loads are carried. "
+                     : "",
+           "Take smaller loads, or set 'Friction/Law = associated Coulomb'."));
+}
+} // namespace Voussoir

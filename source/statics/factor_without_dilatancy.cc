@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/coulomb_state.h>
+#include <voussoir/statics/factor_without_dilatancy.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+namespace
+{
+/** The distance of a factor with a state from one without, over the bound. */
+constexpr double smallest_width = 1e-6;
+
+/** The search for states at factors of the live loads. */
+class StatesAtFactors
+{
+public:
+  StatesAtFactors(const Scene &dead,
+                  const Scene &live,
+                  const Formulation &formulation,
+                  const SolverControls &controls,
+                  Terminal &terminal)
+      : problem(dead.is_loaded() ? dead : live), dead(problem.loads_of(dead)),
+        live(problem.loads_of(live)), formulation(formulation),
+        controls(controls), terminal(terminal)
+  {}
+
+  /** Keep the state at @p factor, if there is one. */
+  bool has_state(const double factor)
+  {
+    std::vector<double> loads = dead;
+    add(loads, factor, live);
+    const DiscreteProblem at_factor = problem.with_loads(loads);
+    controls.start = found ? &found->motion : nullptr;
+    std::string failure;
+    std::optional<Solution> state =
+        find_coulomb_state(at_factor, formulation, controls, failure, terminal);
+    terminal.iteration("Load factor",
+                       text("factor ", factor, ": ",
+                            state ? text(state->passes.n, " passes")
+                                  : "no state, " + failure));
+    if (!state)
+      return false;
+    n_iterations += state->n_iterations;
+    found = std::move(state);
+    return true;
+  }
+
+  const DiscreteProblem problem;
+  /** The last state. */
+  std::optional<Solution> found;
+  unsigned int n_iterations = 0;
+
+private:
+  const std::vector<double> dead, live;
+  const Formulation &formulation;
+  SolverControls controls;
+  Terminal &terminal;
+};
+} // namespace
+
+LoadFactorAnswer
+find_factor_without_dilatancy(const Scene &dead,
+                              const Scene &live,
+                              const Formulation &of_passes,
+                              const SolverControls &controls,
+                              const LoadFactorControls &factor_controls,
+                              Terminal &terminal)
+{
+  LoadFactorAnswer answer =
+      find_load_factor(dead, live, factor_controls, terminal);
+  if (!answer.factor)
+    return answer;
+  LoadFactor &factor = *answer.factor;
+  StatesAtFactors states(dead, live, of_passes, controls, terminal);
+  // An unbounded factor stays so only if pressure alone balances the live
+  // loads; one that was asked for is carried.
+  double carried = 0., beyond = factor.carried;
+  if (!states.has_state(carried))
+    throw SolverError("The load factor was not found: the loads in 'Loads' "
+                      "alone have no state with Coulomb's friction. Look at "
+                      "them with 'Analysis = state', or set 'Friction/Law = "
+                      "associated Coulomb'.");
+  if (states.has_state(beyond))
+    carried = beyond;
+  while (std::abs(beyond - carried) > smallest_width * std::abs(factor.carried))
+  {
+    const double middle = 0.5 * (carried + beyond);
+    (states.has_state(middle) ? carried : beyond) = middle;
+  }
+  factor.carried = carried;
+  factor.passes = states.found->passes;
+  factor.n_iterations += states.n_iterations;
+  factor.forces = dimensional_forces(states.problem, *states.found);
+  return answer;
+}
+} // namespace Voussoir

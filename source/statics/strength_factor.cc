@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/strength_factor.h>
+
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** Strengths that much smaller, or greater, are none, or any. */
+constexpr double largest_divisor = 1e6;
+
+/** The search by bisection. */
+class StrengthSearch
+{
+public:
+  StrengthSearch(const Scene &scene,
+                 const LoadFactorControls &controls,
+                 Terminal &terminal)
+      : scene(scene), controls(controls), terminal(terminal)
+  {}
+
+  LoadFactorAnswer find();
+
+private:
+  enum class Verdict
+  {
+    carried,
+    collapse,
+    unknown
+  };
+  Verdict judge(double divisor);
+  void bracket();
+  void bisect();
+
+  const Scene &scene;
+  const LoadFactorControls &controls;
+  Terminal &terminal;
+  LoadFactor found;
+};
+
+/** What happens with the strengths divided, kept if it is a better proof. */
+StrengthSearch::Verdict StrengthSearch::judge(const double divisor)
+{
+  const Scene divided = with_strengths_divided(scene, divisor);
+  const DiscreteProblem problem(divided);
+  RowProblem by_rows(problem);
+  const AnyForces any =
+      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
+                      controls.n_max_iterations, terminal);
+  found.n_iterations += any.n_iterations;
+  terminal.iteration("Strength factor",
+                     text("divided by ", divisor, ": ",
+                          any.state              ? "carried"
+                          : any.collapse.empty() ? "not known"
+                                                 : "collapse"));
+  if (any.state)
+  {
+    Solution solution;
+    solution.forces = by_rows.rows().forces_of(any.state->x);
+    found.forces = dimensional_forces(problem, solution);
+    found.carried = divisor;
+    return Verdict::carried;
+  }
+  if (any.collapse.empty())
+    return Verdict::unknown;
+  Motion motion = by_rows.motion_of(any.collapse);
+  const MechanismCertificate proof = certify_mechanism(divided, motion);
+  if (!proves_collapse(proof))
+    return Verdict::unknown;
+  found.mechanism = std::move(motion);
+  found.bound = divisor;
+  found.proof = {divisor, 0., proof.closing_violation};
+  return Verdict::collapse;
+}
+
+/** Find a divisor that is carried, and one that is not. */
+void StrengthSearch::bracket()
+{
+  double divisor = 1.;
+  const Verdict first = judge(divisor);
+  const double step = first == Verdict::carried ? 2. : 0.5;
+  while (divisor * step <= largest_divisor &&
+         divisor * step >= 1. / largest_divisor)
+  {
+    divisor *= step;
+    const Verdict next = judge(divisor);
+    if (next != first && next != Verdict::unknown)
+      return;
+  }
+}
+
+void StrengthSearch::bisect()
+{
+  const auto middle = [](const double a, const double b) {
+    return std::sqrt(a * b);
+  };
+  double not_carried = found.bound;
+  while (not_carried / found.carried - 1. > controls.tolerance)
+    if (const double divisor = middle(found.carried, not_carried);
+        judge(divisor) != Verdict::carried)
+      not_carried = divisor;
+  // The same, unless it is not known what happens there.
+  double no_collapse = not_carried;
+  while (found.bound / no_collapse - 1. > controls.tolerance)
+    if (const double divisor = middle(no_collapse, found.bound);
+        judge(divisor) != Verdict::collapse)
+      no_collapse = divisor;
+}
+
+LoadFactorAnswer StrengthSearch::find()
+{
+  found.carried = 0.;
+  found.bound = std::numeric_limits<double>::infinity();
+  LoadFactorAnswer answer;
+  if (judge(std::numeric_limits<double>::infinity()) == Verdict::carried)
+  {
+    // Pressure alone carries the loads.
+    found.is_unbounded = true;
+    judge(1.);
+    found.stop = Stop::Reason::converged;
+    answer.factor = std::move(found);
+    return answer;
+  }
+  found.bound = std::numeric_limits<double>::infinity();
+  found.mechanism = {};
+  bracket();
+  if (!(found.carried > 0.) && found.has_mechanism())
+  {
+    answer.collapse = std::move(found.mechanism);
+    return answer;
+  }
+  if (!(found.carried > 0.))
+    throw SolverError("The strength factor was not found: neither forces nor a "
+                      "mechanism prove anything, whatever the strengths. Try a "
+                      "larger 'Solver/Maximum iterations'.");
+  if (found.has_mechanism())
+    bisect();
+  found.stop = found.width() <= controls.tolerance ? Stop::Reason::converged
+                                                   : Stop::Reason::rounding;
+  answer.factor = std::move(found);
+  return answer;
+}
+} // namespace
+
+Scene with_strengths_divided(const Scene &scene, const double divisor)
+{
+  Scene divided = scene;
+  for (auto *const strengths : {&divided.strength, &divided.coefficient})
+    for (double &strength : *strengths)
+      strength /= divisor;
+  return divided;
+}
+
+void check_strength_factor(const Scene &scene,
+                           const LoadFactorControls &controls)
+{
+  if (!controls.greatest)
+    throw InputError("'Load factor/Direction' is 'least', but strengths may be "
+                     "multiplied by any number: set it to 'greatest', or "
+                     "'Factor' to one of loads.");
+  if (!scene.is_loaded())
+    throw InputError("'Load factor/Factor' is 'strength', and there are no "
+                     "loads to be carried: 'Loads' gives them.");
+}
+
+LoadFactorAnswer find_strength_factor(const Scene &scene,
+                                      const LoadFactorControls &controls,
+                                      Terminal &terminal)
+{
+  return StrengthSearch(scene, controls, terminal).find();
+}
+} // namespace Voussoir
