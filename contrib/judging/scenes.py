@@ -11,6 +11,9 @@ import numpy
 from judging.drawing import dissection, wkt_of
 from judging.packing import SIDES, Loads, number
 
+# Of the size of live loads, up and down from that of the dead ones.
+DECADES = 1.
+
 LAWS = ("Tresca", "Coulomb", "Coulomb, c")
 
 
@@ -155,7 +158,9 @@ def draw_loads(scene, packing):
         if not numpy.any(live.on(packing)):
             # Nothing of the boundary is free.
             live.body = numpy.array((1., 0.3))
-    return (Loads() if choice.random() < 0.12 else dead), live
+    if choice.random() < 0.08:
+        dead = Loads()
+    return dead, Loads().plus(10. ** choice.uniform(-DECADES, DECADES), live)
 
 
 def compression(choice):

@@ -94,7 +94,7 @@ class Judgement:
                         "set Direction = " +
                         ("greatest" if self.sense > 0. else "least")]
         self.given = self.dead, self.live
-        if self.choice.random() < 0.15:
+        if self.choice.random() < 0.1:
             self.entries.append("set Factor = all loads")
             self.live = self.dead.plus(1., self.live)
             self.dead = Loads()
@@ -125,6 +125,8 @@ class Judgement:
             self.report("fault", run, words)
         if self.kind == self.found.kind == "bounded":
             self.compare_factors()
+            if run.verdict() == "undecided":
+                self.report("undecided", run, f"the factor: {run.message}")
             for words in self.faults_of_proofs(run):
                 self.report("fault", run, words)
 
