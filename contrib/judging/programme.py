@@ -15,8 +15,6 @@ from judging.joints import admissible_set
 TOLERANCE = 1e-10
 # A shortage of forces, over the loads: none, and one that is no rounding.
 NONE, CLEAR = 1e-9, 1e-7
-# Factors above that, over the unit, are unbounded or too large to be judged.
-LARGEST = 1e5
 
 
 @dataclasses.dataclass
@@ -90,15 +88,13 @@ class Programme:
             [self.matrix, self.live[:, None] * (unit / force)])
         cost = numpy.zeros(matrix.shape[1])
         cost[-1] = -sense
-        most = sense * LARGEST * self.unit / unit
-        bounds = (None, most) if sense > 0 else (most, None)
         found = minimise(cost, matrix, -self.dead / force, limits, method,
-                         [bounds])
+                         [(None, None)])
+        if found.status == 3:
+            return Answer("unbounded")
         if found.status != 0:
             return Answer("doubtful", found.message)
         factor = found.x[-1] * unit
-        if sense * factor > 0.99 * LARGEST * self.unit:
-            return Answer("unbounded")
         return Answer("bounded", "", factor, error_of(found) * unit,
                       numpy.abs(found.eqlin.marginals).sum() * unit / force)
 
@@ -108,13 +104,13 @@ class Programme:
         if not shortage < NONE:
             return Answer("not carried") if shortage > CLEAR else Answer(
                 "doubtful", f"the dead loads lack {shortage:.1e}")
+        shortage = self.shortage(sense * self.live, share=0.)
+        if not shortage > CLEAR:
+            return Answer("unbounded") if shortage < NONE else Answer(
+                "doubtful", f"unbounded live loads lack {shortage:.1e}")
         rough = self.optimum(sense, self.unit, self.unit, method)
-        if rough.kind == "unbounded":
-            shortage = self.shortage(sense * self.live, share=0.)
-            return rough if shortage < NONE else Answer(
-                "doubtful", f"large; unbounded loads lack {shortage:.1e}")
         if rough.kind != "bounded":
-            return rough
+            return Answer("doubtful", f"HiGHS: {rough.kind} {rough.reason}")
         size = self.scale_of(rough.factor)
         answer = self.optimum(sense, size, size, method)
         if answer.error > CLEAR * size:

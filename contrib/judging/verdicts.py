@@ -105,7 +105,10 @@ class Judgement:
 
     def judge_factor(self):
         """Class and factor by both, and the program's proofs."""
-        self.expected = self.programme.judge(self.sense)
+        for method in ("highs", "highs-ds", "highs-ipm"):
+            self.expected = self.programme.judge(self.sense, method)
+            if self.expected.kind != "doubtful":
+                break
         self.kind = self.expected.kind
         dead, live = self.given
         run = self.run("factor", self.scene.text(self.entries, dead, live))
