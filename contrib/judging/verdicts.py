@@ -201,6 +201,9 @@ class Judgement:
         error = numpy.abs(written - loads[:, :written.shape[1]]).max()
         if error > LARGEST_ERROR * (numpy.abs(loads).max() or 1.):
             yield f"the loads differ by {error:.1e}"
+        if self.sense * (factor - self.bound) > \
+                LARGEST_ERROR * programme.scale_of(self.bound):
+            yield f"{factor!r} is carried and beyond the bound {self.bound!r}"
         state = state_proof(run, programme, programme.at(factor))
         worth = state.error() * self.price() / programme.scale_of(factor)
         if worth > LARGEST_MISS or state.error() > ROUNDING or \
