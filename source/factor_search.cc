@@ -35,8 +35,12 @@ FactorSearch as_factor_of_loads(const Given &given,
   LoadFactor &factor = *found.answer.factor;
   const double divisor = factor.carried;
   if (!(divisor > 0.))
-    throw SolverError("No strengths carry the loads: there is no factor that "
-                      "they may be divided by.");
+  {
+    // No strengths carry the loads.
+    found.answer.collapse = std::move(factor.mechanism);
+    found.answer.factor.reset();
+    return found;
+  }
   found.scene = with_strengths_divided(found.scene, divisor);
   for (auto *const forces : {&factor.forces.normal, &factor.forces.tangential})
     for (double &force : *forces)

@@ -139,8 +139,8 @@ int main(int, char **argv)
     // Which of the states that carry the loads is written is left open.
     const auto &factor = summary["load_factor"];
     std::cout << "load factor: " << factor["carried"] << std::endl
-              << "width <= 1e-8: "
-              << (factor["width"].get<double>() <= 1e-8 ? "OK" : "FAILED")
+              << "width <= 1e-7: "
+              << (factor["width"].get<double>() <= 1e-7 ? "OK" : "FAILED")
               << std::endl;
     return 0;
   }

@@ -61,6 +61,8 @@ PICTURES = [
      ("--width", "500")),
     ("rocking_column_collapse", "rocking_column",
      (("Loads/Body force=4.01; -20",),), "mechanism", ("--width", "350")),
+    ("dry_arch_collapse", "dry_arch", OWN, "mechanism", ()),
+    ("arch_bridge_collapse", "arch_bridge", OWN, "mechanism", ()),
     ("ferris_tin_loi_1_collapse", "ferris_tin_loi_1", OWN, "mechanism", ()),
     ("rubble_wall", "rubble_wall", OWN, "sigma_yy", ()),
     ("rubble_wall_blocks", "rubble_wall", OWN, "blocks", ()),

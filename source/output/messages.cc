@@ -117,11 +117,12 @@ std::string message_of(const Collapse &collapse, const std::string &files)
 {
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
-  message << "The load is not carried: along a mechanism of the blocks that "
-             "closes no joint it does ";
+  const bool crushes = !collapse.scene.compressive_strength.empty();
+  message << "The load is not carried: along a mechanism of the blocks "
+          << (crushes ? "" : "that closes no joint ") << "it does ";
   if (std::isfinite(collapse.proof.work_over_dissipation))
-    message << collapse.proof.work_over_dissipation
-            << " times the work that friction can dissipate";
+    message << collapse.proof.work_over_dissipation << " times the work that "
+            << (crushes ? "joints" : "friction") << " can dissipate";
   else
     message << "work that friction does not resist";
   message << ", so that no forces within the strengths of the interfaces "

@@ -48,6 +48,9 @@ Json summary_of(const RunRecord &run, const Status &status)
   summary["processes"] = run.n_processes;
   if (run.scene.turns())
     summary["rotations"] = true;
+  if (!run.scene.coefficient.empty())
+    summary["friction_law"] =
+        run.scene.dilates ? "associated Coulomb" : "Coulomb";
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
   summary["packing"] = {
@@ -124,8 +127,22 @@ void write(std::ostream &out, Json summary, const RunRecord &run)
             ".", DEAL_II_TRILINOS_VERSION_SUBMINOR)}};
   out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
+
+/** The law of friction, and what it means for what is carried. */
+std::string description_of_law(const Scene &scene)
+{
+  return scene.dilates
+             ? "Coulomb, associated: joints that slide open, too"
+             : "Coulomb, without dilatancy: this state carries the loads, but "
+               "no theorem says that the blocks stay in it";
+}
+
 std::string description_of(const LoadFactor &factor)
 {
+  if (factor.passes.n > 0)
+    return text(text_to_copy(factor.carried),
+                " has a state without dilatancy; ", text_to_copy(factor.bound),
+                " collapses, with it or without");
   if (factor.is_unbounded)
     return text(text_to_copy(factor.carried),
                 " is carried, and so is any beyond it: the live loads balance "
@@ -216,6 +233,8 @@ void show_summary(Terminal &terminal, const Results &results)
   if (results.load_factor)
     terminal.summary("Load factor", description_of(*results.load_factor));
   terminal.summary("Selection", results.selection);
+  if (!results.scene.coefficient.empty())
+    terminal.summary("Law", description_of_law(results.scene));
   if (!results.earlier_outcome.empty())
     terminal.summary("Forces", results.outcome);
   if (results.correction)

@@ -80,14 +80,19 @@ void ContactParameters::add_strengths(const Packing &packing,
   };
   if (is_none(strengths.tensile, 0.))
     strengths.tensile.clear();
-  if (compressive.empty() && pair_compressive.empty())
-    return;
-  strengths.compressive = means(packing,
-                                {"compressive strength", "Contact", compressive,
-                                 "Compressive strength", pair_compressive,
-                                 "Pair compressive strengths", true},
-                                strengths.warnings);
+  if (!compressive.empty() || !pair_compressive.empty())
+    strengths.compressive = means(
+        packing,
+        {"compressive strength", "Contact", compressive, "Compressive strength",
+         pair_compressive, "Pair compressive strengths", true},
+        strengths.warnings);
   if (is_none(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();
+  if (!strengths.dilate &&
+      !(strengths.tensile.empty() && strengths.compressive.empty()))
+    throw InputError("'Contact' gives a strength against tension or crushing, "
+                     "and 'Friction/Law' is 'Coulomb'; set the law to "
+                     "'Tresca' or 'associated Coulomb', or leave these "
+                     "strengths out.");
 }
 } // namespace Voussoir

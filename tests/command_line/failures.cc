@@ -122,4 +122,33 @@ int main()
   run_with("set Analysis = load factor\nset Forces from = output\n");
   run_with("subsection Friction\n set Law = associated Coulomb\n"
            " set Coefficient = -0.5\nend\n");
+
+  // Strengths as a factor
+  const std::string strength =
+      "set Analysis = load factor\nset Rotations = true\n"
+      "subsection Load factor\n set Factor = strength\nend\n"
+      "subsection Packing\n set Generator = wall\n subsection wall\n"
+      "  set Courses = 1\n  set Bricks per course = 1\n end\nend\n"
+      "subsection Supports\n set Where = y < 1e-9\nend\n";
+  const std::string loads = "subsection Loads\n set Body force = 3; -1\nend\n";
+  const std::string associated =
+      "subsection Friction\n set Law = associated Coulomb\nend\n";
+  run_with(strength);
+  run_with(strength + loads);
+  fs::remove_all("output");
+  run_with(strength + loads +
+           "subsection Load factor\n set Direction = least\nend\n");
+  run_with(strength + loads + associated);
+  fs::remove_all("output");
+  run_with(strength + loads + "subsection Friction\n set Law = Coulomb\nend\n");
+
+  // Tension and crushing
+  run_with("subsection Contact\n set Compressive strength = 0\nend\n");
+  run_with("subsection Contact\n set Tensile strength = -x\nend\n");
+  run_with("subsection Contact\n set Tensile strength = 0.1\nend\n"
+           "subsection Friction\n set Law = associated Coulomb\n"
+           " set Cohesion = 0.05\nend\n");
+  run_with("subsection Contact\n set Tensile strength = 0.1\nend\n"
+           "subsection Friction\n set Law = Coulomb\n"
+           " set Cohesion = 1\nend\n");
 }

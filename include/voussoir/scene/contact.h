@@ -22,7 +22,8 @@ public:
    * to those against sliding.
    *
    * @throws InputError as means() does; or naming the interface whose tension
-   *   is beyond what Coulomb's friction admits.
+   *   is beyond what Coulomb's friction admits; or if there are any and blocks
+   *   do not dilate.
    */
   void add_strengths(const Packing &packing, Strengths &strengths) const;
 

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Coulomb's friction: states of blocks that slide without lifting, and their
+// factors, which friction with dilatancy bounds; factors of strengths; factors
+// that do not depend on the units of the loads, and that are zero; Anderson's
+// acceleration of a linear fixed point.
+
+#include <voussoir/algebra/anderson.h>
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/statics/coulomb_state.h>
+#include <voussoir/statics/factor_without_dilatancy.h>
+#include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/strength_factor.h>
+
+#include "tests.h"
+
+using namespace Voussoir;
+using dealii::Tensor;
+
+/** A wall on the ground under a body force, with a law of friction. */
+Scene wall_under(const unsigned int n_courses,
+                 const unsigned int n_bricks,
+                 const double fx,
+                 const double fy,
+                 const double mu,
+                 const double cohesion,
+                 const Kinematics &kinematics = rotations())
+{
+  Packing packing =
+      wall(n_courses, n_bricks, 0.4 * n_bricks, 0.175 * n_courses);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.midpoint()[1] < 1e-9);
+  packing.support(rests);
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, packing.area(c) * Tensor<1, 2>({fx, fy}));
+  const std::size_t n = packing.interfaces().size();
+  Scene scene(packing, std::vector<double>(n, cohesion), loads, kinematics);
+  if (mu > 0.)
+    scene.coefficient.assign(n, mu);
+  return scene;
+}
+
+void states()
+{
+  for (const double push : {0.1, 0.3, 0.5})
+  {
+    Scene scene = wall_under(6, 5, 10. * push, -10., 0.65, 0.);
+    scene.dilates = false;
+    const DiscreteProblem problem(scene);
+    std::string failure;
+    const auto found = find_coulomb_state(problem, LeastEnergy(), {}, failure,
+                                          Terminal::silent());
+    check("a state is found", found.has_value());
+    if (!found)
+      continue;
+    const InterfaceForces forces = dimensional_forces(problem, *found);
+    const Certificate certificate = certify(scene, forces);
+    check_error("  its error", certificate.error(), 1e-10);
+    // Least energy with its own limits as strengths is the same state.
+    std::vector<double> limits;
+    for (unsigned int e = 0; e < forces.normal.size(); ++e)
+      limits.push_back(-0.65 * forces.normal[e] /
+                       (problem.stress_scale() * problem.length_scale()));
+    const Solution again = LeastEnergy().solve(problem.with_tresca(limits), {},
+                                               Terminal::silent());
+    double difference = 0.;
+    for (std::size_t k = 0; k < again.forces.size(); ++k)
+      difference =
+          std::max(difference, std::abs(again.forces[k] - found->forces[k]));
+    check_error("  fixed point", difference / largest_component(found->forces),
+                1e-7);
+    check("  passes", found->passes.n > 1);
+  }
+  Scene steep = wall_under(6, 5, 8., -10., 0.65, 0.);
+  steep.dilates = false;
+  const LeastEnergy least;
+  const Solution collapse =
+      CoulombState(least).solve(DiscreteProblem(steep), {}, Terminal::silent());
+  check("too steep: a mechanism that opens as it slides",
+        collapse.mechanism && proves_collapse(certify_mechanism(
+                                  steep, collapse.mechanism->motion)));
+}
+
+void factors()
+{
+  Scene dead = wall_under(6, 5, 0., -10., 0.65, 0.);
+  Scene live = wall_under(6, 5, 10., 0., 0.65, 0.);
+  const LoadFactorAnswer associated =
+      find_load_factor(dead, live, {}, Terminal::silent());
+  dead.dilates = live.dilates = false;
+  const LoadFactorAnswer found = find_factor_without_dilatancy(
+      dead, live, LeastEnergy(), {}, {}, Terminal::silent());
+  check("found", associated.factor && found.factor);
+  check("the bound is that of friction with dilatancy",
+        found.factor->bound == associated.factor->bound);
+  check("and not reached",
+        found.factor->carried <= associated.factor->carried &&
+            found.factor->carried > 0.95 * associated.factor->carried);
+  const Scene at =
+      wall_under(6, 5, 10. * found.factor->carried, -10., 0.65, 0.);
+  check_error("its state", certify(at, found.factor->forces).error(), 1e-9);
+
+  // One block has nothing to lift: it slides at mu whatever the law.
+  dead = wall_under(1, 1, 0., -10., 0.3, 0.);
+  live = wall_under(1, 1, 10., 0., 0.3, 0.);
+  dead.dilates = live.dilates = false;
+  const LoadFactorAnswer block = find_factor_without_dilatancy(
+      dead, live, LeastEnergy(), {}, {}, Terminal::silent());
+  check_error("a block", std::abs(block.factor->carried / 0.3 - 1.), 3e-6);
+}
+
+/** Both proofs of a strength factor, and the exact one. */
+void compare(const std::string &name, const Scene &scene, const double exact)
+{
+  const LoadFactorAnswer answer =
+      find_strength_factor(scene, {}, Terminal::silent());
+  check(name, answer.factor.has_value());
+  const LoadFactor &found = *answer.factor;
+  check_error(
+      "  state",
+      certify(with_strengths_divided(scene, found.carried), found.forces)
+          .error(),
+      1e-10);
+  check("  mechanism",
+        proves_collapse(certify_mechanism(
+            with_strengths_divided(scene, found.bound), found.mechanism)));
+  check_error("  factor", std::abs(found.carried / exact - 1.), 1e-7);
+  check_error("  bound", std::abs(found.bound / exact - 1.), 1e-7);
+}
+
+void strengths()
+{
+  compare("a dry block", wall_under(1, 1, 2., -10., 0.6, 0.), 3.);
+  compare("rougher than the push asks for", wall_under(1, 1, 2., -10., 0.1, 0.),
+          0.5);
+  // mu W + c L = H v with W = 10 * 0.07, L = 0.4, H = 2 * 0.07
+  compare("with cohesion", wall_under(1, 1, 2., -10., 0.2, 0.35),
+          (0.2 * 0.7 + 0.35 * 0.4) / 0.14);
+  const LoadFactorAnswer upright = find_strength_factor(
+      wall_under(3, 3, 0., -10., 0.6, 0.), {}, Terminal::silent());
+  check("without a push no strength is needed",
+        upright.factor && upright.factor->is_unbounded);
+  const LoadFactorAnswer overturns = find_strength_factor(
+      wall_under(1, 1, 30., -10., 0.6, 0.), {}, Terminal::silent());
+  check("what overturns does with any strength", !overturns.factor);
+}
+
+void scales_and_zero()
+{
+  const Scene none = wall_under(3, 3, 0., 0., 0., 1.);
+  double least = std::numeric_limits<double>::infinity(), most = 0.;
+  for (const double size : {1e-9, 1e-3, 1., 1e6})
+  {
+    const LoadFactorAnswer answer = find_load_factor(
+        none, wall_under(3, 3, size, -size, 0., 1.), {}, Terminal::silent());
+    check("bounds in order",
+          answer.factor->carried <= answer.factor->bound * (1. + 1e-12));
+    least = std::min(least, size * answer.factor->carried);
+    most = std::max(most, size * answer.factor->bound);
+  }
+  check_error("loads of any size", most / least - 1., 1e-8);
+
+  const LoadFactorAnswer zero = find_load_factor(
+      none, wall_under(3, 3, 10., 5., 0., 1.), {}, Terminal::silent());
+  check("loads that overturn: no factor but zero",
+        zero.factor && zero.factor->carried == 0. &&
+            zero.factor->width() <= 1e-8 && zero.factor->has_mechanism());
+}
+
+void acceleration()
+{
+  // x = M x + b with the eigenvalues 0.9, 0.5 and -0.8.
+  Anderson anderson(5);
+  std::vector<double> x(3, 0.);
+  const double M[] = {0.9, 0.5, -0.8}, b[] = {1., 2., 3.};
+  for (unsigned int n = 0; n < 5; ++n)
+  {
+    std::vector<double> g;
+    for (unsigned int i = 0; i < 3; ++i)
+      g.push_back(M[i] * x[i] + b[i]);
+    x = anderson.next(x, g);
+  }
+  double error = 0.;
+  for (unsigned int i = 0; i < 3; ++i)
+    error = std::max(error, std::abs(x[i] - b[i] / (1. - M[i])));
+  check_error("three eigenvalues take four steps", error, 1e-9);
+}
+
+int main()
+{
+  states();
+  factors();
+  strengths();
+  scales_and_zero();
+  acceleration();
+}

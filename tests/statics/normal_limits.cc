@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Joints that bear tension and crush: the closed forms of columns under
+// eccentric loads and of blocks that hang, with both laws of friction; and the
+// resistance of a joint against the largest work of forces that are admitted,
+// found by trying.
+
+#include <voussoir/statics/load_factor.h>
+
+#include "tests.h"
+#include <random>
+
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+/** What a column of three blocks of unit width bears. */
+struct Column
+{
+  double tension = 0., crushing = std::numeric_limits<double>::infinity();
+  double strength = 50., mu = 0.;
+  const Kinematics *kinematics = &rotations();
+
+  /** With the traction @p g(x) along its top. */
+  template <typename Traction>
+  Scene scene(const Traction &g) const
+  {
+    Packing packing = wall(3, 1, 1., 3.);
+    std::vector<bool> rests;
+    for (const auto &edge : packing.boundary_edges())
+      rests.push_back(edge.midpoint()[1] < 1e-9);
+    packing.support(rests);
+    Loads loads;
+    for (const auto &edge : packing.boundary_edges())
+    {
+      const bool top = edge.midpoint()[1] > 3. - 1e-9;
+      const Tensor<1, 2> at_start = top ? g(edge.start[0]) : Tensor<1, 2>();
+      const Tensor<1, 2> at_end = top ? g(edge.end[0]) : Tensor<1, 2>();
+      // Of a linear traction: its mean, and its first moment.
+      loads.traction.push_back(0.5 * (at_start + at_end));
+      loads.traction_moment.push_back(edge.length * edge.length / 12. *
+                                      (at_end - at_start));
+    }
+    const std::size_t n = packing.interfaces().size();
+    Scene scene(packing, std::vector<double>(n, strength), loads, *kinematics);
+    if (mu > 0.)
+      scene.coefficient.assign(n, mu);
+    if (tension > 0.)
+      scene.tensile_strength.assign(n, tension);
+    if (std::isfinite(crushing))
+      scene.compressive_strength.assign(n, crushing);
+    return scene;
+  }
+};
+
+Tensor<1, 2> vector(const double x, const double y)
+{
+  return Tensor<1, 2>({x, y});
+}
+
+/** The factor of a traction with both proofs, against the exact one. */
+template <typename Traction>
+void compare(const std::string &name,
+             const Column &column,
+             const Traction &live_traction,
+             const double exact,
+             const double error = 1e-7)
+{
+  std::cout << name << std::endl;
+  const auto none = [](const double) { return vector(0., 0.); };
+  const Scene dead = column.scene(none), live = column.scene(live_traction);
+  const LoadFactorAnswer answer =
+      find_load_factor(dead, live, {}, Terminal::silent());
+  check("  found", answer.factor && answer.factor->has_mechanism());
+  if (!answer.factor)
+    return;
+  const LoadFactor &found = *answer.factor;
+  const Scene at = column.scene(
+      [&](const double x) { return found.carried * live_traction(x); });
+  check_error("  state", certify(at, found.forces).error(), 1e-9);
+  const FactorBound bound = bound_of_factor(dead, live, found.mechanism);
+  check("  mechanism", bound.factor == found.bound);
+  check("  order", found.carried <= exact * (1. + 1e-10) &&
+                       found.bound >= exact * (1. - 1e-10));
+  check_error("  factor", std::abs(found.carried / exact - 1.), error);
+  check_error("  bound", std::abs(found.bound / exact - 1.), error);
+}
+
+/** A pressure whose resultant, one, is at @p e from the middle. */
+auto eccentric(const double e)
+{
+  return [e](const double x) { return vector(0., -1. - 12. * e * (x - 0.5)); };
+}
+
+void columns()
+{
+  Column column;
+  column.crushing = 2.;
+  for (const double e : {0.2, 0.25, 0.4})
+    compare("crushing at " + std::to_string(e), column, eccentric(e),
+            2. * (1. - 2. * e));
+  column.mu = 0.6;
+  compare("the same with dry friction", column, eccentric(0.3), 0.8);
+  column.mu = 0.;
+  column.tension = 0.5;
+  // (N + T)(F - N) = 2 e (F + T) N
+  compare("with tension", column, eccentric(0.25),
+          0.5 * (0.25 + std::sqrt(0.0625 + 4.)));
+  column.mu = 0.6;
+  compare("and friction with cohesion", column, eccentric(0.25),
+          0.5 * (0.25 + std::sqrt(0.0625 + 4.)));
+  column.mu = 0.;
+  column.kinematics = &translations();
+  compare("blocks that do not turn crush", column, eccentric(0.4), 2., 1e-8);
+}
+
+void hanging()
+{
+  const auto pull = [](const double) { return vector(0., 1.); };
+  const auto oblique = [](const double) { return vector(0.8, 0.6); };
+  for (const auto *kinematics : {&translations(), &rotations()})
+  {
+    Column column;
+    column.kinematics = kinematics;
+    column.tension = 0.3;
+    compare("hanging, " + kinematics->name(), column, pull, 0.3, 1e-8);
+  }
+  Column column;
+  column.kinematics = &translations();
+  column.tension = 0.3;
+  column.strength = 0.4;
+  column.mu = 0.5;
+  // 0.8 a = 0.4 - 0.5 * 0.6 a
+  compare("pulled and sheared", column, oblique, 0.4 / 1.1, 1e-8);
+}
+
+/** The most work of admissible forces, by trying many. */
+void resistances()
+{
+  JointLimits limits = {0.7};
+  limits.coefficient = 0.5;
+  limits.tension = 0.2;
+  limits.crushing = 1.5;
+  double difference = 0., largest_beyond = 0., largest_closing = 0.;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  for (unsigned int k = 0; k < 20; ++k)
+  {
+    const std::array<double, 2> openings = {{number(random), number(random)}};
+    const double sliding = number(random);
+    double most = 0.;
+    const unsigned int n = 400;
+    for (unsigned int i = 0; i <= n; ++i)
+      for (unsigned int j = 0; j <= n; ++j)
+      {
+        // All normal forces and places of a section.
+        const double N =
+            -limits.tension + (limits.tension + limits.crushing) * i / n;
+        const double moment = (N + limits.tension) * (limits.crushing - N) /
+                              (limits.tension + limits.crushing) * 0.5 *
+                              (2. * j / n - 1.);
+        const std::array<double, 2> ends = {
+            {-0.5 * N - moment, -0.5 * N + moment}};
+        largest_beyond = std::max(largest_beyond, limits.excess(ends));
+        const double q = limits.shear_strength(-N);
+        most = std::max(most, ends[0] * openings[0] + ends[1] * openings[1] +
+                                  q * std::abs(sliding));
+      }
+    const auto found = limits.resistance(openings, sliding);
+    difference = std::max(difference, std::abs(found.dissipation - most));
+    largest_closing = std::max(largest_closing, found.closing);
+  }
+  check("no closing is beyond forces with bounds", largest_closing == 0.);
+  check_error("resistance", difference, 2e-5);
+  check_error("forces of the section are admitted", largest_beyond, 1e-14);
+  check("more are not", limits.excess({{-0.9, -0.9}}) > 0.2 &&
+                            limits.excess({{0.2, 0.}}) > 0.05 &&
+                            limits.excess({{-1., 0.05}}) > 0.1);
+}
+
+int main()
+{
+  columns();
+  hanging();
+  resistances();
+}
