@@ -118,8 +118,12 @@ std::string message_of(const Collapse &collapse, const std::string &files)
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
   const bool crushes = !collapse.scene.compressive_strength.empty();
-  message << "The load is not carried: along a mechanism of the blocks "
-          << (crushes ? "" : "that closes no joint ") << "it does ";
+  if (crushes)
+    message << "The load is not carried: along a mechanism of the blocks in "
+               "which joints may crush it does ";
+  else
+    message << "The load is not carried: along a mechanism of the blocks that "
+               "closes no joint it does ";
   if (std::isfinite(collapse.proof.work_over_dissipation))
     message << collapse.proof.work_over_dissipation << " times the work that "
             << (crushes ? "joints" : "friction") << " can dissipate";

@@ -186,11 +186,12 @@ Solution CoulombState::select(const DiscreteProblem &problem,
   if (!any.collapse.empty())
     return collapse_with(by_rows, any);
   throw SolverError(
-      text("No state with Coulomb's friction was found: ", failure, ". ",
-           any.state ? "Forces that friction admits balance the loads; but "
+      text("No state with Coulomb's friction was found: ", failure,
+           any.state ? ". Forces that friction admits balance the loads; but "
                        "where blocks slide without lifting, no theorem says "
-                       "that such loads are carried. "
+                       "that such loads are carried"
                      : "",
-           "Take smaller loads, or set 'Friction/Law = associated Coulomb'."));
+           ". Take smaller loads, or set 'Friction/Law = associated "
+           "Coulomb'."));
 }
 } // namespace Voussoir
