@@ -12,7 +12,7 @@ from judging.drawing import dissection, wkt_of
 from judging.packing import SIDES, Loads, number
 
 # Of the size of live loads, up and down from that of the dead ones.
-DECADES = 1.
+DECADES = 6.
 
 LAWS = ("Tresca", "Coulomb", "Coulomb, c")
 

@@ -17,8 +17,6 @@ LARGEST_DIFFERENCE, LARGEST_MISS = 1e-7, 1e-8
 DISTANCES, NEAR = (1e-2, 1e-4, 1e-6, 1e-8), 1.001e-6
 # Imbalances over the largest load that a program may take for rounding.
 ROUNDING = 1e-10
-# Factors, over the unit, at which there is nothing relative to be close to.
-ZERO = 1e-9
 # Errors of what is added up again from files.
 LARGEST_ERROR = 1e-10
 
@@ -118,10 +116,6 @@ class Judgement:
                         f"{self.found.kind}")
             return
         words = self.disagreement(self.expected)
-        if words and self.expected.kind == "bounded" and \
-                self.is_zero() and run.verdict() == "undecided":
-            self.report("undecided", run, f"a limit of zero: {words}")
-            words = ""
         if words:
             words = self.second_opinion(run, words)
         if words:
@@ -145,10 +139,6 @@ class Judgement:
         self.difference = abs(self.found.factor - factor) / size
         self.miss = max(0., self.sense * (self.found.factor - factor),
                         self.sense * (factor - self.bound)) / size
-
-    def is_zero(self):
-        """Whether the limit is zero but for rounding."""
-        return abs(self.expected.factor) < ZERO * self.programme.unit
 
     def disagreement(self, expected):
         """In which way the program's answer is another one, if it is."""
