@@ -30,6 +30,12 @@ class Joints:
         self.coefficient = column("coefficient") if "coefficient" in rows[0] \
             else numpy.zeros(len(rows))
         self.n_contacts = 2 if rotations else 1
+        # The largest tension and compression.
+        self.tension = self.length * column("tensile_strength") \
+            if "tensile_strength" in rows[0] else numpy.zeros(len(rows))
+        self.crushing = self.length * column("compressive_strength") \
+            if "compressive_strength" in rows[0] \
+            else numpy.full(len(rows), numpy.inf)
 
     def __len__(self):
         return len(self.length)
@@ -98,16 +104,16 @@ class AdmissibleSet:
 
 
 def admissible_set(joints):
-    """No tension, and |q| <= s |e| + mu p with the strength or cohesion s."""
-    nothing = numpy.zeros(len(joints))
-    unbounded = numpy.full(len(joints), numpy.inf)
+    """|q| <= s |e| + mu p with the strength or cohesion s, and p between the
+    tensile and the compressive strength; with rotations joints do not crush.
+    """
     most = joints.strength * joints.length
     coulomb = numpy.nonzero(joints.coefficient > 0.)[0]
     largest = numpy.where(joints.coefficient > 0., numpy.inf, most)
     n = joints.n_contacts
     return AdmissibleSet(
-        lower=joints.in_order([nothing] * n, -largest),
-        upper=joints.in_order([unbounded] * n, largest),
+        lower=joints.in_order([-joints.tension / n] * n, -largest),
+        upper=joints.in_order([joints.crushing / n] * n, largest),
         rows=scipy.sparse.vstack([friction_rows(joints, coulomb, sign)
                                   for sign in (1., -1.)]).tocsr(),
         limits=numpy.tile(most[coulomb], 2))
@@ -131,8 +137,14 @@ def resistance(joints, opening, sliding):
     """What joints dissipate in a motion, and by how much they close.
 
     The largest work of admissible forces, opening being contact by contact:
-    it is finite where p_k opens by at least mu times the sliding.
+    it is finite where p_k opens by at least mu times the sliding, or crushes.
     """
+    n = joints.n_contacts
     closing = joints.coefficient * numpy.abs(sliding) - opening
-    dissipation = joints.strength * joints.length * numpy.abs(sliding)
-    return dissipation.sum(), max(0., closing.max())
+    dissipation = (joints.strength * joints.length -
+                   joints.coefficient * joints.tension) * numpy.abs(sliding)
+    dissipation += (joints.tension / n * opening).sum(0)
+    crushes = numpy.isfinite(joints.crushing)
+    dissipation[crushes] += ((joints.crushing + joints.tension)[crushes] / n *
+                             numpy.maximum(closing[:, crushes], 0.)).sum(0)
+    return dissipation.sum(), numpy.max(closing[:, ~crushes], initial=0.)

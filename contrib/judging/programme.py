@@ -40,7 +40,10 @@ class Programme:
         self.matrix = joints.equilibrium(packing.centre, self.length)
         self.admissible = admissible_set(joints)
         self.dead, self.live = self.rows_of(dead), self.rows_of(live)
-        friction = numpy.max(joints.strength * joints.length, initial=0.)
+        crushing = numpy.where(numpy.isfinite(joints.crushing),
+                               joints.crushing, 0.)
+        friction = max(numpy.max(bound, initial=0.) for bound in (
+            joints.strength * joints.length, joints.tension, crushing))
         dead_size = numpy.abs(self.dead).max(initial=0.)
         self.live_size = numpy.abs(self.live).max(initial=0.)
         # The factor at which live loads are as large as dead loads, or as

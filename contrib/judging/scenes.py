@@ -14,6 +14,9 @@ from judging.packing import SIDES, Loads, number
 # Of the size of live loads, up and down from that of the dead ones.
 DECADES = 6.
 
+# The least strength is ten to that power.
+LEAST_STRENGTH, LARGEST_COEFFICIENT = -1.5, 1.2
+
 LAWS = ("Tresca", "Coulomb", "Coulomb, c")
 
 
@@ -35,6 +38,7 @@ class Scene:
         self.is_floating = choice.random() < 0.3
         self.supports = "0" if self.is_floating else self.ground()
         self.friction = self.friction_entries()
+        self.contact = self.contact_entries()
 
     def voronoi(self):
         return ["set Generator = Voronoi", "subsection Voronoi",
@@ -119,21 +123,34 @@ class Scene:
             return f"abs(ny) > 0.5123 ? {value} : {number(draw())}"
 
         def strength():
-            return 10. ** choice.uniform(-1.5, 0.7)
+            return 10. ** choice.uniform(LEAST_STRENGTH, 0.7)
 
         if self.law == "Tresca":
             return [f"set Strength = {expression(strength)}"]
         lines = ["set Law = associated Coulomb", "set Coefficient = " +
-                 expression(lambda: choice.uniform(0.05, 1.2))]
+                 expression(lambda: choice.uniform(0.05, LARGEST_COEFFICIENT))]
         if self.law == "Coulomb, c":
             lines.append(f"set Cohesion = {expression(strength)}")
+        return lines
+
+    def contact_entries(self):
+        """In some scenes tension, within Coulomb's cone, and crushing."""
+        choice = self.choice
+        lines = []
+        if self.law != "Coulomb" and choice.random() < 0.3:
+            most = 10. ** LEAST_STRENGTH / LARGEST_COEFFICIENT
+            lines.append("set Tensile strength = " +
+                         number(most * choice.uniform(0.1, 1.)))
+        if not self.rotations and choice.random() < 0.3:
+            lines.append("set Compressive strength = " +
+                         number(10. ** choice.uniform(-0.5, 1.)))
         return lines
 
     def text(self, settings=(), loads=None, live=None):
         """The .prm file with these loads; settings are further lines."""
         sections = {"Packing": self.packing,
                     "Supports": [f"set Where = {self.supports}"],
-                    "Friction": self.friction,
+                    "Friction": self.friction, "Contact": self.contact,
                     "Output": ["set Files = csv", "set Packing = WKT"]}
         if loads is not None:
             sections["Loads"] = loads.entries()
