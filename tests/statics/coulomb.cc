@@ -7,6 +7,7 @@
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/packing/generators/arch.h>
 #include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/least_energy.h>
@@ -148,6 +149,48 @@ void strengths()
   check("what overturns does with any strength", !overturns.factor);
 }
 
+/**
+ * The least coefficient of a semicircular arch: by H / V at the springing,
+ * where the thrust of the thinnest arch is the only one; and where it slides.
+ */
+void arch(const double thickness, const double exact, const double error)
+{
+  ArchGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("Thickness", thickness);
+  prm.set("Mean radius", 1.);
+  prm.set("Voussoirs", 160L);
+  Packing packing(generator.generate("", Terminal::silent()));
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.midpoint()[1] < 1e-9);
+  packing.support(rests);
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, packing.area(c) * Tensor<1, 2>({0., -20.}));
+  const std::size_t n = packing.interfaces().size();
+  Scene scene(packing, std::vector<double>(n, 0.), loads, rotations());
+  scene.coefficient.assign(n, 0.6);
+  const LoadFactorAnswer answer =
+      find_strength_factor(scene, {}, Terminal::silent());
+  check("an arch", answer.factor.has_value());
+  check_error("  its coefficient",
+              std::abs(0.6 / answer.factor->carried / exact - 1.), error);
+}
+
+void arches()
+{
+  // The weight of an annular sector is a little outside of the middle line;
+  // hinges at the extrados of the springings and the crown.
+  const double thickness = 0.10748, half = 0.5 * dealii::numbers::PI;
+  const double weight_at = 1. + thickness * thickness / 12.;
+  arch(thickness, (half - weight_at / (1. + 0.5 * thickness)) / half, 1e-4);
+  // Cocchetti and Rizzi (2020), for many voussoirs
+  arch(0.21, 0.309215, 2e-4);
+}
+
 void scales_and_zero()
 {
   const Scene none = wall_under(3, 3, 0., 0., 0., 1.);
@@ -194,6 +237,7 @@ int main()
   states();
   factors();
   strengths();
+  arches();
   scales_and_zero();
   acceleration();
 }
