@@ -30,7 +30,8 @@ SOLVED = STRESSES | {"principal", "chains", "utilisation", "blocks", "displaceme
 # Scenes with Rotations = true.
 TURNING = {"rocking_column", "semicircular_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
-FACTORS = {"block_on_incline", "ferris_tin_loi_1", "ferris_tin_loi_2"}
+FACTORS = {"arch_bridge", "block_on_incline", "dry_arch", "ferris_tin_loi_1",
+           "ferris_tin_loi_2"}
 
 
 def expect(what, condition):
