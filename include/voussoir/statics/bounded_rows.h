@@ -69,7 +69,10 @@ public:
   /** The bounds of the force of a row, negative in compression. */
   struct Bounds
   {
-    double least, greatest;
+    /** Not positive, possibly infinite. */
+    double least;
+    /** Not negative. */
+    double greatest;
   };
 
   /**
