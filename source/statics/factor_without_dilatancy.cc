@@ -17,7 +17,7 @@ namespace
 /** The distance of a factor with a state from one without, over the bound. */
 constexpr double smallest_width = 1e-6;
 
-/** The search for states at factors of the live loads. */
+/** The search for states at factors of the live loads; see CoulombState. */
 class StatesAtFactors
 {
 public:
@@ -52,6 +52,15 @@ public:
     return true;
   }
 
+  /** Keep that of no loads. */
+  void rest()
+  {
+    found.emplace();
+    found->forces.resize(problem.n_all_rows());
+    found->motion = Motion(problem.n_cells(), problem.kinematics());
+    found->passes.n = 1;
+  }
+
   const DiscreteProblem problem;
   /** The last state. */
   std::optional<Solution> found;
@@ -75,14 +84,15 @@ find_factor_without_dilatancy(const Scene &dead,
 {
   LoadFactorAnswer answer =
       find_load_factor(dead, live, factor_controls, terminal);
-  if (!answer.factor)
+  // Where pressure alone balances the live loads there is nothing to look for.
+  if (!answer.factor || answer.factor->is_unbounded)
     return answer;
   LoadFactor &factor = *answer.factor;
   StatesAtFactors states(dead, live, of_passes, controls, terminal);
-  // An unbounded factor stays so only if pressure alone balances the live
-  // loads; one that was asked for is carried.
   double carried = 0., beyond = factor.carried;
-  if (!states.has_state(carried))
+  if (!dead.is_loaded())
+    states.rest();
+  else if (!states.has_state(carried))
     throw SolverError("The load factor was not found: the loads in 'Loads' "
                       "alone have no state with Coulomb's friction. Look at "
                       "them with 'Analysis = state', or set 'Friction/Law = "

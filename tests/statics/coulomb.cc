@@ -44,6 +44,12 @@ Scene wall_under(const unsigned int n_courses,
   return scene;
 }
 
+Scene without_dilatancy(Scene scene)
+{
+  scene.dilates = false;
+  return scene;
+}
+
 void states()
 {
   for (const double push : {0.1, 0.3, 0.5})
@@ -103,6 +109,20 @@ void factors()
   const Scene at =
       wall_under(6, 5, 10. * found.factor->carried, -10., 0.65, 0.);
   check_error("its state", certify(at, found.factor->forces).error(), 1e-9);
+
+  // Without dead loads: cohesion, and what friction adds to it.
+  const LoadFactorAnswer cohesive = find_factor_without_dilatancy(
+      without_dilatancy(wall_under(1, 1, 0., 0., 0.3, 1.)),
+      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 1.)), LeastEnergy(),
+      {}, {}, Terminal::silent());
+  // a W = c L + mu a W with W = 10 * 0.07, L = 0.4
+  check_error("all loads",
+              std::abs(cohesive.factor->carried / (0.4 / 0.49) - 1.), 3e-6);
+  const LoadFactorAnswer dry = find_factor_without_dilatancy(
+      without_dilatancy(wall_under(1, 1, 0., 0., 0.3, 0.)),
+      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 0.)), LeastEnergy(),
+      {}, {}, Terminal::silent());
+  check("dry, none of them", dry.factor->carried == 0.);
 
   // One block has nothing to lift: it slides at mu whatever the law.
   dead = wall_under(1, 1, 0., -10., 0.3, 0.);
