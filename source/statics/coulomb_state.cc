@@ -129,7 +129,8 @@ std::optional<Solution> FixedPoint::find()
     double change = 0.;
     for (std::size_t e = 0; e < own.size(); ++e)
       change = std::max(change, std::abs(own[e] - limits[e]));
-    change /= largest_component(state.forces);
+    if (const double largest = largest_component(state.forces); largest > 0.)
+      change /= largest;
     terminal.iteration("Fixed point", text("pass ", n, ", change ", change));
     if (change < least)
     {

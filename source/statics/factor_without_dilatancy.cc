@@ -52,15 +52,6 @@ public:
     return true;
   }
 
-  /** Keep that of no loads. */
-  void rest()
-  {
-    found.emplace();
-    found->forces.resize(problem.n_all_rows());
-    found->motion = Motion(problem.n_cells(), problem.kinematics());
-    found->passes.n = 1;
-  }
-
   const DiscreteProblem problem;
   /** The last state. */
   std::optional<Solution> found;
@@ -90,9 +81,7 @@ find_factor_without_dilatancy(const Scene &dead,
   LoadFactor &factor = *answer.factor;
   StatesAtFactors states(dead, live, of_passes, controls, terminal);
   double carried = 0., beyond = factor.carried;
-  if (!dead.is_loaded())
-    states.rest();
-  else if (!states.has_state(carried))
+  if (!states.has_state(carried))
     throw SolverError("The load factor was not found: the loads in 'Loads' "
                       "alone have no state with Coulomb's friction. Look at "
                       "them with 'Analysis = state', or set 'Friction/Law = "
