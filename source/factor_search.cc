@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/factor_search.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/strength_factor.h>
@@ -57,11 +56,6 @@ FactorSearch search_strength(const Given &given,
                              Terminal &terminal)
 {
   const Scene scene = parameters.scene_at(given, 1.);
-  if (!scene.dilates)
-    throw InputError("'Load factor/Factor' is 'strength', and 'Friction/Law' "
-                     "is 'Coulomb', for which what is carried with some "
-                     "strengths need not be so with greater ones; set the law "
-                     "to 'associated Coulomb', or the factor to one of loads.");
   check_strength_factor(scene, controls);
   if (scene.coefficient.empty() && scene.tensile_strength.empty() &&
       scene.compressive_strength.empty())

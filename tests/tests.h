@@ -103,6 +103,16 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
       generator.generate("", Voussoir::Terminal::silent()));
 }
 
+/** The packing with supports along y = 0. */
+inline Voussoir::Packing on_ground(Voussoir::Packing packing)
+{
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.midpoint()[1] < 1e-9);
+  packing.support(rests);
+  return packing;
+}
+
 /** A scene with one strength everywhere, under the tractions g(x, n). */
 template <typename Traction>
 Voussoir::Scene

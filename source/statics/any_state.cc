@@ -5,8 +5,6 @@
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace Voussoir
@@ -76,16 +74,6 @@ void RowProblem::make_rows()
   present_forces = std::make_unique<BoundedForces>(*present_rows, held);
 }
 
-bool RowProblem::has_strips() const
-{
-  return problem.n_contacts() > 1 &&
-         std::any_of(problem.normal_limits().begin(),
-                     problem.normal_limits().end(),
-                     [](const NormalLimits &limits) {
-                       return std::isfinite(limits.crushing);
-                     });
-}
-
 void RowProblem::refine(const std::vector<double> &u)
 {
   strips = present_rows->cuts_for(u);
@@ -125,17 +113,19 @@ AnyForces find_any_forces(RowProblem &problem,
     found.n_iterations += n_before;
     // Strips carry less than the joint does: a collapse is one only when they
     // are cut for it.
-    if (found.collapse.empty() || !problem.has_strips() ||
+    if (found.collapse.empty() || !problem.rows().has_strips() ||
         round == RowProblem::n_rounds)
       return found;
     problem.refine(found.collapse);
   }
 }
 
+namespace
+{
+/** The solution of a problem that collapses as @p found says. */
 Solution collapse_with(const RowProblem &problem, const AnyForces &found)
 {
   Solution solution;
-  solution.n_iterations = solution.n_evaluations = found.n_iterations;
   solution.stop = Stop::Reason::collapse;
   const DiscreteProblem &of = problem.of();
   double dissipation = 0.;
@@ -147,40 +137,48 @@ Solution collapse_with(const RowProblem &problem, const AnyForces &found)
   return solution;
 }
 
-namespace
-{
-/** Forces, or a mechanism, or neither. */
-Solution find_state_or_collapse(const DiscreteProblem &problem,
-                                const SolverControls &controls,
-                                Terminal &terminal)
+/** find_state_or_collapse() with the strengths as they are. */
+Solution find_at_once(const DiscreteProblem &problem,
+                      const unsigned int n_max_iterations,
+                      Terminal &terminal)
 {
   RowProblem by_rows(problem);
   const AnyForces found =
       find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
-                      controls.n_max_iterations, terminal);
-  if (!found.collapse.empty())
-    return collapse_with(by_rows, found);
+                      n_max_iterations, terminal);
   Solution solution;
-  solution.n_iterations = solution.n_evaluations = found.n_iterations;
-  if (found.state)
+  if (!found.collapse.empty())
+    solution = collapse_with(by_rows, found);
+  else if (found.state)
   {
     solution.stop = Stop::Reason::converged;
     solution.forces = by_rows.rows().forces_of(found.state->x);
     solution.motion = Motion(problem.n_cells(), problem.kinematics());
   }
+  solution.n_iterations = solution.n_evaluations = found.n_iterations;
   return solution;
 }
 } // namespace
+
+Solution find_state_or_collapse(const DiscreteProblem &problem,
+                                const unsigned int n_max_iterations,
+                                Terminal &terminal)
+{
+  SolverControls controls;
+  controls.n_max_iterations = n_max_iterations;
+  return solve_with_sufficient_strengths(
+      problem, controls,
+      [&](const DiscreteProblem &lowered, const SolverControls &rest) {
+        return find_at_once(lowered, rest.n_max_iterations, terminal);
+      });
+}
 
 Solution AnyState::select(const DiscreteProblem &problem,
                           const SolverControls &controls,
                           Terminal &terminal) const
 {
-  Solution found = solve_with_sufficient_strengths(
-      problem, controls,
-      [&](const DiscreteProblem &lowered, const SolverControls &rest) {
-        return find_state_or_collapse(lowered, rest, terminal);
-      });
+  Solution found =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   if (!found.converged() && !found.mechanism)
     throw SolverError(
         text("Neither forces that carry the loads nor a mechanism were found "

@@ -165,6 +165,11 @@ BoundedRows::BoundedRows(const DiscreteProblem &problem, const Strips &strips)
   own.loads.assign(n_unknowns() * own.centres.size(), 0.);
 }
 
+bool BoundedRows::has_strips() const
+{
+  return strips.n_strips() > 1 && have_crushing(problem);
+}
+
 bool BoundedRows::crushes(const unsigned int e) const
 {
   return !problem.normal_limits().empty() &&

@@ -46,7 +46,6 @@ public:
   std::optional<Solution> find();
   /** Why there is none. */
   std::string failure() const { return reason; }
-  unsigned int n_iterations() const { return iterations; }
 
 private:
   bool solve(const std::vector<double> &limits);
@@ -65,9 +64,8 @@ private:
 
 bool FixedPoint::solve(const std::vector<double> &limits)
 {
-  const Motion start = state.motion;
-  if (!start.displacement.empty())
-    controls.start = &start;
+  if (!state.motion.displacement.empty())
+    controls.start = &state.motion;
   Solution found =
       formulation.solve(problem.with_tresca(limits), controls, terminal);
   iterations += found.n_iterations;
@@ -180,19 +178,17 @@ Solution CoulombState::select(const DiscreteProblem &problem,
     return std::move(*found);
   // Forces that are admitted are so whether blocks dilate or not: if there are
   // none, the mechanism of those that do is a proof.
-  RowProblem by_rows(problem);
-  const AnyForces any =
-      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
-                      controls.n_max_iterations, terminal);
-  if (!any.collapse.empty())
-    return collapse_with(by_rows, any);
-  throw SolverError(
-      text("No state with Coulomb's friction was found: ", failure,
-           any.state ? ". Forces that friction admits balance the loads; but "
-                       "where blocks slide without lifting, no theorem says "
-                       "that such loads are carried"
-                     : "",
-           ". Take smaller loads, or set 'Friction/Law = associated "
-           "Coulomb'."));
+  Solution any =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  if (any.mechanism)
+    return any;
+  throw SolverError(text(
+      "No state with Coulomb's friction was found: ", failure,
+      any.converged() ? ". Forces that friction admits balance the loads; but "
+                        "where blocks slide without lifting, no theorem says "
+                        "that such loads are carried"
+                      : "",
+      ". Take smaller loads, or set 'Friction/Law = associated "
+      "Coulomb'."));
 }
 } // namespace Voussoir

@@ -140,7 +140,7 @@ void Search::find_proofs()
   {
     look_with_rows();
     if (state == SelfDual::State::unbounded || best_u.empty() ||
-        found.width() <= controls.tolerance || !by_rows.has_strips() ||
+        found.width() <= controls.tolerance || !by_rows.rows().has_strips() ||
         round == RowProblem::n_rounds)
       return;
     by_rows.refine(best_u);
@@ -182,7 +182,7 @@ void Search::look_with_rows()
     look_near(*untried);
     untried.reset();
     // Strips may be far from the joint, however well their own factor is known.
-    is_solved = by_rows.has_strips() && least <= controls.tolerance;
+    is_solved = by_rows.rows().has_strips() && least <= controls.tolerance;
   }
   if (untried)
     look_near(*untried);

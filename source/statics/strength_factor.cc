@@ -48,50 +48,43 @@ StrengthSearch::Verdict StrengthSearch::judge(const double divisor)
 {
   const Scene divided = with_strengths_divided(scene, divisor);
   const DiscreteProblem problem(divided);
-  RowProblem by_rows(problem);
-  const AnyForces any =
-      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
-                      controls.n_max_iterations, terminal);
+  Solution any =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   found.n_iterations += any.n_iterations;
-  terminal.iteration("Strength factor",
-                     text("divided by ", divisor, ": ",
-                          any.state              ? "carried"
-                          : any.collapse.empty() ? "not known"
-                                                 : "collapse"));
-  if (any.state)
+  terminal.iteration("Strength factor", text("divided by ", divisor, ": ",
+                                             any.mechanism     ? "collapse"
+                                             : any.converged() ? "carried"
+                                                               : "not known"));
+  if (any.mechanism)
   {
-    Solution solution;
-    solution.forces = by_rows.rows().forces_of(any.state->x);
-    found.forces = dimensional_forces(problem, solution);
-    found.carried = divisor;
-    return Verdict::carried;
+    const MechanismCertificate proof =
+        certify_mechanism(divided, any.mechanism->motion);
+    if (!proves_collapse(proof))
+      return Verdict::unknown;
+    found.mechanism = std::move(any.mechanism->motion);
+    found.bound = divisor;
+    found.proof = {divisor, 0., proof.closing_violation};
+    return Verdict::collapse;
   }
-  if (any.collapse.empty())
+  if (!any.converged())
     return Verdict::unknown;
-  Motion motion = by_rows.motion_of(any.collapse);
-  const MechanismCertificate proof = certify_mechanism(divided, motion);
-  if (!proves_collapse(proof))
-    return Verdict::unknown;
-  found.mechanism = std::move(motion);
-  found.bound = divisor;
-  found.proof = {divisor, 0., proof.closing_violation};
-  return Verdict::collapse;
+  found.forces = dimensional_forces(problem, any);
+  found.carried = divisor;
+  return Verdict::carried;
 }
 
 /** Find a divisor that is carried, and one that is not. */
 void StrengthSearch::bracket()
 {
-  double divisor = 1.;
-  const Verdict first = judge(divisor);
-  const double step = first == Verdict::carried ? 2. : 0.5;
-  while (divisor * step <= largest_divisor &&
-         divisor * step >= 1. / largest_divisor)
-  {
-    divisor *= step;
-    const Verdict next = judge(divisor);
-    if (next != first && next != Verdict::unknown)
-      return;
-  }
+  const Verdict at_one = judge(1.);
+  if (at_one != Verdict::carried)
+    for (double divisor = 0.5; divisor * largest_divisor >= 1.; divisor *= 0.5)
+      if (judge(divisor) == Verdict::carried)
+        break;
+  if (at_one != Verdict::collapse)
+    for (double divisor = 2.; divisor <= largest_divisor; divisor *= 2.)
+      if (judge(divisor) == Verdict::collapse)
+        break;
 }
 
 void StrengthSearch::bisect()
@@ -119,9 +112,9 @@ LoadFactorAnswer StrengthSearch::find()
   LoadFactorAnswer answer;
   if (judge(std::numeric_limits<double>::infinity()) == Verdict::carried)
   {
-    // Pressure alone carries the loads.
+    // Pressure alone carries the loads, with any strengths.
     found.is_unbounded = true;
-    judge(1.);
+    found.carried = 1.;
     found.stop = Stop::Reason::converged;
     answer.factor = std::move(found);
     return answer;
@@ -159,6 +152,11 @@ Scene with_strengths_divided(const Scene &scene, const double divisor)
 void check_strength_factor(const Scene &scene,
                            const LoadFactorControls &controls)
 {
+  if (!scene.dilates)
+    throw InputError("'Load factor/Factor' is 'strength', and 'Friction/Law' "
+                     "is 'Coulomb', for which what is carried with some "
+                     "strengths need not be so with greater ones; set the law "
+                     "to 'associated Coulomb', or the factor to one of loads.");
   if (!controls.greatest)
     throw InputError("'Load factor/Direction' is 'least', but strengths may be "
                      "multiplied by any number: set it to 'greatest', or "

@@ -18,30 +18,33 @@
 using namespace Voussoir;
 using dealii::Tensor;
 
-/** A wall on the ground under a body force, with a law of friction. */
+/** A packing on the ground under a body force, with Coulomb's friction. */
+Scene under(const Packing &packing,
+            const Tensor<1, 2> &force,
+            const double mu,
+            const double cohesion)
+{
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, packing.area(c) * force);
+  const std::size_t n = packing.interfaces().size();
+  Scene scene(packing, std::vector<double>(n, cohesion), loads, rotations());
+  if (mu > 0.)
+    scene.coefficient.assign(n, mu);
+  return scene;
+}
+
 Scene wall_under(const unsigned int n_courses,
                  const unsigned int n_bricks,
                  const double fx,
                  const double fy,
                  const double mu,
-                 const double cohesion,
-                 const Kinematics &kinematics = rotations())
+                 const double cohesion)
 {
-  Packing packing =
-      wall(n_courses, n_bricks, 0.4 * n_bricks, 0.175 * n_courses);
-  std::vector<bool> rests;
-  for (const auto &edge : packing.boundary_edges())
-    rests.push_back(edge.midpoint()[1] < 1e-9);
-  packing.support(rests);
-  Loads loads;
-  loads.traction.resize(packing.boundary_edges().size());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    loads.body.add(packing, c, packing.area(c) * Tensor<1, 2>({fx, fy}));
-  const std::size_t n = packing.interfaces().size();
-  Scene scene(packing, std::vector<double>(n, cohesion), loads, kinematics);
-  if (mu > 0.)
-    scene.coefficient.assign(n, mu);
-  return scene;
+  return under(
+      on_ground(wall(n_courses, n_bricks, 0.4 * n_bricks, 0.175 * n_courses)),
+      Tensor<1, 2>({fx, fy}), mu, cohesion);
 }
 
 Scene without_dilatancy(Scene scene)
@@ -155,6 +158,7 @@ void compare(const std::string &name, const Scene &scene, const double exact)
 void strengths()
 {
   compare("a dry block", wall_under(1, 1, 2., -10., 0.6, 0.), 3.);
+  compare("just rough enough", wall_under(1, 1, 6., -10., 0.6, 0.), 1.);
   compare("rougher than the push asks for", wall_under(1, 1, 2., -10., 0.1, 0.),
           0.5);
   // mu W + c L = H v with W = 10 * 0.07, L = 0.4, H = 2 * 0.07
@@ -181,18 +185,9 @@ void arch(const double thickness, const double exact, const double error)
   prm.set("Thickness", thickness);
   prm.set("Mean radius", 1.);
   prm.set("Voussoirs", 160L);
-  Packing packing(generator.generate("", Terminal::silent()));
-  std::vector<bool> rests;
-  for (const auto &edge : packing.boundary_edges())
-    rests.push_back(edge.midpoint()[1] < 1e-9);
-  packing.support(rests);
-  Loads loads;
-  loads.traction.resize(packing.boundary_edges().size());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    loads.body.add(packing, c, packing.area(c) * Tensor<1, 2>({0., -20.}));
-  const std::size_t n = packing.interfaces().size();
-  Scene scene(packing, std::vector<double>(n, 0.), loads, rotations());
-  scene.coefficient.assign(n, 0.6);
+  const Scene scene =
+      under(on_ground(Packing(generator.generate("", Terminal::silent()))),
+            Tensor<1, 2>({0., -20.}), 0.6, 0.);
   const LoadFactorAnswer answer =
       find_strength_factor(scene, {}, Terminal::silent());
   check("an arch", answer.factor.has_value());

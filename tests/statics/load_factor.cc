@@ -84,15 +84,6 @@ void compare(const LoadFactor &found, const double exact, const double error)
   check_error("  factor", std::abs(found.carried / exact - 1.), error);
 }
 
-Packing on_ground(Packing packing)
-{
-  std::vector<bool> rests;
-  for (const auto &edge : packing.boundary_edges())
-    rests.push_back(edge.midpoint()[1] < 1e-9);
-  packing.support(rests);
-  return packing;
-}
-
 Tensor<1, 2> vector(const double x, const double y)
 {
   return Tensor<1, 2>({x, y});

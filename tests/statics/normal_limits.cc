@@ -25,11 +25,7 @@ struct Column
   template <typename Traction>
   Scene scene(const Traction &g) const
   {
-    Packing packing = wall(3, 1, 1., 3.);
-    std::vector<bool> rests;
-    for (const auto &edge : packing.boundary_edges())
-      rests.push_back(edge.midpoint()[1] < 1e-9);
-    packing.support(rests);
+    const Packing packing = on_ground(wall(3, 1, 1., 3.));
     Loads loads;
     for (const auto &edge : packing.boundary_edges())
     {

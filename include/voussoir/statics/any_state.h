@@ -31,8 +31,6 @@ public:
   const BoundedRows &rows() const { return *present_rows; }
   /** Their forces; the ground and one cell of each group are held. */
   BoundedForces &forces() { return *present_forces; }
-  /** True if joints crush, so that refine() makes other rows. */
-  bool has_strips() const;
   /**
    * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
    * before have no meaning any more; their number is the same.
@@ -81,8 +79,14 @@ AnyForces find_any_forces(RowProblem &problem,
                           unsigned int n_max_iterations,
                           Terminal &terminal);
 
-/** The solution of a problem that collapses as @p found says. */
-Solution collapse_with(const RowProblem &problem, const AnyForces &found);
+/**
+ * Find any admissible forces of a problem, or its collapse.
+ *
+ * @return forces, if it has converged(), or a mechanism, or neither.
+ */
+Solution find_state_or_collapse(const DiscreteProblem &problem,
+                                unsigned int n_max_iterations,
+                                Terminal &terminal);
 
 /**
  * The formulation of joints whose friction grows with the pressure, or that

@@ -91,6 +91,8 @@ public:
    * numbers, to be added to the loads.
    */
   std::vector<double> offset() const;
+  /** True if joints are cut into several strips, so that others may serve. */
+  bool has_strips() const;
   /** The strips with cuts where @p u neither opens nor closes joints. */
   Strips cuts_for(const std::vector<double> &u) const;
 

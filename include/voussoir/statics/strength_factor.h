@@ -9,7 +9,10 @@ namespace Voussoir
 /** @p scene with its strengths against sliding, s_T or c and mu, divided. */
 Scene with_strengths_divided(const Scene &scene, double divisor);
 
-/** @throws InputError if the least number is asked for, or without loads. */
+/**
+ * @throws InputError if the least number is asked for, without loads, or if
+ *   blocks do not dilate.
+ */
 void check_strength_factor(const Scene &scene,
                            const LoadFactorControls &controls);
 
