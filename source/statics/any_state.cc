@@ -20,7 +20,7 @@ std::vector<double> collapse_of(BoundedForces &forces,
   for (auto *const v : {&ray.u, &ray.z})
     for (double &component : *v)
       component /= size;
-  return mechanism_near(forces, loads, ray);
+  return mechanism_near(forces, loads, ray).u;
 }
 
 /** The same as find_any_forces() with the present rows. */

@@ -12,6 +12,9 @@ namespace
 /** The relative shifts of the diagonal: the first, the factor to the next. */
 constexpr double first_shift = 1e-14, factor_of_shift = 100.,
                  largest_shift = 1e-2;
+
+/** The steps of conjugate gradients that may bring nothing. */
+constexpr unsigned int n_without_gain = 3;
 } // namespace
 
 BoundedForces::BoundedForces(const BoundedRows &rows, std::vector<bool> held)
@@ -110,16 +113,17 @@ std::vector<double> BoundedForces::product(const std::vector<double> &u) const
 }
 
 std::vector<double> BoundedForces::solve(const std::vector<double> &right,
-                                         const double reduction,
+                                         const double enough,
                                          const unsigned int n_gradients)
 {
   std::vector<double> u = factor.solve(right, 1), best = u;
-  const double enough = reduction * largest_component(right);
   std::vector<double> left = right;
   add(left, -1., product(u));
   double least = largest_component(left), previous = 0.;
   std::vector<double> direction;
-  for (unsigned int k = 0; k < n_gradients && least > enough; ++k)
+  unsigned int n_in_vain = 0;
+  for (unsigned int k = 0;
+       k < n_gradients && least > enough && n_in_vain < n_without_gain; ++k)
   {
     const std::vector<double> z = factor.solve(left, 1);
     const double now = dot(left, z);
@@ -135,10 +139,12 @@ std::vector<double> BoundedForces::solve(const std::vector<double> &right,
       break;
     add(u, now / energy, direction);
     add(left, -now / energy, force);
+    ++n_in_vain;
     if (const double size = largest_component(left); size < least)
     {
       best = u;
       least = size;
+      n_in_vain = 0;
     }
   }
   return best;

@@ -10,11 +10,12 @@ namespace Voussoir
 {
 namespace
 {
-constexpr unsigned int n_rounds = 8;
+/** The rounds of a correction, and those that may bring nothing. */
+constexpr unsigned int n_rounds = 8, n_without_gain = 2;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
-constexpr double rounding_of_balance = 1e-15, rounding_of_motion = 1e-16;
+constexpr double rounding_of_balance = 1e-14, rounding_of_motion = 1e-14;
 /** The stopping criteria of the conjugate gradients. */
 constexpr double reduction = 1e-15;
 constexpr unsigned int n_gradients = 15;
@@ -29,12 +30,14 @@ std::vector<double> solve(BoundedForces &forces,
                           const double work,
                           double &alpha)
 {
-  std::vector<double> y = forces.solve(right, reduction, n_gradients);
+  const auto solve_for = [&](const std::vector<double> &load) {
+    return forces.solve(load, reduction * largest_component(load), n_gradients);
+  };
+  std::vector<double> y = solve_for(right);
   alpha = 0.;
   if (live.empty())
     return y;
-  const std::vector<double> of_live =
-      forces.solve(live, reduction, n_gradients);
+  const std::vector<double> of_live = solve_for(live);
   alpha = (dot(live, y) - work) / dot(live, of_live);
   add(y, -alpha, of_live);
   return y;
@@ -51,6 +54,44 @@ std::vector<double> missing(const BoundedForces &forces,
   for (double &component : left)
     component = -component;
   return left;
+}
+
+/** Counts the rounds of a correction. */
+class Patience
+{
+public:
+  bool lasts() const { return n < n_rounds && n_in_vain < n_without_gain; }
+  void see(const double error, const double least)
+  {
+    ++n;
+    n_in_vain = error < least ? 0 : n_in_vain + 1;
+  }
+
+private:
+  unsigned int n = 0, n_in_vain = 0;
+};
+
+/** Go a share of the way from x to y. */
+void towards(std::vector<double> &x,
+             const double share,
+             const std::vector<double> &y)
+{
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] += share * (y[k] - x[k]);
+}
+
+/** The largest closing where a force has no limit, over the displacement. */
+double closing_of(const BoundedForces &forces, const std::vector<double> &u)
+{
+  const std::vector<double> jumps = forces.along(u);
+  const auto &bounds = forces.bounds();
+  double closing = 0.;
+  for (std::size_t b = 0; b < bounds.size(); ++b)
+    if (b + 1 < bounds.size() && bounds[b + 1].row == bounds[b].row)
+      ++b;
+    else
+      closing = std::max(closing, bounds[b].sign * jumps[bounds[b].row]);
+  return closing / largest_component(u);
 }
 
 /** The distance of each force from its nearest bound; zero if it has none. */
@@ -96,19 +137,22 @@ FactorState state_near(BoundedForces &forces,
                        const double share)
 {
   const InvalidOperationsAllowed allowed;
-  const double size =
-      std::max(largest_component(loads.dead), largest_component(loads.live));
+  const double dead = largest_component(loads.dead),
+               live = largest_component(loads.live);
+  const auto residual = [&](const FactorState &state) {
+    return largest_component(missing(forces, loads, state)) /
+           std::max(dead, std::abs(state.alpha) * live);
+  };
   FactorState best = {within_bounds(forces, point.s), point.alpha, 0.};
   if (anchor)
   {
-    for (std::size_t k = 0; k < best.x.size(); ++k)
-      best.x[k] += share * (anchor->x[k] - best.x[k]);
+    towards(best.x, share, anchor->x);
     best.alpha += share * (anchor->alpha - best.alpha);
   }
-  best.residual = largest_component(missing(forces, loads, best)) / size;
+  best.residual = residual(best);
   FactorState trial = best;
-  for (unsigned int n = 0; n < n_rounds && best.residual > rounding_of_balance;
-       ++n)
+  Patience patience;
+  while (best.residual > rounding_of_balance && patience.lasts())
   {
     const std::vector<double> distance = distances(forces, trial.x);
     // Squares keep all forces within their bounds in the first step; with an
@@ -135,32 +179,42 @@ FactorState state_near(BoundedForces &forces,
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;
     add(trial.x, part, dx);
     trial.alpha += part * alpha;
-    trial.residual = largest_component(missing(forces, loads, trial)) / size;
+    trial.residual = residual(trial);
+    patience.see(trial.residual, best.residual);
     if (trial.residual < best.residual)
       best = trial;
   }
   return best;
 }
 
-std::vector<double> mechanism_near(BoundedForces &forces,
-                                   const SelfDual::Loads &loads,
-                                   const SelfDual::Point &point)
+FactorMotion mechanism_near(BoundedForces &forces,
+                            const SelfDual::Loads &loads,
+                            const SelfDual::Point &point,
+                            const std::optional<FactorMotion> &anchor,
+                            const double share)
 {
   const InvalidOperationsAllowed allowed;
-  std::vector<double> u = point.u, z = point.z;
-  for (unsigned int n = 0; n < n_rounds; ++n)
+  FactorMotion best = {point.u, point.z, 0.};
+  if (anchor)
   {
-    std::vector<double> left = forces.along(u);
-    add(left, 1., forces.of_rows(z));
+    towards(best.u, share, anchor->u);
+    towards(best.z, share, anchor->z);
+  }
+  best.closing = closing_of(forces, best.u);
+  FactorMotion trial = best;
+  Patience patience;
+  while (best.closing > rounding_of_motion && patience.lasts())
+  {
+    std::vector<double> left = forces.along(trial.u);
+    add(left, 1., forces.of_rows(trial.z));
     const double work =
-        loads.live.empty() ? 0. : loads.sense - dot(loads.live, u);
-    if (std::max(largest_component(left), std::abs(work)) <=
-        rounding_of_motion * largest_component(u))
-      break;
-    std::vector<double> squares = z;
-    for (double &component : squares)
-      component *= component;
-    const std::vector<double> k = forces.inverse_sums(squares);
+        loads.live.empty() ? 0. : loads.sense - dot(loads.live, trial.u);
+    // As with the forces.
+    std::vector<double> weights = trial.z;
+    if (!anchor)
+      for (double &weight : weights)
+        weight *= weight;
+    const std::vector<double> k = forces.inverse_sums(weights);
     if (!forces.prepare(k))
       break;
     for (std::size_t r = 0; r < left.size(); ++r)
@@ -175,14 +229,18 @@ std::vector<double> mechanism_near(BoundedForces &forces,
     double fastest = 0.;
     for (std::size_t b = 0; b < dz.size(); ++b)
     {
-      dz[b] *= squares[b];
-      fastest = std::max(fastest, -dz[b] / z[b]);
+      dz[b] *= weights[b];
+      fastest = std::max(fastest, -dz[b] / trial.z[b]);
     }
     const double part =
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;
-    add(u, part, du);
-    add(z, part, dz);
+    add(trial.u, part, du);
+    add(trial.z, part, dz);
+    trial.closing = closing_of(forces, trial.u);
+    patience.see(trial.closing, best.closing);
+    if (trial.closing < best.closing)
+      best = trial;
   }
-  return u;
+  return best;
 }
 } // namespace Voussoir

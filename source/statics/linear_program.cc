@@ -11,6 +11,14 @@ namespace Voussoir
 namespace
 {
 /**
+ * The products of constraints and multipliers to stop at. A load that is
+ * carried leaves no jump anywhere, so that all constraints go to zero with
+ * them, and the digits of the linear systems as well; the multipliers balance
+ * the load long before.
+ */
+constexpr double last_product = 1e-9;
+
+/**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
  * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
  * v_e + [u]_e . t_e of each joint with a strength.
@@ -117,9 +125,9 @@ Solution solve_linear_program(const DiscreteProblem &problem,
                               Terminal &terminal)
 {
   Program program(problem);
-  ProgramResult result =
-      solve_program(problem, program,
-                    {controls.tolerance, controls.n_max_iterations}, terminal);
+  IpoptControls ipopt{controls.tolerance, controls.n_max_iterations};
+  ipopt.mu_target = last_product;
+  ProgramResult result = solve_program(problem, program, ipopt, terminal);
   if (!result.solution.mechanism)
     result.solution.forces = program.forces(result.multipliers);
   return result.solution;

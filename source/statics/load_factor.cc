@@ -20,14 +20,16 @@ constexpr double first_trial = 30.;
 /** The steps between two trials, until the error is as wanted. */
 constexpr unsigned int n_between = 2;
 
-/** The part of the wanted width that the anchor of a state may take. */
-constexpr double share_of_anchor = 0.05;
+/** How near a proof is to the factor, over the wanted width, to be left. */
+constexpr double near_enough = 0.5;
+/** The part of the wanted width that an anchor may take. */
+constexpr double share_of_anchor = 0.01;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_factor = 1e-3;
 
-/** The largest closing of a mechanism that is a proof. */
-constexpr double largest_closing = 1e-12;
+/** The largest closing of a mechanism that is a proof, and of its anchor. */
+constexpr double largest_closing = 1e-12, largest_closing_of_anchor = 1e-13;
 
 /**
  * The problem of the dead loads; without any of the live ones, whose own size
@@ -61,7 +63,7 @@ public:
 private:
   std::vector<double> loads_at(double factor) const;
   void look_with_rows();
-  void look_near(const SelfDual::Point &point);
+  void look_near(const SelfDual::Point &point, double near_enough);
   void keep_if_carried(const FactorState &state);
   void keep_if_bound(Motion motion);
 
@@ -73,10 +75,9 @@ private:
   /** The live loads are of the size of the dead ones. */
   SelfDual::Loads loads;
   double unit_of_factor = 1.;
-  /** The largest dead load; the live ones have one of that size, or of one. */
-  double dead_size = 0.;
-  /** A state far from the bounds. */
+  /** A state far from the bounds, and a motion far from closing joints. */
   std::optional<FactorState> anchor;
+  std::optional<FactorMotion> open;
   /** The displacement of the last point with a small error. */
   std::vector<double> best_u;
   SelfDual::State state = SelfDual::State::running;
@@ -98,7 +99,8 @@ Search::Search(const Scene &dead,
     throw InputError("'Analysis' is 'load factor', and there are no loads to "
                      "be multiplied: 'Live loads' gives them, or 'Loads' with "
                      "'Load factor/Factor = all loads'.");
-  dead_size = largest_component(by_rows.loads(problem.loads_of(dead), false));
+  const double dead_size =
+      largest_component(by_rows.loads(problem.loads_of(dead), false));
   // Or else those of what joints bear, which are one.
   unit_of_factor = (dead_size > 0. ? dead_size : 1.) / live_size;
   for (double &load : loads.live)
@@ -144,7 +146,9 @@ void Search::find_proofs()
         round == RowProblem::n_rounds)
       return;
     by_rows.refine(best_u);
-    anchor.reset(); // of other strips
+    // They are of other strips.
+    anchor.reset();
+    open.reset();
   }
 }
 
@@ -152,14 +156,15 @@ void Search::look_with_rows()
 {
   state = SelfDual::State::running;
   SelfDual program(by_rows.forces(), loads);
-  std::optional<SelfDual::Point> untried;
+  std::optional<SelfDual::Point> best;
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
-  bool is_solved = false;
-  while (state == SelfDual::State::running &&
-         found.width() > controls.tolerance && !is_solved &&
+  bool is_solved = false, is_last = false;
+  while (state == SelfDual::State::running && !is_last && !is_solved &&
          program.n_iterations() < controls.n_max_iterations)
   {
+    // One step beyond what is wanted costs little and brings many digits.
+    is_last = found.width() <= controls.tolerance;
     state = program.step();
     terminal.iteration("Load factor",
                        text("iteration ", program.n_iterations(), ", factor ",
@@ -168,51 +173,63 @@ void Search::look_with_rows()
     if (!(program.merit() < least))
       continue;
     least = program.merit();
-    untried = program.point();
-    best_u = untried->u;
+    best = program.point();
+    best_u = best->u;
     if (!anchor)
-      if (FactorState early = state_near(by_rows.forces(), loads, *untried);
+      if (FactorState early = state_near(by_rows.forces(), loads, *best);
           early.residual <= largest_residual_of_state)
         anchor = std::move(early);
+    if (!open)
+      if (FactorMotion early = mechanism_near(by_rows.forces(), loads, *best);
+          early.closing <= largest_closing_of_anchor)
+        open = std::move(early);
     if (least > first_trial * controls.tolerance ||
         (program.n_iterations() < last_trial + n_between &&
          least > controls.tolerance))
       continue;
     last_trial = program.n_iterations();
-    look_near(*untried);
-    untried.reset();
+    look_near(*best, near_enough);
     // Strips may be far from the joint, however well their own factor is known.
     is_solved = by_rows.rows().has_strips() && least <= controls.tolerance;
   }
-  if (untried)
-    look_near(*untried);
+  if (best)
+    look_near(*best, 0.);
   found.n_iterations += program.n_iterations();
   if (program.n_iterations() >= controls.n_max_iterations)
     found.stop = Stop::Reason::most_iterations;
 }
 
-void Search::look_near(const SelfDual::Point &point)
+/** Look for proofs unless there are some, @p near_enough wanted widths away. */
+void Search::look_near(const SelfDual::Point &point, const double near_enough)
 {
   // What is not a number proves nothing.
   const InvalidOperationsAllowed allowed;
-  FactorState near = state_near(by_rows.forces(), loads, point);
-  if (near.residual > largest_residual_of_state && anchor)
-    near = state_near(by_rows.forces(), loads, point, anchor,
-                      share_of_anchor * controls.tolerance);
-  keep_if_carried(near);
-  keep_if_bound(
-      by_rows.motion_of(mechanism_near(by_rows.forces(), loads, point)));
+  const double factor = point.alpha * unit_of_factor;
+  const double near = near_enough * controls.tolerance *
+                      std::max(std::abs(factor), small_factor * found.unit);
+  const double share = share_of_anchor * controls.tolerance;
+  if (!(loads.sense * (factor - found.carried) <= near))
+  {
+    FactorState state =
+        state_near(by_rows.forces(), loads, point, anchor, share);
+    if (state.residual > largest_residual_of_state && anchor)
+      state = state_near(by_rows.forces(), loads, point);
+    keep_if_carried(state);
+  }
+  if (!(loads.sense * (found.bound - factor) <= near))
+  {
+    FactorMotion motion =
+        mechanism_near(by_rows.forces(), loads, point, open, share);
+    if (motion.closing > largest_closing && open)
+      motion = mechanism_near(by_rows.forces(), loads, point);
+    keep_if_bound(by_rows.motion_of(std::move(motion.u)));
+  }
 }
 
 void Search::keep_if_carried(const FactorState &near)
 {
   const double carried = near.alpha * unit_of_factor;
-  // The residual is relative to live loads of their whole size.
-  const double size =
-      std::max({largest_component(loads.dead), largest_component(loads.live)});
-  const double size_at_factor =
-      std::max(dead_size, std::abs(near.alpha) * largest_component(loads.live));
-  if (!(near.residual * size <= largest_residual_of_state * size_at_factor &&
+  if (!(near.residual <= largest_residual_of_state &&
         loads.sense * (carried - found.carried) > 0.))
     return;
   Solution solution;

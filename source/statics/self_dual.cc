@@ -26,7 +26,7 @@ constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
 
 /** The residual at which the conjugate gradients of a step stop. */
-constexpr double reduction = 1e-11;
+constexpr double reduction = 1e-11, share_of_residual = 1e-3;
 constexpr unsigned int n_gradients = 12;
 /** The same for the refinement of the bordered system. */
 constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
@@ -39,6 +39,8 @@ constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 constexpr unsigned int n_patience = 10;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
+/** The first slack, over the root of the stiffness or the whole range. */
+constexpr double first_slack = 100.;
 /** A bound, over the loads, that hardly matters to begin with. */
 constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
@@ -55,10 +57,15 @@ SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
   double strongest = 0.;
   for (const BoundedForces::Bound &bound : forces.bounds())
   {
-    // All products start from one, and forces from the root of the stiffness;
-    // from bounds that are much farther away they are as far.
+    // All products start from one, and forces far inside their bounds, so that
+    // joints need hardly open to begin with: the displacement, with the work
+    // one, is small beside the forces. Bounds may be farther away still.
+    const BoundedRows::Bounds &of_row = rows.bounds()[bound.row];
     const double k =
-        std::sqrt(rows.joints()[bound.row / rows.n_rows()].stiffness());
+        first_slack *
+        std::min(
+            std::sqrt(rows.joints()[bound.row / rows.n_rows()].stiffness()),
+            of_row.greatest - of_row.least);
     const double s = bound.limit > far_bound ? bound.limit : k;
     now.s.push_back(s);
     now.z.push_back(1. / s);
@@ -181,7 +188,8 @@ bool SelfDual::prepare()
     return false;
   if (!loads.live.empty())
   {
-    u_of_live = forces.solve(loads.live, reduction, n_gradients);
+    u_of_live = forces.solve(
+        loads.live, reduction * largest_component(loads.live), n_gradients);
     work_of_live = dot(loads.live, u_of_live);
   }
 
@@ -227,7 +235,13 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
     k_r1[k] *= stiffness[k];
   std::vector<double> right = forces.on_bodies(k_r1);
   add(right, -1., balance);
-  found.u = forces.solve(right, reduction, n_gradients);
+  // What a step leaves undone is left for the next one.
+  const double enough =
+      std::max(small_residual * size_of_loads * now.tau,
+               share_of_residual * largest_component(residual.balance));
+  found.u = forces.solve(right,
+                         std::max(reduction * largest_component(right), enough),
+                         n_gradients);
   found.alpha = 0.;
   if (!loads.live.empty())
   {
@@ -239,11 +253,11 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
       add(left, found.alpha, loads.live);
       add(left, -1., forces.product(found.u));
       const double missing = live_work - dot(loads.live, found.u);
-      if (largest_component(left) < small_residual * size_of_loads * now.tau &&
+      if (largest_component(left) < enough &&
           std::abs(missing) < small_residual)
         break;
-      const std::vector<double> du =
-          forces.solve(left, reduction_of_refinement, n_gradients);
+      const std::vector<double> du = forces.solve(
+          left, reduction_of_refinement * largest_component(left), n_gradients);
       const double more = (missing - dot(loads.live, du)) / work_of_live;
       add(found.u, 1., du);
       add(found.u, more, u_of_live);

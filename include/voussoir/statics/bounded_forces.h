@@ -67,11 +67,11 @@ public:
    * factors precondition.
    *
    * @param right n_dofs() numbers.
-   * @param reduction of the largest component of the residual to stop at.
+   * @param enough the largest component of a residual to stop at.
    * @param n_gradients the largest number of steps.
    */
   std::vector<double> solve(const std::vector<double> &right,
-                            double reduction,
+                            double enough,
                             unsigned int n_gradients);
   /** A diag(k) A^T times @p u, of the matrix that is prepared. */
   std::vector<double> product(const std::vector<double> &u) const;

@@ -19,7 +19,10 @@ struct FactorState
   std::vector<double> x;
   /** The factor of the live load. */
   double alpha;
-  /** The largest component of what is missing to a balance, over the loads. */
+  /**
+   * The largest component of what is missing to a balance, over the largest of
+   * the dead loads and of the live ones at the factor.
+   */
   double residual;
 };
 
@@ -41,16 +44,37 @@ FactorState state_near(BoundedForces &forces,
                        const std::optional<FactorState> &anchor = {},
                        double share = 0.);
 
+/** A motion near a mechanism that bounds a factor. */
+struct FactorMotion
+{
+  /** The displacement, n_dofs() numbers. */
+  std::vector<double> u;
+  /** The opening or the sliding at each bound, positive. */
+  std::vector<double> z;
+  /**
+   * The largest closing of what has no other limit, over the largest component
+   * of the displacement.
+   */
+  double closing;
+};
+
 /**
  * Correct a @p point of SelfDual to a mechanism, with the work sense of the
  * live loads, whose dissipation less the work of the dead loads is a bound of
  * the factor (the kinematic theorem): openings near zero hardly move.
  *
- * @return the displacement, n_dofs() numbers.
+ * @param forces of the joints.
+ * @param loads on the bodies.
+ * @param point close to the optimum.
+ * @param anchor a motion that opens all that it may, and does the same work, if
+ *   there is one. A share of it keeps joints open that hardly are.
+ * @param share of the anchor, and what the bound loses by it.
  */
-std::vector<double> mechanism_near(BoundedForces &forces,
-                                   const SelfDual::Loads &loads,
-                                   const SelfDual::Point &point);
+FactorMotion mechanism_near(BoundedForces &forces,
+                            const SelfDual::Loads &loads,
+                            const SelfDual::Point &point,
+                            const std::optional<FactorMotion> &anchor = {},
+                            double share = 0.);
 } // namespace Voussoir
 
 #endif
