@@ -77,7 +77,8 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
       prm, "Analysis", analysis,
       {{Analysis::state, "state",
         "forces that carry the loads, or the mechanism in which the packing "
-        "collapses."},
+        "collapses.",
+        "Ranges"},
        {Analysis::load_factor, "load factor",
         "the greatest factor of the live loads that is carried, or the least, "
         "between two proofs: forces that balance the loads at it, and a "
@@ -87,6 +88,7 @@ void Simulation::add_parameters(dealii::ParameterHandler &prm)
   solver.add_parameters(prm);
   of_scene.add_parameters(prm);
   load_factor.add_parameters(prm);
+  ranges.add_parameters(prm);
   stress.add_parameters(prm);
   add_output_parameters(prm);
 }
@@ -162,11 +164,13 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                       solver.controls().tolerance, timer, terminal)
               : analyse(scene, solver.formulation_for(scene), solver.controls(),
                         record, timer, terminal);
-  if (auto *const carried = std::get_if<Carried>(&answer))
-    write(files, Results(record, std::move(*carried)), prm);
-  else
+  auto *const carried = std::get_if<Carried>(&answer);
+  if (carried == nullptr)
     write(files, Collapse(record, std::get<NotCarried>(std::move(answer))),
           prm);
+  Results results(record, std::move(*carried));
+  results.ranges = ranges_of(scene);
+  write(files, std::move(results), prm);
 }
 
 RunRecord Simulation::record_of(const Scene &scene) const
@@ -175,6 +179,19 @@ RunRecord Simulation::record_of(const Scene &scene) const
   record.title = title;
   record.n_processes = team.size();
   return record;
+}
+
+std::optional<Ranges> Simulation::ranges_of(const Scene &scene)
+{
+  const std::optional<RangesWanted> wanted = ranges.wanted(scene.packing);
+  if (!wanted)
+    return {};
+  const dealii::TimerOutput::Scope section(timer, "ranges");
+  terminal.begin("Ranges");
+  Ranges found = find_ranges(scene, *wanted, terminal);
+  terminal.stage("Ranges", text(counted(found.n_programmes, "linear programme"),
+                                ", ", counted(found.n_iterations, "step")));
+  return found;
 }
 
 void Simulation::find_factor(ResultDirectory &files,

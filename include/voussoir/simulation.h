@@ -6,6 +6,7 @@
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
+#include <voussoir/scene/range_parameters.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
 #include <voussoir/terminal/terminal.h>
@@ -66,6 +67,8 @@ private:
   Carried
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   RunRecord record_of(const Scene &scene) const;
+  /** The ranges of forces that are asked for, if any are. */
+  std::optional<Ranges> ranges_of(const Scene &scene);
   /** Look for a factor instead of a state, and write what is found. */
   void find_factor(ResultDirectory &files,
                    Given given,
@@ -117,6 +120,7 @@ private:
   PackingFile packing_file = PackingFile::none;
   SceneParameters of_scene;
   LoadFactorParameters load_factor;
+  RangeParameters ranges;
   SolverParameters solver;
   StressParameters stress;
 };

@@ -36,6 +36,20 @@ std::string columns_of_limits(const Scene &scene)
          (scene.compressive_strength.empty() ? "" : ",compressive_strength");
 }
 
+/** The ranges of the forces of interface @p e; empty where not asked for. */
+void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
+{
+  if (!ranges.wanted[e])
+  {
+    line << ",,,,,";
+    return;
+  }
+  line << ',' << 0. - ranges.normal[e].greatest << ','
+       << 0. - ranges.normal[e].least << ',' << ranges.tangential[e].least
+       << ',' << ranges.tangential[e].greatest << ','
+       << int(ranges.is_determined(e));
+}
+
 void add_limits(TextLines &line, const Scene &scene, const unsigned int e)
 {
   for (const auto *limits : {&scene.coefficient, &scene.tensile_strength,
@@ -54,8 +68,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       << (marked ? ",never_pressed,always_sliding" : "")
       << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity" : "")
       << columns_of_limits(scene)
-      << (scene.compressive_strength.empty() ? "\n"
-                                             : ",crushing_utilisation\n");
+      << (scene.compressive_strength.empty() ? "" : ",crushing_utilisation")
+      << (results.ranges ? ",p_min,p_max,q_min,q_max,determined\n" : "\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -74,6 +88,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
     if (!scene.compressive_strength.empty())
       line << ','
            << scene.limits(e).crushing_utilisation(results.forces.ends(e));
+    if (results.ranges)
+      add_ranges(line, *results.ranges, e);
     line << '\n';
   });
 }

@@ -4,6 +4,7 @@
 #include <voussoir/output/vtu_values.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -32,6 +33,43 @@ VtuFile lines_of(const std::vector<Packing::Interface> &interfaces)
   return VtuFile::separate(VtuFile::Shape::line,
                            {2 * interfaces.size(), points},
                            {interfaces.size(), ends});
+}
+/** A mark of interfaces whose ranges are not asked for. */
+constexpr std::int32_t not_wanted = -1;
+
+/**
+ * Add the ranges by @p add. ParaView draws no infinite numbers: where there is
+ * no bound, or none is asked for, the force itself takes its place.
+ */
+template <typename Add>
+void add_ranges(const Ranges &ranges,
+                const InterfaceForces &forces,
+                const Add &add)
+{
+  const auto value = [&ranges](const std::size_t e, const double bound,
+                               const double force) {
+    return scalar(ranges.wanted[e] && std::isfinite(bound) ? bound : force);
+  };
+  add("p_min", [&](std::size_t e) {
+    return value(e, 0. - ranges.normal[e].greatest, 0. - forces.normal[e]);
+  });
+  add("p_max", [&](std::size_t e) {
+    return value(e, 0. - ranges.normal[e].least, 0. - forces.normal[e]);
+  });
+  add("q_min", [&](std::size_t e) {
+    return value(e, ranges.tangential[e].least, forces.tangential[e]);
+  });
+  add("q_max", [&](std::size_t e) {
+    return value(e, ranges.tangential[e].greatest, forces.tangential[e]);
+  });
+  add("determined", [&](std::size_t e) {
+    return scalar(ranges.wanted[e] ? std::int32_t(ranges.is_determined(e))
+                                   : not_wanted);
+  });
+  add("unbounded", [&](std::size_t e) {
+    return scalar(ranges.wanted[e] ? std::int32_t(ranges.is_unbounded(e))
+                                   : not_wanted);
+  });
 }
 } // namespace
 
@@ -82,6 +120,8 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
       add(name,
           [&marks](std::size_t e) { return scalar(std::uint8_t(marks[e])); });
   };
+  if (results.ranges)
+    add_ranges(*results.ranges, forces, add);
   add_mark("never_pressed", results.never_pressed);
   add_mark("always_sliding", results.always_sliding);
   file.write(out);

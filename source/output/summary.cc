@@ -109,6 +109,65 @@ Json summary_of_factor(const LoadFactor &factor)
   return json;
 }
 
+/** How many interfaces have their ranges, and of which kinds they are. */
+struct CountOfRanges
+{
+  explicit CountOfRanges(const Ranges &ranges)
+  {
+    for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
+    {
+      wanted += ranges.wanted[e];
+      determined += ranges.is_determined(e);
+      unbounded += ranges.is_unbounded(e);
+    }
+  }
+
+  unsigned int wanted = 0, determined = 0, unbounded = 0;
+};
+
+/** The ranges of forces, with the errors of their proofs over the loads. */
+Json summary_of_ranges(const Results &results)
+{
+  const Ranges &ranges = *results.ranges;
+  const CountOfRanges count(ranges);
+  const auto pair = [](const Range &range) {
+    return Json::array({finite(range.least), finite(range.greatest)});
+  };
+  Json supports = Json::array();
+  for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
+  {
+    const Reaction &at = results.reactions[s];
+    supports.push_back({{"from", {at.start[0], at.start[1]}},
+                        {"to", {at.end[0], at.end[1]}},
+                        {"x", pair(ranges.reactions[s][0])},
+                        {"y", pair(ranges.reactions[s][1])}});
+  }
+  return {{"interfaces", count.wanted},
+          {"determined", count.determined},
+          {"unbounded", count.unbounded},
+          {"reactions", supports},
+          {"width", ranges.reference > 0.
+                        ? Json(ranges.width / ranges.reference)
+                        : Json(nullptr)},
+          {"error_of_states", ranges.error_of_states},
+          {"closing_violation", ranges.closing_violation},
+          {"programmes", ranges.n_programmes},
+          {"iterations", ranges.n_iterations}};
+}
+
+std::string description_of(const Ranges &ranges)
+{
+  const CountOfRanges count(ranges);
+  std::string words = text("forces of ", counted(count.wanted, "interface"),
+                           ": ", count.determined, " determined by statics");
+  if (count.unbounded > 0)
+    words += text(", ", count.unbounded, " without bound");
+  if (!ranges.reactions.empty())
+    words += text("; reactions of ",
+                  counted(ranges.reactions.size(), "straight support"));
+  return words;
+}
+
 /** Add what stands last, and write. */
 void write(std::ostream &out, Json summary, const RunRecord &run)
 {
@@ -174,6 +233,8 @@ void write_summary_json(std::ostream &out, const Results &results)
     summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
   if (results.load_factor)
     summary["load_factor"] = summary_of_factor(*results.load_factor);
+  if (results.ranges)
+    summary["ranges"] = summary_of_ranges(results);
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   if (!results.never_pressed.empty())
@@ -233,6 +294,8 @@ void show_summary(Terminal &terminal, const Results &results)
   if (results.load_factor)
     terminal.summary("Load factor", description_of(*results.load_factor));
   terminal.summary("Selection", results.selection);
+  if (results.ranges)
+    terminal.summary("Ranges", description_of(*results.ranges));
   if (!results.scene.coefficient.empty())
     terminal.summary("Law", description_of_law(results.scene));
   if (!results.earlier_outcome.empty())

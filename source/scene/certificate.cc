@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/certificate.h>
+#include <voussoir/scene/jumps.h>
 
 #include <algorithm>
 #include <array>
@@ -234,18 +235,6 @@ struct WorkOfMotion
   double dissipation = 0.;
 };
 
-double work_of_loads(const Scene &scene, const Motion &motion)
-{
-  double work = 0.;
-  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
-  {
-    work += scene.load[c] * motion.displacement[c];
-    if (!motion.rotation.empty())
-      work += scene.load_torque[c] * motion.rotation[c];
-  }
-  return work;
-}
-
 double largest_load(const Scene &scene)
 {
   double largest = 0.;
@@ -256,33 +245,13 @@ double largest_load(const Scene &scene)
 
 WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
 {
+  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
   WorkOfMotion of;
-  const Packing &packing = scene.packing;
-  for (const Tensor<1, 2> &u : motion.displacement)
-    of.largest = std::max(of.largest, u.norm());
-  const auto displacement = [&](const unsigned int c,
-                                const dealii::Point<2> &x) {
-    Tensor<1, 2> u; // the ground does not move
-    if (c != packing.ground())
-      u = motion.at(c, x - packing.centre(c));
-    of.largest = std::max(of.largest, u.norm());
-    return u;
-  };
-  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  of.largest = jumps.largest_displacement;
+  for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
-    std::array<double, 2> openings;
-    double sliding = 0.;
-    for (unsigned int k = 0; k < 2; ++k)
-    {
-      const dealii::Point<2> &x = k == 0 ? i.start : i.end;
-      const Tensor<1, 2> jump =
-          displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
-      openings[k] = jump * i.normal;
-      sliding += 0.5 * std::abs(jump * i.tangent());
-    }
     const JointLimits::Resistance joint =
-        scene.limits(e).resistance(openings, sliding);
+        scene.limits(e).resistance(jumps.openings[e], jumps.sliding[e]);
     of.dissipation += joint.dissipation;
     of.closing = std::max(of.closing, joint.closing);
     of.all_closings += joint.closing;

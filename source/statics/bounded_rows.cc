@@ -283,6 +283,33 @@ std::vector<double> BoundedRows::forces_of(const std::vector<double> &x) const
   return forces;
 }
 
+void BoundedRows::add_force(const unsigned int e,
+                            const unsigned int r,
+                            const double factor,
+                            std::vector<double> &c) const
+{
+  const unsigned int n = problem.n_contacts();
+  double *of = &c[std::size_t(first[e]) * n_rows()];
+  const double mu = problem.joints()[e].coefficient;
+  if (r == n)
+  {
+    of[n_contacts()] += factor;
+    for (unsigned int k = 0; has_cone(e) && k < 2 * n; ++k)
+      of[k] += k % 2 == 0 ? factor * mu : -factor * mu;
+  }
+  else if (has_cone(e))
+    for (unsigned int k : {2 * r, 2 * r + 1})
+      of[k] += factor;
+  else if (crushes(e))
+    for (unsigned int k = 0; k < strips.n_strips(); ++k)
+    {
+      const double at = middle(e, k);
+      of[k] += factor * (n == 1 ? 1. : r == 0 ? 1. - at : at);
+    }
+  else
+    of[r] += factor;
+}
+
 std::vector<double> BoundedRows::offset() const
 {
   std::vector<double> sum(n_dofs());

@@ -11,12 +11,12 @@ namespace Voussoir
 namespace
 {
 /**
- * The products of constraints and multipliers to stop at. A load that is
- * carried leaves no jump anywhere, so that all constraints go to zero with
- * them, and the digits of the linear systems as well; the multipliers balance
- * the load long before.
+ * The products of constraints and multipliers to stop at. Objective and
+ * constraints are homogeneous: where the load is carried, u goes to zero in
+ * proportion to the products, the multipliers are the same for all, and they
+ * have the more digits the larger the products are over the tolerance.
  */
-constexpr double last_product = 1e-9;
+constexpr double last_product = 1e-4;
 
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of

@@ -6,6 +6,7 @@
 #include <voussoir/scene/scene.h>
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/load_factor.h>
+#include <voussoir/statics/ranges.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
@@ -53,6 +54,8 @@ struct Results : RunRecord, Carried
   StressField stress;
   /** The factor at which the forces are, if one was looked for. */
   std::optional<LoadFactor> load_factor;
+  /** How much all states may differ, if that is asked for. */
+  std::optional<Ranges> ranges;
 };
 
 /** All that a run found whose load is not carried, in the user's units. */

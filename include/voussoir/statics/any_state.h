@@ -31,6 +31,8 @@ public:
   const BoundedRows &rows() const { return *present_rows; }
   /** Their forces; the ground and one cell of each group are held. */
   BoundedForces &forces() { return *present_forces; }
+  /** The same. */
+  const BoundedForces &forces() const { return *present_forces; }
   /**
    * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
    * before have no meaning any more; their number is the same.

@@ -87,6 +87,14 @@ public:
   /** Of each row of each joint of the structure, from those of these rows. */
   std::vector<double> forces_of(const std::vector<double> &x) const;
   /**
+   * Add @p factor times the coefficients of row @p r of joint @p e of the
+   * structure, as a linear function of x, to @p c; see forces_of().
+   */
+  void add_force(unsigned int e,
+                 unsigned int r,
+                 double factor,
+                 std::vector<double> &c) const;
+  /**
    * The forces of the structure that belong to x = 0 on its bodies, n_dofs()
    * numbers, to be added to the loads.
    */

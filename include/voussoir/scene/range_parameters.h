@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_scene_range_parameters_h
+#define voussoir_scene_range_parameters_h
+
+#include <voussoir/packing/packing.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** The forces whose ranges are found; see find_ranges(). */
+struct RangesWanted
+{
+  /** True for each interface whose forces are among them. */
+  std::vector<bool> interfaces;
+  /** True if the reactions are. */
+  bool reactions = false;
+};
+
+/** The section `Ranges`: of which forces the ranges are found. */
+class RangeParameters
+{
+public:
+  /** Declare the section and bind it. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * What is wanted of a packing with its supports; nothing by default.
+   *
+   * @throws InputError if the condition cannot be evaluated or holds on no
+   *   interface, or reactions are wanted and there are no supports.
+   */
+  std::optional<RangesWanted> wanted(const Packing &packing) const;
+
+private:
+  std::string where = "0";
+  bool reactions = false;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/scene/jumps.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+InterfaceJumps jumps_of(const Packing &packing, const Motion &motion)
+{
+  InterfaceJumps jumps;
+  double &largest = jumps.largest_displacement;
+  for (const Tensor<1, 2> &u : motion.displacement)
+    largest = std::max(largest, u.norm());
+  const auto displacement = [&](const unsigned int c,
+                                const dealii::Point<2> &x) {
+    Tensor<1, 2> u;
+    if (c != packing.ground())
+      u = motion.at(c, x - packing.centre(c));
+    largest = std::max(largest, u.norm());
+    return u;
+  };
+  jumps.openings.reserve(packing.interfaces().size());
+  jumps.sliding.reserve(packing.interfaces().size());
+  for (const Packing::Interface &i : packing.interfaces())
+  {
+    const auto jump_at = [&](const dealii::Point<2> &x) {
+      return displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
+    };
+    const Tensor<1, 2> start = jump_at(i.start), end = jump_at(i.end);
+    jumps.openings.push_back({{start * i.normal, end * i.normal}});
+    jumps.sliding.push_back(0.5 * ((start + end) * i.tangent()));
+  }
+  return jumps;
+}
+
+double work_of_loads(const Scene &scene, const Motion &motion)
+{
+  double work = 0.;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+  {
+    work += scene.load[c] * motion.displacement[c];
+    if (!motion.rotation.empty())
+      work += scene.load_torque[c] * motion.rotation[c];
+  }
+  return work;
+}
+} // namespace Voussoir

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/scene/range_parameters.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Ranges");
+  prm.add_parameter(
+      "Where", where,
+      "The interfaces of which the least and the greatest normal and "
+      "tangential force are found, over all admissible states that carry the "
+      "loads: those at whose midpoint x, y, with the unit normal nx, ny, this "
+      "expression is not zero. Each takes four linear programmes, from "
+      "thousandths of a second each with hundreds of cells to seconds with "
+      "tens of thousands. 1: all. 0: none.",
+      dealii::Patterns::Anything());
+  prm.add_parameter(
+      "Reactions", reactions,
+      "true: also find the least and the greatest reaction of each straight "
+      "support, in x (the thrust, if x is horizontal) and in y.",
+      dealii::Patterns::Bool());
+  prm.leave_subsection();
+}
+
+std::optional<RangesWanted>
+RangeParameters::wanted(const Packing &packing) const
+{
+  const std::string parameter = "Ranges/Where";
+  const Condition holds(where, {"x", "y", "nx", "ny"}, parameter);
+  RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
+                         reactions};
+  if (reactions && packing.n_supports() == 0)
+    throw InputError("'Ranges/Reactions' is true, and there are no supports: "
+                     "'Supports/Where' gives them.");
+  if (holds.is_never())
+    return reactions ? std::make_optional(wanted) : std::nullopt;
+  for (unsigned int e = 0; e < wanted.interfaces.size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const dealii::Point<2> x = i.midpoint();
+    wanted.interfaces[e] = holds({x[0], x[1], i.normal[0], i.normal[1]});
+  }
+  if (std::find(wanted.interfaces.begin(), wanted.interfaces.end(), true) ==
+      wanted.interfaces.end())
+    throw InputError("The condition '" + where + "' of '" + parameter +
+                     "' holds on no interface. It is asked at the midpoint x, "
+                     "y of each, with its unit normal nx, ny; where rounding "
+                     "matters write y < 1e-9 rather than y == 0.");
+  return wanted;
+}
+} // namespace Voussoir
