@@ -32,7 +32,8 @@ constexpr unsigned int n_parts = 8;
 constexpr unsigned int n_kinds = 2;
 
 /** What proofs may leave to rounding. */
-constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9;
+constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
+                 largest_width = 1e-9;
 /** What a ray leaves on a body, over its largest force. */
 constexpr double rounding_of_ray = 1e-9;
 
@@ -63,10 +64,17 @@ private:
     /** Certificate::error() of the state. */
     double error_of_state;
 
-    bool is_good() const
+    /** What the bound is more than the value; zero if there is none. */
+    double width() const
+    {
+      return value < infinity ? bound.bound - value : 0.;
+    }
+    /** @param reference the force that small differences are relative to. */
+    bool is_good(const double reference) const
     {
       return error_of_state <= largest_error_of_state &&
-             bound.closing_violation <= largest_closing;
+             bound.closing_violation <= largest_closing &&
+             width() <= largest_width * std::max(reference, std::abs(value));
     }
   };
   Proven greatest(StateProgram &program, const ForceFunction &function) const;
@@ -143,33 +151,37 @@ Search::Proven Search::greatest(StateProgram &program,
           certify(scene, forces).error()};
 }
 
-/** The same; what rounding has spoilt is tried once more. */
+/**
+ * The same. Now and then Clp ends before the optimum, and goes on if it is
+ * asked again; or rounding has spoilt its factors.
+ */
 double Search::judged(StateProgram &program,
                       const ForceFunction &function,
                       Ranges &proofs) const
 {
+  const double reference = this->proofs.reference;
   Proven found = greatest(program, function);
-  if (!found.is_good())
+  if (!found.is_good(reference))
+    found = greatest(program, function);
+  if (!found.is_good(reference))
   {
     program.forget();
     found = greatest(program, function);
   }
-  if (!found.is_good())
-    throw SolverError(text("The range of a force is not proven: its state has "
-                           "an error of ",
-                           found.error_of_state,
-                           " of the largest load, and its motion closes "
-                           "joints by ",
-                           found.bound.closing_violation,
-                           " of its size. Choose other interfaces by "
-                           "'Ranges/Where', or none."));
+  if (!found.is_good(reference))
+    throw SolverError(text(
+        "The range of a force is not proven: its state has an error of ",
+        found.error_of_state,
+        " of the largest load, its motion closes joints by ",
+        found.bound.closing_violation, " of its size, and they differ by ",
+        found.width(),
+        ". Choose other interfaces by 'Ranges/Where', or none."));
   ++proofs.n_programmes;
   proofs.error_of_states =
       std::max(proofs.error_of_states, found.error_of_state);
   proofs.closing_violation =
       std::max(proofs.closing_violation, found.bound.closing_violation);
-  if (found.value < infinity)
-    proofs.width = std::max(proofs.width, found.bound.bound - found.value);
+  proofs.width = std::max(proofs.width, found.width());
   return found.value;
 }
 

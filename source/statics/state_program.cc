@@ -14,7 +14,7 @@ namespace
 {
 /** Of the balance and of the signs of the multipliers; forces are of order one.
  */
-constexpr double tolerance = 1e-10;
+constexpr double tolerance = 1e-12;
 /** The number of the factorisation of the bases: faster, with more digits. */
 constexpr int osl_factorisation = 3;
 /** The largest number of forces in all vertices that are kept to start from. */
