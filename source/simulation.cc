@@ -18,6 +18,7 @@
 
 #include <boost/algorithm/string/join.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <optional>
 #include <system_error>
@@ -37,6 +38,22 @@ FilesOfRuns all_files()
            results_pvd, parameters_prm, summary_json},
           {packing_wkt, packing_off, packing_centres},
           is_stress_piece};
+}
+
+/** The motion of the blocks beside the forces, if there is one. */
+const Motion *motion_to_show(const Results &results)
+{
+  if (results.settlement)
+    return &results.settlement->motion;
+  return results.load_factor && results.load_factor->has_mechanism()
+             ? &results.load_factor->mechanism
+             : nullptr;
+}
+
+/** What the largest displacement of a mechanism, one, is drawn as: a cell. */
+double size_of_mechanism(const Scene &scene)
+{
+  return std::sqrt(scene.packing.area() / scene.packing.n_cells());
 }
 
 /** Write a collection of @p grids, which ParaView opens as one file. */
@@ -153,6 +170,10 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   show_packing(terminal, given.packing);
   if (!is_state)
   {
+    if (!of_scene.motion_of_supports(given.packing).empty())
+      terminal.warning(
+          "'Supports/Displacement' has no effect on a load factor; "
+          "leave it empty, or set 'Analysis = state'.");
     timer.leave_subsection();
     return find_factor(files, std::move(given), prm);
   }
@@ -164,11 +185,13 @@ void Simulation::run(const dealii::ParameterHandler &prm,
                       solver.controls().tolerance, timer, terminal)
               : analyse(scene, solver.formulation_for(scene), solver.controls(),
                         record, timer, terminal);
+  std::optional<Settlement> settlement = settle(answer, scene, record);
   auto *const carried = std::get_if<Carried>(&answer);
   if (carried == nullptr)
     write(files, Collapse(record, std::get<NotCarried>(std::move(answer))),
           prm);
   Results results(record, std::move(*carried));
+  results.settlement = std::move(settlement);
   results.ranges = ranges_of(scene);
   write(files, std::move(results), prm);
 }
@@ -181,6 +204,32 @@ RunRecord Simulation::record_of(const Scene &scene) const
   return record;
 }
 
+std::optional<Settlement>
+Simulation::settle(Answer &answer, const Scene &scene, SolverRecord &record)
+{
+  const std::vector<SupportMotion> of_supports =
+      of_scene.motion_of_supports(scene.packing);
+  if (of_supports.empty() || std::holds_alternative<NotCarried>(answer))
+    return {};
+  timer.enter_subsection("settlement");
+  terminal.begin("Settlement");
+  Settlement found = find_settlement(scene, of_supports);
+  record.formulation = "settlement";
+  record.selection = "forces that go with the displacement of the supports";
+  record.outcome = Stop(Stop::Reason::converged).words();
+  record.passes = {};
+  record.n_iterations = record.n_evaluations = found.n_iterations;
+  terminal.stage("Settlement", counted(record.n_iterations, "step") +
+                                   " of the simplex method");
+  timer.leave_subsection();
+  Carried state;
+  state.forces = std::move(found.forces);
+  state.motion = found.motion;
+  answer = judge(scene, std::move(state), record, solver.controls().tolerance,
+                 timer, terminal);
+  return found;
+}
+
 std::optional<Ranges> Simulation::ranges_of(const Scene &scene)
 {
   const std::optional<RangesWanted> wanted = ranges.wanted(scene.packing);
@@ -189,8 +238,9 @@ std::optional<Ranges> Simulation::ranges_of(const Scene &scene)
   const dealii::TimerOutput::Scope section(timer, "ranges");
   terminal.begin("Ranges");
   Ranges found = find_ranges(scene, *wanted, terminal);
-  terminal.stage("Ranges", text(counted(found.n_programmes, "linear programme"),
-                                ", ", counted(found.n_iterations, "step")));
+  terminal.stage("Ranges",
+                 text(counted(found.proofs.n_programmes, "linear programme"),
+                      ", ", counted(found.proofs.n_iterations, "step")));
   return found;
 }
 
@@ -279,6 +329,7 @@ void Simulation::write(ResultDirectory &files,
 
   timer.enter_subsection("output");
   terminal.begin("Output");
+  const Motion *motion = motion_to_show(results);
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
@@ -295,12 +346,13 @@ void Simulation::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
-    if (results.load_factor && results.load_factor->has_mechanism())
+    if (motion)
       grids.push_back(mechanism_vtu);
     write_collection(files, grids);
   }
-  if (results.load_factor && results.load_factor->has_mechanism())
-    write_mechanism(files, critical_mechanism(results));
+  if (motion)
+    write_mechanism(files, results.scene, *motion,
+                    results.settlement ? 1. : size_of_mechanism(results.scene));
   publish(files, results, prm);
   show_summary(terminal, results);
 }
@@ -357,7 +409,8 @@ void Simulation::write(ResultDirectory &files,
 {
   timer.enter_subsection("output");
   terminal.begin("Output");
-  write_mechanism(files, collapse);
+  write_mechanism(files, collapse.scene, collapse.motion,
+                  size_of_mechanism(collapse.scene));
   std::vector<std::string> to_look_at;
   if (writes(ResultFiles::vtu))
   {
@@ -373,13 +426,17 @@ void Simulation::write(ResultDirectory &files,
 }
 
 void Simulation::write_mechanism(ResultDirectory &files,
-                                 const Collapse &collapse) const
+                                 const Scene &scene,
+                                 const Motion &motion,
+                                 const double factor) const
 {
   const auto add = [&](const std::string &name, const auto &writer) {
-    files.write(name, [&](std::ostream &out) { writer(out, collapse); });
+    files.write(name, [&](std::ostream &out) { writer(out, scene, motion); });
   };
   if (writes(ResultFiles::vtu))
-    add(mechanism_vtu, write_mechanism_vtu);
+    files.write(mechanism_vtu, [&](std::ostream &out) {
+      write_mechanism_vtu(out, scene.packing, motion, factor);
+    });
   if (writes(ResultFiles::csv))
   {
     add(mechanism_csv, write_mechanism_csv);

@@ -4,6 +4,7 @@
 
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
+#include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/wall.h>
 #include <voussoir/packing/voronoi/voronoi.h>
 #include <voussoir/scene/certificate.h>
@@ -142,6 +143,40 @@ inline Voussoir::Scene scene_under_stress(
         return S * n;
       },
       kinematics);
+}
+
+/** A scene under a body force, with the coefficient of friction @p mu. */
+inline Voussoir::Scene under_weight(
+    Voussoir::Packing packing,
+    const double strength,
+    const double mu,
+    const Voussoir::Kinematics &kinematics,
+    const dealii::Tensor<1, 2> &force = dealii::Tensor<1, 2>({0., -1.}))
+{
+  Voussoir::Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, packing.area(c) * force);
+  const unsigned int n = packing.interfaces().size();
+  Voussoir::Scene scene(std::move(packing), std::vector<double>(n, strength),
+                        loads, kinematics);
+  if (mu > 0.)
+    scene.coefficient.assign(n, mu);
+  return scene;
+}
+
+/** The straight-sided voussoirs of a semicircle of mean radius 1. */
+inline Voussoir::Packing semicircle(const unsigned int n,
+                                    const double thickness)
+{
+  Voussoir::ArchGenerator generator;
+  dealii::ParameterHandler prm;
+  generator.add_parameters(prm);
+  prm.set("Mean radius", 1.);
+  prm.set("Thickness", thickness);
+  prm.set("Voussoirs", static_cast<long int>(n));
+  return Voussoir::Packing(
+      generator.generate("", Voussoir::Terminal::silent()));
 }
 
 /** The shear wall of 12 courses of 6 bricks: +1 along the top, -1 below. */

@@ -54,6 +54,11 @@ public:
   Given read(const std::filesystem::path &directory,
              bool with_live_loads,
              Terminal &terminal) const;
+  /** How the supports of @p packing move; see SupportParameters::motion(). */
+  auto motion_of_supports(const Packing &packing) const
+  {
+    return supports.motion(packing);
+  }
   /** The scene with its loads, without the live ones. */
   Scene scene_of(Given given) const;
   /** The same with the live loads times @p factor besides. */

@@ -67,6 +67,9 @@ private:
   Carried
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   RunRecord record_of(const Scene &scene) const;
+  /** The settlement, if supports move, with its forces as the answer. */
+  std::optional<Settlement>
+  settle(Answer &answer, const Scene &scene, SolverRecord &record);
   /** The ranges of forces that are asked for, if any are. */
   std::optional<Ranges> ranges_of(const Scene &scene);
   /** Look for a factor instead of a state, and write what is found. */
@@ -94,7 +97,11 @@ private:
   [[noreturn]] void write(ResultDirectory &files,
                           Collapse collapse,
                           const dealii::ParameterHandler &prm);
-  void write_mechanism(ResultDirectory &files, const Collapse &collapse) const;
+  /** Write a motion of the blocks of @p scene; in the grid times @p factor. */
+  void write_mechanism(ResultDirectory &files,
+                       const Scene &scene,
+                       const Motion &motion,
+                       double factor) const;
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,

@@ -94,12 +94,13 @@ void write_blocks_vtu(std::ostream &out, const Results &results)
   grid.write(out);
 }
 
-void write_mechanism_vtu(std::ostream &out, const Collapse &collapse)
+void write_mechanism_vtu(std::ostream &out,
+                         const Packing &packing,
+                         const Motion &motion,
+                         const double factor)
 {
-  const Packing &packing = collapse.scene.packing;
-  const double largest = std::sqrt(packing.area() / packing.n_cells());
   VtuFile grid = polygons_of(packing);
-  add_motion(grid, packing, collapse.motion, largest);
+  add_motion(grid, packing, motion, factor);
   grid.write(out);
 }
 } // namespace Voussoir

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/csv.h>
 #include <voussoir/output/text_lines.h>
+#include <voussoir/scene/jumps.h>
 
 #include <array>
 #include <cmath>
@@ -15,18 +16,6 @@ int number_of_plus(const Packing &packing, const Packing::Interface &interface)
 {
   return interface.cell_plus == packing.ground() ? -1 : interface.cell_plus;
 }
-/** The jump of a motion across an interface at @p x. */
-dealii::Tensor<1, 2> jump_along(const Packing &packing,
-                                const Motion &motion,
-                                const Packing::Interface &i,
-                                const dealii::Point<2> &x)
-{
-  dealii::Tensor<1, 2> jump =
-      -motion.at(i.cell_minus, x - packing.centre(i.cell_minus));
-  if (i.cell_plus != packing.ground())
-    jump += motion.at(i.cell_plus, x - packing.centre(i.cell_plus));
-  return jump;
-}
 
 /** The names of the columns of what a scene has of the limits. */
 std::string columns_of_limits(const Scene &scene)
@@ -39,15 +28,23 @@ std::string columns_of_limits(const Scene &scene)
 /** The ranges of the forces of interface @p e; empty where not asked for. */
 void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
 {
+  const bool has_places = !ranges.eccentricity.empty();
   if (!ranges.wanted[e])
   {
-    line << ",,,,,";
+    line << (has_places ? ",,,,,,," : ",,,,,");
     return;
   }
   line << ',' << 0. - ranges.normal[e].greatest << ','
        << 0. - ranges.normal[e].least << ',' << ranges.tangential[e].least
        << ',' << ranges.tangential[e].greatest << ','
        << int(ranges.is_determined(e));
+  if (!has_places)
+    return;
+  const Range &place = ranges.eccentricity[e];
+  if (std::isnan(place.least))
+    line << ",,";
+  else
+    line << ',' << place.least << ',' << place.greatest;
 }
 
 void add_limits(TextLines &line, const Scene &scene, const unsigned int e)
@@ -69,7 +66,10 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       << (scene.turns() ? ",normal_force_0,normal_force_1,eccentricity" : "")
       << columns_of_limits(scene)
       << (scene.compressive_strength.empty() ? "" : ",crushing_utilisation")
-      << (results.ranges ? ",p_min,p_max,q_min,q_max,determined\n" : "\n");
+      << (results.ranges ? ",p_min,p_max,q_min,q_max,determined" : "")
+      << (results.ranges && !results.ranges->eccentricity.empty()
+              ? ",e_min,e_max\n"
+              : "\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -114,44 +114,42 @@ void write_cells_csv(std::ostream &out, const Results &results)
   });
 }
 
-void write_mechanism_csv(std::ostream &out, const Collapse &collapse)
+void write_mechanism_csv(std::ostream &out,
+                         const Scene &scene,
+                         const Motion &motion)
 {
-  const Scene &scene = collapse.scene;
   out << "id,x,y,load_x,load_y,ux,uy,group"
       << (scene.turns() ? ",load_torque,rotation\n" : "\n");
   const Packing &packing = scene.packing;
   write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
     const dealii::Point<2> &x = packing.centre(c);
     const dealii::Tensor<1, 2> &F = scene.load[c];
-    const dealii::Tensor<1, 2> &u = collapse.motion.displacement[c];
+    const dealii::Tensor<1, 2> &u = motion.displacement[c];
     line.row(c, x[0], x[1], F[0], F[1], u[0], u[1], packing.group_name(c));
     if (scene.turns())
-      line << ',' << scene.load_torque[c] << ',' << collapse.motion.rotation[c];
+      line << ',' << scene.load_torque[c] << ',' << motion.rotation[c];
     line << '\n';
   });
 }
 
-void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse)
+void write_mechanism_joints_csv(std::ostream &out,
+                                const Scene &scene,
+                                const Motion &motion)
 {
-  const Scene &scene = collapse.scene;
   out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
          "dissipation"
       << (scene.turns() ? ",opening_0,opening_1" : "")
       << columns_of_limits(scene) << '\n';
   const auto &interfaces = scene.packing.interfaces();
+  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
-    const auto jump_at = [&](const dealii::Point<2> &x) {
-      return jump_along(scene.packing, collapse.motion, i, x);
-    };
-    const dealii::Tensor<1, 2> jump = jump_at(i.midpoint());
-    const std::array<double, 2> openings = {
-        {jump_at(i.start) * i.normal, jump_at(i.end) * i.normal}};
+    const std::array<double, 2> &openings = jumps.openings[e];
     line.row(
         i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
-        i.normal[1], i.length, scene.strength[e], jump * i.normal,
-        jump * i.tangent(),
-        scene.limits(e).resistance(openings, jump * i.tangent()).dissipation);
+        i.normal[1], i.length, scene.strength[e],
+        0.5 * (openings[0] + openings[1]), jumps.sliding[e],
+        scene.limits(e).resistance(openings, jumps.sliding[e]).dissipation);
     if (scene.turns())
       line << ',' << openings[0] << ',' << openings[1];
     add_limits(line, scene, e);

@@ -42,7 +42,8 @@ constexpr std::int32_t not_wanted = -1;
  * no bound, or none is asked for, the force itself takes its place.
  */
 template <typename Add>
-void add_ranges(const Ranges &ranges,
+void add_ranges(const std::vector<Packing::Interface> &interfaces,
+                const Ranges &ranges,
                 const InterfaceForces &forces,
                 const Add &add)
 {
@@ -50,23 +51,38 @@ void add_ranges(const Ranges &ranges,
                                const double force) {
     return scalar(ranges.wanted[e] && std::isfinite(bound) ? bound : force);
   };
-  add("p_min", [&](std::size_t e) {
+  add("p_min", [&ranges, &forces, value](std::size_t e) {
     return value(e, 0. - ranges.normal[e].greatest, 0. - forces.normal[e]);
   });
-  add("p_max", [&](std::size_t e) {
+  add("p_max", [&ranges, &forces, value](std::size_t e) {
     return value(e, 0. - ranges.normal[e].least, 0. - forces.normal[e]);
   });
-  add("q_min", [&](std::size_t e) {
+  add("q_min", [&ranges, &forces, value](std::size_t e) {
     return value(e, ranges.tangential[e].least, forces.tangential[e]);
   });
-  add("q_max", [&](std::size_t e) {
+  add("q_max", [&ranges, &forces, value](std::size_t e) {
     return value(e, ranges.tangential[e].greatest, forces.tangential[e]);
   });
-  add("determined", [&](std::size_t e) {
+  if (!ranges.eccentricity.empty())
+  {
+    const auto place = [&ranges, &forces, &interfaces](const std::size_t e,
+                                                       const double end) {
+      return scalar(ranges.wanted[e] && !std::isnan(end)
+                        ? end
+                        : forces.eccentricity(interfaces[e], e));
+    };
+    add("e_min", [&ranges, place](std::size_t e) {
+      return place(e, ranges.eccentricity[e].least);
+    });
+    add("e_max", [&ranges, place](std::size_t e) {
+      return place(e, ranges.eccentricity[e].greatest);
+    });
+  }
+  add("determined", [&ranges](std::size_t e) {
     return scalar(ranges.wanted[e] ? std::int32_t(ranges.is_determined(e))
                                    : not_wanted);
   });
-  add("unbounded", [&](std::size_t e) {
+  add("unbounded", [&ranges](std::size_t e) {
     return scalar(ranges.wanted[e] ? std::int32_t(ranges.is_unbounded(e))
                                    : not_wanted);
   });
@@ -121,7 +137,7 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
           [&marks](std::size_t e) { return scalar(std::uint8_t(marks[e])); });
   };
   if (results.ranges)
-    add_ranges(*results.ranges, forces, add);
+    add_ranges(interfaces, *results.ranges, forces, add);
   add_mark("never_pressed", results.never_pressed);
   add_mark("always_sliding", results.always_sliding);
   file.write(out);

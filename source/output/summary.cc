@@ -3,6 +3,7 @@
 #include <voussoir/output/messages.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/packing/connected_groups.h>
+#include <voussoir/scene/jumps.h>
 #include <voussoir/version.h>
 
 #include <deal.II/base/config.h>
@@ -147,12 +148,12 @@ Json summary_of_ranges(const Results &results)
           {"unbounded", count.unbounded},
           {"reactions", supports},
           {"width", ranges.reference > 0.
-                        ? Json(ranges.width / ranges.reference)
+                        ? Json(ranges.proofs.width / ranges.reference)
                         : Json(nullptr)},
-          {"error_of_states", ranges.error_of_states},
-          {"closing_violation", ranges.closing_violation},
-          {"programmes", ranges.n_programmes},
-          {"iterations", ranges.n_iterations}};
+          {"error_of_states", ranges.proofs.error_of_states},
+          {"closing_violation", ranges.proofs.closing_violation},
+          {"programmes", ranges.proofs.n_programmes},
+          {"iterations", ranges.proofs.n_iterations}};
 }
 
 std::string description_of(const Ranges &ranges)
@@ -166,6 +167,51 @@ std::string description_of(const Ranges &ranges)
     words += text("; reactions of ",
                   counted(ranges.reactions.size(), "straight support"));
   return words;
+}
+
+/** A jump, over the largest displacement of a support, that is one. */
+constexpr double least_jump = 1e-6;
+
+/** How many interfaces a settlement opens or lets slide. */
+struct CountOfJumps
+{
+  CountOfJumps(const Scene &scene, const Settlement &settlement)
+  {
+    const InterfaceJumps jumps = jumps_of(scene.packing, settlement.motion);
+    const double least = least_jump * settlement.largest_displacement;
+    for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
+    {
+      const bool at_start = jumps.openings[e][0] > least;
+      const bool at_end = jumps.openings[e][1] > least;
+      open += at_start && at_end;
+      hinges += at_start != at_end;
+      sliding += std::abs(jumps.sliding[e]) > least;
+    }
+  }
+
+  /** Along all of them; at one end only; and that slide. */
+  unsigned int open = 0, hinges = 0, sliding = 0;
+};
+
+Json summary_of_settlement(const Results &results)
+{
+  const Settlement &settlement = *results.settlement;
+  const CountOfJumps count(results.scene, settlement);
+  return {{"largest_displacement", settlement.largest_displacement},
+          {"work", settlement.work},
+          {"width", settlement.width},
+          {"closing_violation", settlement.closing_violation},
+          {"hinges", count.hinges},
+          {"open", count.open},
+          {"sliding", count.sliding}};
+}
+
+std::string description_of(const Scene &scene, const Settlement &settlement)
+{
+  const CountOfJumps count(scene, settlement);
+  return text("supports move by at most ", settlement.largest_displacement,
+              "; interfaces with a hinge: ", count.hinges,
+              ", open: ", count.open, ", sliding: ", count.sliding);
 }
 
 /** Add what stands last, and write. */
@@ -233,6 +279,8 @@ void write_summary_json(std::ostream &out, const Results &results)
     summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
   if (results.load_factor)
     summary["load_factor"] = summary_of_factor(*results.load_factor);
+  if (results.settlement)
+    summary["settlement"] = summary_of_settlement(results);
   if (results.ranges)
     summary["ranges"] = summary_of_ranges(results);
   if (!results.reactions.empty())
@@ -294,6 +342,9 @@ void show_summary(Terminal &terminal, const Results &results)
   if (results.load_factor)
     terminal.summary("Load factor", description_of(*results.load_factor));
   terminal.summary("Selection", results.selection);
+  if (results.settlement)
+    terminal.summary("Settlement",
+                     description_of(results.scene, *results.settlement));
   if (results.ranges)
     terminal.summary("Ranges", description_of(*results.ranges));
   if (!results.scene.coefficient.empty())

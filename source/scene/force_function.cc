@@ -38,6 +38,11 @@ ForceFunction normal_force(const unsigned int e)
   return {{{e, {{1., 1.}}, 0.}}};
 }
 
+ForceFunction couple_about(const unsigned int e, const double at)
+{
+  return {{{e, {{0.5 + at, at - 0.5}}, 0.}}};
+}
+
 ForceFunction tangential_force(const unsigned int e)
 {
   return {{{e, {{0., 0.}}, 1.}}};

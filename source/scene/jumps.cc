@@ -13,20 +13,29 @@ InterfaceJumps jumps_of(const Packing &packing, const Motion &motion)
   double &largest = jumps.largest_displacement;
   for (const Tensor<1, 2> &u : motion.displacement)
     largest = std::max(largest, u.norm());
-  const auto displacement = [&](const unsigned int c,
+  const auto &interfaces = packing.interfaces();
+  const unsigned int first_support = interfaces.size() - packing.n_supports();
+  const auto of_ground = [&](const unsigned int e, const dealii::Point<2> &x) {
+    return motion.of_supports.empty()
+               ? Tensor<1, 2>()
+               : motion.of_supports[e - first_support].at(
+                     x - interfaces[e].midpoint());
+  };
+  const auto displacement = [&](const unsigned int c, const unsigned int e,
                                 const dealii::Point<2> &x) {
-    Tensor<1, 2> u;
-    if (c != packing.ground())
-      u = motion.at(c, x - packing.centre(c));
+    const Tensor<1, 2> u = c == packing.ground()
+                               ? of_ground(e, x)
+                               : motion.at(c, x - packing.centre(c));
     largest = std::max(largest, u.norm());
     return u;
   };
-  jumps.openings.reserve(packing.interfaces().size());
-  jumps.sliding.reserve(packing.interfaces().size());
-  for (const Packing::Interface &i : packing.interfaces())
+  jumps.openings.reserve(interfaces.size());
+  jumps.sliding.reserve(interfaces.size());
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
+    const Packing::Interface &i = interfaces[e];
     const auto jump_at = [&](const dealii::Point<2> &x) {
-      return displacement(i.cell_plus, x) - displacement(i.cell_minus, x);
+      return displacement(i.cell_plus, e, x) - displacement(i.cell_minus, e, x);
     };
     const Tensor<1, 2> start = jump_at(i.start), end = jump_at(i.end);
     jumps.openings.push_back({{start * i.normal, end * i.normal}});

@@ -4,8 +4,8 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/edge_integral.h>
-#include <voussoir/formula/expression.h>
 #include <voussoir/formula/inaccuracies.h>
+#include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/loads.h>
@@ -30,50 +30,6 @@ namespace
 /** The distance of a place from a cell, over the size of it, that is rounding.
  */
 constexpr double rounding_of_place = 1e-10;
-
-/** Two expressions "f_x; f_y" in x, y, ... */
-class VectorExpression
-{
-public:
-  VectorExpression(const std::string &formulas,
-                   const std::vector<std::string> &variables,
-                   const std::string &parameter)
-      : components(dealii::Utilities::split_string_list(formulas, ';')),
-        parameter(parameter)
-  {
-    for (const std::string &component : components)
-      f.emplace_back(component, variables, parameter);
-  }
-
-  /** True if both are zero everywhere by their form. */
-  bool is_zero() const { return f[0].is_zero() && f[1].is_zero(); }
-
-  /** True if both are the same everywhere by their form. */
-  bool is_constant() const { return f[0].is_constant() && f[1].is_constant(); }
-
-  /** The operations of a component, to know where it jumps. */
-  const Formula &formula(const unsigned int i) const { return f[i].formula(); }
-
-  /** @throws InputError that ends with @p where if the value is not finite. */
-  template <typename Where>
-  double component(const unsigned int i,
-                   const std::initializer_list<double> values,
-                   const Where &where) const
-  {
-    const double value = f[i](values);
-    if (!std::isfinite(value))
-      throw InputError(
-          text("'", parameter, "' has the component '", components[i],
-               "', which is ", text_of_number(value), " at ",
-               text_of_point({values.begin()[0], values.begin()[1]}), where()));
-    return value;
-  }
-
-private:
-  std::vector<std::string> components;
-  std::string parameter;
-  std::vector<Expression> f;
-};
 
 /** The cells that a user calls @p name: a group, or "cell" and a number. */
 std::vector<unsigned int> cells_of_name(const Packing &packing,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/formula/expression.h>
+#include <voussoir/base/text.h>
+#include <voussoir/formula/vector_expression.h>
 #include <voussoir/scene/supports.h>
 
 #include <deal.II/base/patterns.h>
@@ -24,6 +25,15 @@ void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
                     "immovable block, with contact and friction like all "
                     "others, and no load acts on them. 0: none.",
                     dealii::Patterns::Anything());
+  prm.add_parameter(
+      "Displacement", displacement,
+      "How the supports move, \"u_x; u_y\" or \"u_x; u_y; angle\": a length "
+      "each, and the angle by which an edge turns about its midpoint, "
+      "counterclockwise in radians; expressions in the midpoint x, y of each "
+      "supported edge and its outward unit normal nx, ny. The blocks follow in "
+      "a motion of least energy, and the forces are those that go with it. "
+      "Empty: they do not move, and 'Formulation' selects the forces.",
+      dealii::Patterns::Anything());
   prm.leave_subsection();
 }
 
@@ -32,6 +42,45 @@ void SupportParameters::support(Packing &packing) const
   const std::string parameter = "Supports/Where";
   if (!Condition(where, boundary_variables, parameter).is_never())
     packing.support(boundary_edges_where(packing, where, parameter));
+}
+
+std::vector<SupportMotion>
+SupportParameters::motion(const Packing &packing) const
+{
+  const std::string parameter = "Supports/Displacement";
+  if (displacement.empty())
+    return {};
+  if (packing.n_supports() == 0)
+    throw InputError("'" + parameter +
+                     "' is given, and there are no supports to move: "
+                     "'Supports/Where' gives them.");
+  const VectorExpression u(displacement, boundary_variables, parameter);
+  if (u.size() < 2 || u.size() > 3)
+    throw InputError("'" + parameter + "' = '" + displacement +
+                     "' must be \"u_x; u_y\" or \"u_x; u_y; angle\".");
+  std::vector<SupportMotion> motion;
+  const auto &interfaces = packing.interfaces();
+  for (std::size_t e = interfaces.size() - packing.n_supports();
+       e < interfaces.size(); ++e)
+  {
+    const Packing::Interface &i = interfaces[e];
+    const dealii::Point<2> x = i.midpoint();
+    const auto component = [&](const unsigned int k) {
+      return u.component(k, {x[0], x[1], i.normal[0], i.normal[1]}, [&] {
+        return text(", below cell ", i.cell_minus,
+                    "; a displacement must be finite.");
+      });
+    };
+    motion.push_back({dealii::Tensor<1, 2>({component(0), component(1)}),
+                      u.size() > 2 ? component(2) : 0.});
+  }
+  if (std::all_of(motion.begin(), motion.end(), [](const SupportMotion &of) {
+        return of.displacement.norm() == 0. && of.rotation == 0.;
+      }))
+    throw InputError("'" + parameter + "' = '" + displacement +
+                     "' is zero at every support; leave it empty, or move "
+                     "one of them.");
+  return motion;
 }
 
 std::vector<bool> boundary_edges_where(const Packing &packing,

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/vectors.h>
-#include <voussoir/base/exceptions.h>
-#include <voussoir/base/text.h>
-#include <voussoir/scene/certificate.h>
-#include <voussoir/scene/force_function.h>
 #include <voussoir/scene/reactions.h>
+#include <voussoir/statics/all_states.h>
 #include <voussoir/statics/ranges.h>
-#include <voussoir/statics/state_program.h>
 
 #include <deal.II/base/parallel.h>
 
@@ -16,9 +11,6 @@
 #include <CGAL/property_map.h>
 #include <mutex>
 
-#include <algorithm>
-#include <cmath>
-
 namespace Voussoir
 {
 namespace
@@ -27,218 +19,178 @@ namespace
  * The functions are shared out in so many parts, whatever the number of cores,
  * so that results do not depend on it.
  */
-constexpr unsigned int n_parts = 8;
+constexpr unsigned int n_parts = 16;
 /** The functions are normal and tangential forces, or x and y, in turn. */
 constexpr unsigned int n_kinds = 2;
 
-/** What proofs may leave to rounding. */
-constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
-                 largest_width = 1e-9;
-/** What a ray leaves on a body, over its largest force. */
-constexpr double rounding_of_ray = 1e-9;
+/** A force, over that of reference, that is none. */
+constexpr double no_force = 1e-10;
+/** The largest number of programmes for an end of a range of places. */
+constexpr unsigned int n_places = 30;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/** Their ranges are looked for, function by function. */
+/** Ranges are looked for, function by function. */
 class Search
 {
 public:
+  /**
+   * @param functions of the forces, in kinds that take turns.
+   * @param pressed the interfaces whose eccentricities are looked for, too:
+   *   function n_kinds k is the normal force of the k-th of them.
+   */
   Search(const Scene &scene,
          const std::vector<ForceFunction> &functions,
-         Terminal &terminal);
+         const std::vector<unsigned int> &pressed,
+         Terminal &terminal)
+      : states(scene), functions(functions), pressed(pressed),
+        terminal(terminal), found(functions.size()),
+        found_places(pressed.size())
+  {}
 
-  /** Find all; the result has a range for each function. */
-  std::vector<Range> find_all();
-  /** The largest errors so far, in the part of Ranges about proofs. */
-  Ranges proofs;
+  /** Find all. */
+  void find_all();
+  /** @{ */
+  /** A range for each function, and the places of the resultants. */
+  const std::vector<Range> &ranges() const { return found; }
+  const std::vector<Range> &places() const { return found_places; }
+  /** @} */
+  /** The errors of all so far. */
+  RangeProofs proofs;
+  /** AllStates::reference(). */
+  double reference() const { return states.reference(); }
 
 private:
-  void find_part(StateProgram &program, unsigned int begin, unsigned int end);
-  /** A value with both proofs. */
-  struct Proven
-  {
-    /** Of the state, or infinity. */
-    double value;
-    /** Of the motion. */
-    ForceBound bound;
-    /** Certificate::error() of the state. */
-    double error_of_state;
+  /** Let @p find do all parts, on all threads. */
+  template <typename Find>
+  void find_parts(const StateProgram &first, const Find &find);
+  void
+  find_forces(StateProgram &program, unsigned int part, RangeProofs &proofs);
+  void
+  find_places(StateProgram &program, unsigned int part, RangeProofs &proofs);
+  double farthest_place(StateProgram &program,
+                        unsigned int interface,
+                        double sign,
+                        RangeProofs &proofs) const;
+  void count();
 
-    /** What the bound is more than the value; zero if there is none. */
-    double width() const
-    {
-      return value < infinity ? bound.bound - value : 0.;
-    }
-    /** @param reference the force that small differences are relative to. */
-    bool is_good(const double reference) const
-    {
-      return error_of_state <= largest_error_of_state &&
-             bound.closing_violation <= largest_closing &&
-             width() <= largest_width * std::max(reference, std::abs(value));
-    }
-  };
-  Proven greatest(StateProgram &program, const ForceFunction &function) const;
-  double judged(StateProgram &program,
-                const ForceFunction &function,
-                Ranges &proofs) const;
-  std::vector<double> coefficients(const ForceFunction &function) const;
-  bool is_ray(const std::vector<double> &x) const;
-
-  const Scene &scene;
+  const AllStates states;
   const std::vector<ForceFunction> &functions;
+  const std::vector<unsigned int> &pressed;
   Terminal &terminal;
-  const DiscreteProblem problem;
-  RowProblem by_rows;
-  std::vector<Range> found;
+  std::vector<Range> found, found_places;
   std::size_t n_done = 0;
   std::mutex mutex;
 };
 
-Search::Search(const Scene &scene,
-               const std::vector<ForceFunction> &functions,
-               Terminal &terminal)
-    : scene(scene), functions(functions), terminal(terminal), problem(scene),
-      by_rows(problem), found(functions.size())
+/** The first of @p n items that is in part @p part. */
+unsigned int begin_of(const unsigned int part, const std::size_t n)
 {
-  for (const dealii::Tensor<1, 2> &load : scene.load)
-    proofs.reference = std::max(proofs.reference, load.norm());
+  return part * n / n_parts;
 }
 
-std::vector<double> Search::coefficients(const ForceFunction &function) const
+void Search::count()
 {
-  std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
-  const unsigned int n = problem.n_contacts();
-  for (const ForceFunction::Term &term : function.terms)
-  {
-    for (unsigned int r = 0; r < 2; ++r)
-      by_rows.rows().add_force(term.interface, std::min(r, n - 1),
-                               term.at_ends[r] / (n == 1 ? 2. : 1.), c);
-    by_rows.rows().add_force(term.interface, n, term.tangential, c);
-  }
-  return c;
-}
-
-bool Search::is_ray(const std::vector<double> &x) const
-{
-  return largest_component(by_rows.forces().on_bodies(x)) <=
-         rounding_of_ray * largest_component(x);
-}
-
-/** The greatest value of a function and its proofs, or infinity. */
-Search::Proven Search::greatest(StateProgram &program,
-                                const ForceFunction &function) const
-{
-  const std::vector<double> c = coefficients(function);
-  StateProgram::Optimum optimum = program.maximise(c);
-  if (!optimum.is_found)
-    throw SolverError("The linear programme of a range has no answer: the "
-                      "load may be close to what the packing can carry. Choose "
-                      "fewer interfaces by 'Ranges/Where', or none.");
-  if (optimum.is_unbounded)
-  {
-    if (!is_ray(optimum.x) || !(dot(c, optimum.x) > 0.))
-      throw SolverError("The linear programme of a range has no bound, and no "
-                        "forces that balance by themselves prove that. Choose "
-                        "other interfaces by 'Ranges/Where', or none.");
-    return {infinity, {infinity, 0.}, 0.};
-  }
-  Solution state;
-  state.forces = by_rows.rows().forces_of(optimum.x);
-  const InterfaceForces forces = dimensional_forces(problem, state);
-  optimum.u.resize(problem.n_dofs());
-  return {function(forces),
-          bound_of(scene, function, problem.motion_of_cells(optimum.u, 1.)),
-          certify(scene, forces).error()};
-}
-
-/**
- * The same. Now and then Clp ends before the optimum, and goes on if it is
- * asked again; or rounding has spoilt its factors.
- */
-double Search::judged(StateProgram &program,
-                      const ForceFunction &function,
-                      Ranges &proofs) const
-{
-  const double reference = this->proofs.reference;
-  Proven found = greatest(program, function);
-  if (!found.is_good(reference))
-    found = greatest(program, function);
-  if (!found.is_good(reference))
-  {
-    program.forget();
-    found = greatest(program, function);
-  }
-  if (!found.is_good(reference))
-    throw SolverError(text(
-        "The range of a force is not proven: its state has an error of ",
-        found.error_of_state,
-        " of the largest load, its motion closes joints by ",
-        found.bound.closing_violation, " of its size, and they differ by ",
-        found.width(),
-        ". Choose other interfaces by 'Ranges/Where', or none."));
-  ++proofs.n_programmes;
-  proofs.error_of_states =
-      std::max(proofs.error_of_states, found.error_of_state);
-  proofs.closing_violation =
-      std::max(proofs.closing_violation, found.bound.closing_violation);
-  proofs.width = std::max(proofs.width, found.width());
-  return found.value;
+  const std::lock_guard<std::mutex> lock(mutex);
+  terminal.progress(++n_done, 2 * (functions.size() + pressed.size()),
+                    "ends of ranges");
 }
 
 /**
  * The kinds of functions one after the other, and all maxima before all minima,
  * so that each programme ends close to where the next one does.
  */
-void Search::find_part(StateProgram &program,
-                       const unsigned int begin,
-                       const unsigned int end)
+void Search::find_forces(StateProgram &program,
+                         const unsigned int part,
+                         RangeProofs &of_part)
 {
-  Ranges of_part;
+  const std::size_t n = functions.size();
   for (unsigned int kind = 0; kind < n_kinds; ++kind)
     for (const double sign : {1., -1.})
-      for (unsigned int k = begin; k < end; ++k)
+      for (unsigned int k = begin_of(part, n); k < begin_of(part + 1, n); ++k)
       {
         if (k % n_kinds != kind)
           continue;
-        const double value =
-            sign * judged(program, functions[k].times(sign), of_part);
-        (sign > 0. ? found[k].greatest : found[k].least) = value;
-        const std::lock_guard<std::mutex> lock(mutex);
-        terminal.progress(++n_done, 2 * functions.size(), "programmes");
+        const GreatestValue value =
+            states.greatest(program, functions[k].times(sign));
+        (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
+        of_part.add(value);
+        count();
       }
-  const std::lock_guard<std::mutex> lock(mutex);
-  proofs.width = std::max(proofs.width, of_part.width);
-  proofs.closing_violation =
-      std::max(proofs.closing_violation, of_part.closing_violation);
-  proofs.error_of_states =
-      std::max(proofs.error_of_states, of_part.error_of_states);
-  proofs.n_programmes += of_part.n_programmes;
-  proofs.n_iterations += program.n_iterations();
 }
 
-std::vector<Range> Search::find_all()
+/**
+ * The farthest place e of the resultant N from the end at -sign / 2, a fraction
+ * of two linear functions, by the method of Dinkelbach (Management Science 13
+ * (1967), 492): the state with the most of sign (e - at) N has the next place,
+ * until no state has any. Where forces have no bound it is the other end.
+ */
+double Search::farthest_place(StateProgram &program,
+                              const unsigned int interface,
+                              const double sign,
+                              RangeProofs &of_part) const
 {
-  StateProgram first(by_rows);
-  if (!first.find_state())
-    throw SolverError("The ranges of forces have no state to start from: the "
-                      "load is close to what the packing can carry. Set "
-                      "'Ranges/Where = 0' to have the state alone.");
-  const auto begin_of = [&](const unsigned int part) {
-    return static_cast<unsigned int>(std::size_t(part) * functions.size() /
-                                     n_parts);
-  };
+  double at = -0.5 * sign;
+  for (unsigned int k = 0; k < n_places; ++k)
+  {
+    const GreatestValue couple =
+        states.greatest(program, couple_about(interface, at).times(sign));
+    of_part.add(couple);
+    if (!couple.is_bounded())
+      return 0.5 * sign;
+    if (couple.value <= no_force * reference())
+      break;
+    const std::array<double, 2> ends = couple.forces.ends(interface);
+    at = std::clamp(0.5 * (ends[1] - ends[0]) / (ends[0] + ends[1]), -0.5, 0.5);
+  }
+  return at;
+}
+
+void Search::find_places(StateProgram &program,
+                         const unsigned int part,
+                         RangeProofs &of_part)
+{
+  const std::size_t n = pressed.size();
+  for (const double sign : {1., -1.})
+    for (unsigned int k = begin_of(part, n); k < begin_of(part + 1, n); ++k)
+    {
+      double &place =
+          sign > 0. ? found_places[k].greatest : found_places[k].least;
+      place = found[n_kinds * k].least < -no_force * reference()
+                  ? farthest_place(program, pressed[k], sign, of_part)
+                  : std::numeric_limits<double>::quiet_NaN();
+      count();
+    }
+}
+
+template <typename Find>
+void Search::find_parts(const StateProgram &first, const Find &find)
+{
   dealii::parallel::apply_to_subranges(
       0U, n_parts,
       [&](const unsigned int begin, const unsigned int end) {
         for (unsigned int part = begin; part < end; ++part)
         {
           StateProgram program(first);
-          find_part(program, begin_of(part), begin_of(part + 1));
+          RangeProofs of_part;
+          find(program, part, of_part);
+          of_part.n_iterations = program.n_iterations();
+          const std::lock_guard<std::mutex> lock(mutex);
+          proofs.add(of_part);
         }
       },
       1);
-  proofs.n_iterations += first.n_iterations();
-  return found;
+}
+
+void Search::find_all()
+{
+  const StateProgram first = states.program();
+  proofs.n_iterations = first.n_iterations();
+  find_parts(first, [this](auto &program, auto part, auto &of_part) {
+    find_forces(program, part, of_part);
+  });
+  if (!pressed.empty())
+    find_parts(first, [this](auto &program, auto part, auto &of_part) {
+      find_places(program, part, of_part);
+    });
 }
 
 /**
@@ -267,6 +219,24 @@ std::vector<unsigned int> along_curve(const Packing &packing,
 }
 } // namespace
 
+void RangeProofs::add(const GreatestValue &value)
+{
+  ++n_programmes;
+  width = std::max(width, value.width());
+  error_of_states = std::max(error_of_states, value.error_of_state);
+  closing_violation =
+      std::max(closing_violation, value.bound.closing_violation);
+}
+
+void RangeProofs::add(const RangeProofs &others)
+{
+  n_programmes += others.n_programmes;
+  n_iterations += others.n_iterations;
+  width = std::max(width, others.width);
+  error_of_states = std::max(error_of_states, others.error_of_states);
+  closing_violation = std::max(closing_violation, others.closing_violation);
+}
+
 Ranges
 find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
 {
@@ -289,17 +259,28 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
       functions.push_back(reaction(scene.packing, support, direction));
     }
 
-  Search search(scene, functions, terminal);
-  const std::vector<Range> found = search.find_all();
-  Ranges ranges = search.proofs;
+  const bool has_places =
+      scene.turns() && scene.tensile_strength.empty() && !interfaces.empty();
+  const std::vector<unsigned int> none;
+  Search search(scene, functions, has_places ? interfaces : none, terminal);
+  search.find_all();
+  const std::size_t n = wanted.interfaces.size();
+  Ranges ranges;
+  ranges.proofs = search.proofs;
+  ranges.reference = search.reference();
   ranges.wanted = wanted.interfaces;
-  ranges.normal.resize(wanted.interfaces.size());
-  ranges.tangential.resize(wanted.interfaces.size());
-  auto next = found.begin();
-  for (const unsigned int e : interfaces)
+  ranges.normal.resize(n);
+  ranges.tangential.resize(n);
+  if (has_places)
+    ranges.eccentricity.resize(n);
+  auto next = search.ranges().begin();
+  for (std::size_t k = 0; k < interfaces.size(); ++k)
   {
+    const unsigned int e = interfaces[k];
     ranges.normal[e] = *next++;
     ranges.tangential[e] = *next++;
+    if (has_places)
+      ranges.eccentricity[e] = search.places()[k];
   }
   for (unsigned int s = 0; s < supports.size(); ++s, next += 2)
     ranges.reactions.push_back({{next[0], next[1]}});

@@ -126,6 +126,15 @@ void StateProgram::forget()
   iterations += clp->numberIterations();
 }
 
+void StateProgram::loosen_balance(const double by)
+{
+  const std::vector<double> loads = problem.loads(problem.of().loads(), true);
+  for (unsigned int k = 0; k < row_of.size(); ++k)
+    if (row_of[k] != dealii::numbers::invalid_unsigned_int)
+      clp->setRowBounds(row_of[k], -loads[k] - by, -loads[k] + by);
+  kept.clear();
+}
+
 void StateProgram::keep()
 {
   const double *x = clp->primalColumnSolution();

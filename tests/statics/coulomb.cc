@@ -7,7 +7,6 @@
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/packing/generators/arch.h>
 #include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/least_energy.h>
@@ -179,15 +178,8 @@ void strengths()
  */
 void arch(const double thickness, const double exact, const double error)
 {
-  ArchGenerator generator;
-  dealii::ParameterHandler prm;
-  generator.add_parameters(prm);
-  prm.set("Thickness", thickness);
-  prm.set("Mean radius", 1.);
-  prm.set("Voussoirs", 160L);
-  const Scene scene =
-      under(on_ground(Packing(generator.generate("", Terminal::silent()))),
-            Tensor<1, 2>({0., -20.}), 0.6, 0.);
+  const Scene scene = under(on_ground(semicircle(160, thickness)),
+                            Tensor<1, 2>({0., -20.}), 0.6, 0.);
   const LoadFactorAnswer answer =
       find_strength_factor(scene, {}, Terminal::silent());
   check("an arch", answer.factor.has_value());

@@ -15,24 +15,6 @@
 using namespace Voussoir;
 using dealii::Tensor;
 
-Scene under_weight(Packing packing,
-                   const double strength,
-                   const double mu,
-                   const Kinematics &kinematics,
-                   const Tensor<1, 2> &force = Tensor<1, 2>({0., -1.}))
-{
-  Loads loads;
-  loads.traction.resize(packing.boundary_edges().size());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    loads.body.add(packing, c, packing.area(c) * force);
-  const unsigned int n = packing.interfaces().size();
-  Scene scene(std::move(packing), std::vector<double>(n, strength), loads,
-              kinematics);
-  if (mu > 0.)
-    scene.coefficient.assign(n, mu);
-  return scene;
-}
-
 /** The ranges of all forces, with checks of all proofs. */
 Ranges find(const std::string &name, const Scene &scene)
 {
@@ -42,9 +24,10 @@ Ranges find(const std::string &name, const Scene &scene)
                   {std::vector<bool>(scene.packing.interfaces().size(), true),
                    scene.packing.n_supports() > 0},
                   Terminal::silent());
-  check_error("  states", ranges.error_of_states, 1e-9);
-  check_error("  proofs close joints", ranges.closing_violation, 1e-9);
-  check_error("  width over the loads", ranges.width / ranges.reference, 1e-9);
+  check_error("  states", ranges.proofs.error_of_states, 1e-9);
+  check_error("  proofs close joints", ranges.proofs.closing_violation, 1e-9);
+  check_error("  width over the loads", ranges.proofs.width / ranges.reference,
+              1e-9);
   return ranges;
 }
 
@@ -65,7 +48,12 @@ void contain_states(const Scene &scene, const Ranges &ranges)
     within &=
         contains(ranges.normal[e], forces.normal[e], 1e-9 * ranges.reference) &&
         contains(ranges.tangential[e], forces.tangential[e],
-                 1e-9 * ranges.reference);
+                 1e-9 * ranges.reference) &&
+        (ranges.eccentricity.empty() ||
+         std::isnan(ranges.eccentricity[e].least) || forces.normal[e] == 0. ||
+         contains(ranges.eccentricity[e],
+                  forces.eccentricity(scene.packing.interfaces()[e], e),
+                  -1e-9 * ranges.reference / forces.normal[e]));
   check("  least energy is within", within);
 }
 
@@ -168,6 +156,38 @@ void clamped()
   check("  all else is bounded", bounded);
 }
 
+/**
+ * A block of weight one beside a smooth wall, which pushes it as hard as the
+ * ground holds it: that moves the resultant on the ground.
+ */
+void beside_wall()
+{
+  const double strength = 0.2;
+  Packing packing = wall(1, 1);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
+  packing.support(rests);
+  Scene scene = under_weight(packing, strength, 0., rotations());
+  const auto &interfaces = scene.packing.interfaces();
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
+  const Ranges ranges = find("a block beside a wall", scene);
+  contain_states(scene, ranges);
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+  {
+    const Range &place = ranges.eccentricity[e];
+    if (interfaces[e].normal[1] < -0.5)
+      check_error("  the foot",
+                  std::abs(place.least + strength) + std::abs(place.greatest),
+                  1e-9);
+    else
+      check_error("  the wall",
+                  std::abs(place.least + 0.5) + std::abs(place.greatest - 0.5),
+                  1e-9);
+  }
+}
+
 void random_packings()
 {
   for (const unsigned int seed : {1, 2, 3})
@@ -211,6 +231,7 @@ int main()
   column(translations());
   column(rotations());
   clamped();
+  beside_wall();
   random_packings();
   refusals();
 }

@@ -5,7 +5,6 @@
 // block at its diagonal, a semicircular arch at its least thickness. Each
 // formulation carries a little less and proves the collapse of a little more.
 
-#include <voussoir/packing/generators/arch.h>
 #include <voussoir/scene/supports.h>
 
 #include "tests.h"
@@ -89,18 +88,6 @@ Scene corbel(const double distance)
                  packing.centre(0)[0] - distance);
   const std::vector<double> strengths(packing.interfaces().size(), 100.);
   return Scene(std::move(packing), strengths, std::move(loads), rotations());
-}
-
-/** The straight-sided voussoirs of a semicircle of mean radius 1. */
-Packing semicircle(const unsigned int n, const double thickness)
-{
-  ArchGenerator generator;
-  dealii::ParameterHandler prm;
-  generator.add_parameters(prm);
-  prm.set("Mean radius", 1.);
-  prm.set("Thickness", thickness);
-  prm.set("Voussoirs", static_cast<long int>(n));
-  return Packing(generator.generate("", Terminal::silent()));
 }
 
 /**

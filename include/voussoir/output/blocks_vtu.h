@@ -26,12 +26,14 @@ inline const std::string mechanism_vtu = "mechanism.vtu";
 void write_blocks_vtu(std::ostream &out, const Results &results);
 
 /**
- * The blocks where they are, as polygons, with the mechanism as displacement
- * (point data), the largest component of which is the mean size of a cell (the
- * root of its mean area): warped by it they show the mechanism. Cell data are
- * cell and group.
+ * The blocks where they are, as polygons, with @p motion times @p factor as
+ * displacement (point data): warped by it they show the mechanism. Cell data
+ * are cell and group.
  */
-void write_mechanism_vtu(std::ostream &out, const Collapse &collapse);
+void write_mechanism_vtu(std::ostream &out,
+                         const Packing &packing,
+                         const Motion &motion,
+                         double factor);
 } // namespace Voussoir
 
 #endif

@@ -40,19 +40,23 @@ void write_interfaces_csv(std::ostream &out, const Results &results);
 void write_cells_csv(std::ostream &out, const Results &results);
 
 /**
- * One line per cell: its number, centre, load F_c, displacement along the
- * mechanism, and the name of its group; where blocks turn also the torque of
- * the load and the angle.
+ * One line per cell: its number, centre, load F_c, displacement along @p
+ * motion, and the name of its group; where blocks turn also the torque of the
+ * load and the angle.
  */
-void write_mechanism_csv(std::ostream &out, const Collapse &collapse);
+void write_mechanism_csv(std::ostream &out,
+                         const Scene &scene,
+                         const Motion &motion);
 
 /**
  * One line per interface: the cells (-1: the ground), the normal, the length,
- * s_e, and along the mechanism the opening and the sliding. These are the
- * normal and the tangential component of the jump [u]_e at the midpoint; where
- * blocks turn also the openings at the start and at the end.
+ * s_e, and along @p motion the opening and the sliding. These are the normal
+ * and the tangential component of the jump [u]_e at the midpoint; where blocks
+ * turn also the openings at the start and at the end.
  */
-void write_mechanism_joints_csv(std::ostream &out, const Collapse &collapse);
+void write_mechanism_joints_csv(std::ostream &out,
+                                const Scene &scene,
+                                const Motion &motion);
 } // namespace Voussoir
 
 #endif

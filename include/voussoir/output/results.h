@@ -7,6 +7,7 @@
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/load_factor.h>
 #include <voussoir/statics/ranges.h>
+#include <voussoir/statics/settlement.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
@@ -54,6 +55,8 @@ struct Results : RunRecord, Carried
   StressField stress;
   /** The factor at which the forces are, if one was looked for. */
   std::optional<LoadFactor> load_factor;
+  /** What the blocks do if supports move. */
+  std::optional<Settlement> settlement;
   /** How much all states may differ, if that is asked for. */
   std::optional<Ranges> ranges;
 };
@@ -66,15 +69,6 @@ struct Collapse : RunRecord, NotCarried
       : RunRecord(std::move(run)), NotCarried(std::move(found))
   {}
 };
-
-/** The mechanism that bounds the load factor of @p results. */
-inline Collapse critical_mechanism(const Results &results)
-{
-  const Motion &motion = results.load_factor->mechanism;
-  return {results,
-          {motion, certify_mechanism(results.scene, motion),
-           load_parts(results.scene, motion)}};
-}
 } // namespace Voussoir
 
 #endif

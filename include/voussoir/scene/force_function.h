@@ -34,6 +34,12 @@ struct ForceFunction
 
 /** f_e^n of interface @p e. */
 ForceFunction normal_force(unsigned int e);
+/**
+ * The couple of the normal force of interface @p e about a place on it, the
+ * fraction @p at of its length from its midpoint, over its length: positive
+ * where the resultant is beyond it, towards the end.
+ */
+ForceFunction couple_about(unsigned int e, double at);
 /** f_e^t of interface @p e. */
 ForceFunction tangential_force(unsigned int e);
 /**

@@ -21,7 +21,7 @@ struct InterfaceJumps
   double largest_displacement = 0.;
 };
 
-/** The jumps of @p motion; the ground does not move. */
+/** The jumps of @p motion. */
 InterfaceJumps jumps_of(const Packing &packing, const Motion &motion);
 
 /** The work of the loads of @p scene along @p motion; S L times its unit. */

@@ -9,6 +9,24 @@
 namespace Voussoir
 {
 
+/** How a support moves: as a rigid body, to first order in the angle. */
+struct SupportMotion
+{
+  /** Of its midpoint; L. */
+  dealii::Tensor<1, 2> displacement;
+  /** The angle about it, positive counterclockwise. */
+  double rotation = 0.;
+
+  /** The displacement at @p arm from its midpoint. */
+  dealii::Tensor<1, 2> at(const dealii::Tensor<1, 2> &arm) const
+  {
+    dealii::Tensor<1, 2> u = displacement;
+    u[0] -= rotation * arm[1];
+    u[1] += rotation * arm[0];
+    return u;
+  }
+};
+
 /** A motion of the cells, of any size; the ground does not move. */
 struct Motion
 {
@@ -42,6 +60,11 @@ struct Motion
    * one of length; empty where cells do not turn.
    */
   std::vector<double> rotation;
+  /**
+   * Of each support, in the order of the last Packing::n_supports() interfaces;
+   * empty where the ground is at rest.
+   */
+  std::vector<SupportMotion> of_supports;
 };
 
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 #define voussoir_scene_supports_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/scene/motion.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -26,8 +27,16 @@ public:
    */
   void support(Packing &packing) const;
 
+  /**
+   * How each support of @p packing moves; empty if they do not.
+   *
+   * @throws InputError if it cannot be evaluated, is zero everywhere, or there
+   *   are no supports.
+   */
+  std::vector<SupportMotion> motion(const Packing &packing) const;
+
 private:
-  std::string where = "0";
+  std::string where = "0", displacement;
 };
 
 /**

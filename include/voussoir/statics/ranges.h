@@ -4,6 +4,7 @@
 
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/scene/scene.h>
+#include <voussoir/statics/all_states.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <array>
@@ -26,6 +27,26 @@ struct Range
   }
 };
 
+/** The errors of the proofs of many ranges. */
+struct RangeProofs
+{
+  /** The largest distance of a value from the bound that is proven for it. */
+  double width = 0.;
+  /** The largest Certificate::error() of the states that attain them. */
+  double error_of_states = 0.;
+  /** The largest ForceBound::closing_violation. */
+  double closing_violation = 0.;
+  /** The number of linear programmes. */
+  unsigned int n_programmes = 0;
+  /** The number of simplex steps in them. */
+  unsigned int n_iterations = 0;
+
+  /** Add one. */
+  void add(const GreatestValue &value);
+  /** Add all of them. */
+  void add(const RangeProofs &others);
+};
+
 /**
  * How much the forces of a scene may differ among all admissible states, which
  * all carry its loads; in the user's units, S L.
@@ -38,21 +59,19 @@ struct Ranges
   /** f_e^n and f_e^t of each interface; zero where they are not wanted. */
   std::vector<Range> normal, tangential;
   /** @} */
+  /**
+   * InterfaceForces::eccentricity() of each interface, over the states that
+   * press it; empty where blocks do not turn, or interfaces bear tension. Not a
+   * number where it is not wanted, or never pressed.
+   */
+  std::vector<Range> eccentricity;
   /** The two components of each of reactions(); empty if not wanted. */
   std::vector<std::array<Range, 2>> reactions;
 
   /** The force that differences are relative to: the largest load on a cell. */
   double reference = 0.;
-  /** The largest distance of a value from the bound that is proven for it. */
-  double width = 0.;
-  /** The largest Certificate::error() of the states that attain them. */
-  double error_of_states = 0.;
-  /** The largest ForceBound::closing_violation of the proofs. */
-  double closing_violation = 0.;
-  /** The number of linear programmes. */
-  unsigned int n_programmes = 0;
-  /** The number of simplex steps in them. */
-  unsigned int n_iterations = 0;
+  /** What proves them. */
+  RangeProofs proofs;
 
   /** The least range, over the reference, that is one. */
   static constexpr double least_range = 1e-8;

@@ -56,6 +56,13 @@ public:
   /** Maximise @p c . x, one number for each row. */
   Optimum maximise(const std::vector<double> &c);
 
+  /**
+   * Let the forces on every body be out of balance by at most @p by in each
+   * component: the multipliers of the next programmes are, among all that are
+   * as good without, those whose sizes have the least sum, if that is small.
+   */
+  void loosen_balance(double by);
+
   /** Let the next one start from the beginning, should a state be wrong. */
   void forget();
 

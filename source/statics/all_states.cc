@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/scene/certificate.h>
+#include <voussoir/statics/all_states.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+/** What proofs may leave to rounding. */
+constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
+                 largest_width = 1e-9;
+/** What a ray leaves on a body, over its largest force. */
+constexpr double rounding_of_ray = 1e-9;
+} // namespace
+
+AllStates::AllStates(const Scene &scene)
+    : scene(scene), problem(scene), by_rows(problem), force(0.)
+{
+  for (const dealii::Tensor<1, 2> &load : scene.load)
+    force = std::max(force, load.norm());
+  if (force == 0.)
+    force = problem.stress_scale() * problem.length_scale();
+}
+
+StateProgram AllStates::program() const
+{
+  StateProgram first(by_rows);
+  if (!first.find_state())
+    throw SolverError("The linear programmes of all states have none to start "
+                      "from: the load is close to what the packing can carry. "
+                      "Set 'Ranges/Where = 0' and 'Analysis = state' to have "
+                      "the state alone.");
+  return first;
+}
+
+std::vector<double> AllStates::coefficients(const ForceFunction &function) const
+{
+  std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
+  const unsigned int n = problem.n_contacts();
+  for (const ForceFunction::Term &term : function.terms)
+  {
+    for (unsigned int r = 0; r < 2; ++r)
+      by_rows.rows().add_force(term.interface, std::min(r, n - 1),
+                               term.at_ends[r] / (n == 1 ? 2. : 1.), c);
+    by_rows.rows().add_force(term.interface, n, term.tangential, c);
+  }
+  return c;
+}
+
+bool AllStates::is_ray(const std::vector<double> &x) const
+{
+  return largest_component(by_rows.forces().on_bodies(x)) <=
+         rounding_of_ray * largest_component(x);
+}
+
+/** The strips of joints that crush leave a width of their own. */
+bool AllStates::is_proven(const GreatestValue &value) const
+{
+  return value.error_of_state <= largest_error_of_state &&
+         value.bound.closing_violation <= largest_closing &&
+         (by_rows.rows().has_strips() ||
+          std::abs(value.width()) <=
+              largest_width * std::max(force, std::abs(value.value)));
+}
+
+GreatestValue AllStates::found(StateProgram &program,
+                               const ForceFunction &function) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> c = coefficients(function);
+  StateProgram::Optimum optimum = program.maximise(c);
+  if (!optimum.is_found)
+    throw SolverError("A linear programme of all states has no answer: the "
+                      "load may be close to what the packing can carry. Set "
+                      "'Ranges/Where = 0' and 'Analysis = state' to have the "
+                      "state alone.");
+  if (optimum.is_unbounded)
+  {
+    if (!is_ray(optimum.x) || !(dot(c, optimum.x) > 0.))
+      throw SolverError("A linear programme of all states has no bound, and no "
+                        "forces that balance by themselves prove that. Set "
+                        "'Ranges/Where = 0' and 'Analysis = state' to have the "
+                        "state alone.");
+    return {infinity, {infinity, 0.}, 0., {}, {}};
+  }
+  Solution state;
+  state.forces = by_rows.rows().forces_of(optimum.x);
+  optimum.u.resize(problem.n_dofs());
+  GreatestValue found;
+  found.forces = dimensional_forces(problem, state);
+  found.value = function(found.forces);
+  found.error_of_state = certify(scene, found.forces).error();
+  found.motion = problem.motion_of_cells(optimum.u, 1.);
+  found.bound = bound_of(scene, function, found.motion);
+  return found;
+}
+
+/**
+ * Now and then Clp ends before the optimum, and goes on if it is asked again;
+ * or rounding has spoilt its factors.
+ */
+GreatestValue AllStates::greatest(StateProgram &program,
+                                  const ForceFunction &function) const
+{
+  GreatestValue value = found(program, function);
+  if (!is_proven(value))
+    value = found(program, function);
+  if (!is_proven(value))
+  {
+    program.forget();
+    value = found(program, function);
+  }
+  if (!is_proven(value))
+    throw SolverError(text(
+        "The greatest value of a force is not proven: its state has an error "
+        "of ",
+        value.error_of_state,
+        " of the largest load, its motion closes joints by ",
+        value.bound.closing_violation, " of its size, and they differ by ",
+        value.width(),
+        ". Set 'Ranges/Where = 0' and 'Analysis = state' to have the state "
+        "alone."));
+  return value;
+}
+} // namespace Voussoir
