@@ -193,6 +193,7 @@ void Simulation::run(const dealii::ParameterHandler &prm,
   Results results(record, std::move(*carried));
   results.settlement = std::move(settlement);
   results.ranges = ranges_of(scene);
+  results.samples = samples_of(scene);
   write(files, std::move(results), prm);
 }
 
@@ -242,6 +243,20 @@ std::optional<Ranges> Simulation::ranges_of(const Scene &scene)
                  text(counted(found.proofs.n_programmes, "linear programme"),
                       ", ", counted(found.proofs.n_iterations, "step")));
   return found;
+}
+
+std::optional<Samples> Simulation::samples_of(const Scene &scene)
+{
+  const std::optional<SamplesWanted> wanted = ranges.samples();
+  if (!wanted)
+    return {};
+  const dealii::TimerOutput::Scope section(timer, "samples");
+  terminal.begin("Samples");
+  Samples drawn = draw_samples(scene, *wanted, terminal);
+  terminal.stage("Samples",
+                 text(counted(drawn.n, "state"), ", ",
+                      counted(drawn.n_steps, "step"), " from one to the next"));
+  return drawn;
 }
 
 void Simulation::find_factor(ResultDirectory &files,

@@ -72,6 +72,8 @@ private:
   settle(Answer &answer, const Scene &scene, SolverRecord &record);
   /** The ranges of forces that are asked for, if any are. */
   std::optional<Ranges> ranges_of(const Scene &scene);
+  /** The samples of all states that are asked for, if any are. */
+  std::optional<Samples> samples_of(const Scene &scene);
   /** Look for a factor instead of a state, and write what is found. */
   void find_factor(ResultDirectory &files,
                    Given given,

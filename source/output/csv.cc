@@ -47,6 +47,15 @@ void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
     line << ',' << place.least << ',' << place.greatest;
 }
 
+/** The columns of samples. */
+void add_samples(TextLines &line, const Samples &samples, const unsigned int e)
+{
+  line << ',' << 0. - samples.normal[e].mean << ','
+       << samples.normal[e].deviation << ',' << samples.tangential[e].mean
+       << ',' << samples.tangential[e].deviation << ','
+       << samples.correlation[e];
+}
+
 void add_limits(TextLines &line, const Scene &scene, const unsigned int e)
 {
   for (const auto *limits : {&scene.coefficient, &scene.tensile_strength,
@@ -68,7 +77,10 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       << (scene.compressive_strength.empty() ? "" : ",crushing_utilisation")
       << (results.ranges ? ",p_min,p_max,q_min,q_max,determined" : "")
       << (results.ranges && !results.ranges->eccentricity.empty()
-              ? ",e_min,e_max\n"
+              ? ",e_min,e_max"
+              : "")
+      << (results.samples
+              ? ",p_mean,p_deviation,q_mean,q_deviation,correlation\n"
               : "\n");
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
@@ -90,6 +102,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
            << scene.limits(e).crushing_utilisation(results.forces.ends(e));
     if (results.ranges)
       add_ranges(line, *results.ranges, e);
+    if (results.samples)
+      add_samples(line, *results.samples, e);
     line << '\n';
   });
 }

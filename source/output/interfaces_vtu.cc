@@ -87,6 +87,22 @@ void add_ranges(const std::vector<Packing::Interface> &interfaces,
                                    : not_wanted);
   });
 }
+
+template <typename Add>
+void add_samples(const Samples &samples, const Add &add)
+{
+  add("p_mean", [&samples](std::size_t e) {
+    return scalar(0. - samples.normal[e].mean);
+  });
+  add("p_deviation", [&samples](std::size_t e) {
+    return scalar(samples.normal[e].deviation);
+  });
+  add("q_mean",
+      [&samples](std::size_t e) { return scalar(samples.tangential[e].mean); });
+  add("q_deviation", [&samples](std::size_t e) {
+    return scalar(samples.tangential[e].deviation);
+  });
+}
 } // namespace
 
 void write_interfaces_vtu(std::ostream &out, const Results &results)
@@ -138,6 +154,8 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
   };
   if (results.ranges)
     add_ranges(interfaces, *results.ranges, forces, add);
+  if (results.samples)
+    add_samples(*results.samples, add);
   add_mark("never_pressed", results.never_pressed);
   add_mark("always_sliding", results.always_sliding);
   file.write(out);

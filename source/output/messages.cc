@@ -108,6 +108,13 @@ std::vector<std::string> doubts_about(const Results &results)
         "The solver " + outcome +
         ". The forces are balanced and admissible to what is said below, but "
         "may differ from those of the named selection.");
+  if (results.samples && results.samples->mixing > largest_mixing)
+    doubts.push_back(
+        text("The samples have not settled: the spread of a force in all "
+             "chains together is ",
+             results.samples->mixing,
+             " times that within each. Take more 'Ranges/Steps between "
+             "samples'."));
   if (results.overturning)
     doubts.push_back(turning(results.scene.packing, *results.overturning));
   return doubts;

@@ -283,6 +283,13 @@ void write_summary_json(std::ostream &out, const Results &results)
     summary["settlement"] = summary_of_settlement(results);
   if (results.ranges)
     summary["ranges"] = summary_of_ranges(results);
+  if (results.samples)
+    summary["samples"] = {
+        {"number", results.samples->n},
+        {"steps", results.samples->n_steps},
+        {"dimension", results.samples->dimension},
+        {"mixing", results.samples->mixing},
+        {"error_of_states", results.samples->error_of_states}};
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   if (!results.never_pressed.empty())
@@ -347,6 +354,11 @@ void show_summary(Terminal &terminal, const Results &results)
                      description_of(results.scene, *results.settlement));
   if (results.ranges)
     terminal.summary("Ranges", description_of(*results.ranges));
+  if (results.samples)
+    terminal.summary("Samples",
+                     text(results.samples->n, " of all states, a set of ",
+                          counted(results.samples->dimension, "dimension"),
+                          "; mixing ", results.samples->mixing));
   if (!results.scene.coefficient.empty())
     terminal.summary("Law", description_of_law(results.scene));
   if (!results.earlier_outcome.empty())

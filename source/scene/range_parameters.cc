@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/scene/range_parameters.h>
 
@@ -9,6 +10,11 @@
 
 namespace Voussoir
 {
+namespace
+{
+constexpr unsigned int least_number_of_samples = 100;
+} // namespace
+
 void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Ranges");
@@ -26,7 +32,32 @@ void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
       "true: also find the least and the greatest reaction of each straight "
       "support, in x (the thrust, if x is horizontal) and in y.",
       dealii::Patterns::Bool());
+  prm.add_parameter(
+      "Samples", of_samples.n,
+      "The number of states that are drawn from all admissible ones, with "
+      "equal probability for equal volumes of the set of forces, to have the "
+      "mean and the spread of each force. 0: none; else at least 100.",
+      dealii::Patterns::Integer(0));
+  prm.add_parameter(
+      "Steps between samples", of_samples.n_steps,
+      "The number of steps of the random walk from one sample to the next; the "
+      "more, the less they depend on each other. 0: the dimension of the set.",
+      dealii::Patterns::Integer(0));
+  prm.add_parameter("Seed", of_samples.seed,
+                    "Of the random numbers: equal seeds give equal samples.",
+                    dealii::Patterns::Integer(0));
   prm.leave_subsection();
+}
+
+std::optional<SamplesWanted> RangeParameters::samples() const
+{
+  if (of_samples.n == 0)
+    return {};
+  if (of_samples.n < least_number_of_samples)
+    throw InputError(text("'Ranges/Samples' = '", of_samples.n,
+                          "' must be 0 or at least ", least_number_of_samples,
+                          ": fewer tell no spread."));
+  return of_samples;
 }
 
 std::optional<RangesWanted>

@@ -4,6 +4,8 @@
 #include <voussoir/statics/all_states.h>
 #include <voussoir/statics/settlement.h>
 
+#include <algorithm>
+
 namespace Voussoir
 {
 namespace
@@ -74,6 +76,12 @@ Settlement find_settlement(const Scene &scene,
                      "'Coulomb', for which no motion of least energy belongs "
                      "to the forces; set the law to 'Tresca' or 'associated "
                      "Coulomb', or leave the displacement empty.");
+  if (!scene.turns() &&
+      std::any_of(of_supports.begin(), of_supports.end(),
+                  [](const SupportMotion &of) { return of.rotation != 0.; }))
+    throw InputError("'Supports/Displacement' has an angle, and blocks do not "
+                     "turn in this run; set 'Rotations = true', or leave the "
+                     "angle out.");
   Motion at_rest(scene.packing.n_cells(), *scene.kinematics);
   at_rest.of_supports = of_supports;
   const InterfaceJumps jumps = jumps_of(scene.packing, at_rest);

@@ -308,6 +308,7 @@ void refusals()
   show_refusal([&] { motion_of(packing, "1; 0; 0; 0"); });
   show_refusal([&] { motion_of(packing, "0; 0"); });
   show_refusal([&] { motion_of(packing, "1 / (x - x); 0"); });
+  show_refusal([&] { find_settlement(scene, motion_of(packing, "0; 0; 1")); });
   scene.coefficient.assign(scene.strength.size(), 0.5);
   scene.dilates = false;
   show_refusal([&] { find_settlement(scene, motion_of(packing, "0; 1")); });

@@ -3,6 +3,7 @@
 #define voussoir_base_random_h
 
 #include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 
 namespace Voussoir
@@ -19,10 +20,13 @@ public:
 
   /** A number drawn uniformly from [0, 1). */
   double operator()() { return uniform(engine); }
+  /** One of the normal distribution with mean zero and variance one. */
+  double normal() { return of_normal(engine); }
 
 private:
   boost::random::mt19937_64 engine;
   boost::random::uniform_01<double> uniform;
+  boost::random::normal_distribution<double> of_normal;
 };
 } // namespace Voussoir
 

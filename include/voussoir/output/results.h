@@ -7,6 +7,7 @@
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/load_factor.h>
 #include <voussoir/statics/ranges.h>
+#include <voussoir/statics/samples.h>
 #include <voussoir/statics/settlement.h>
 #include <voussoir/stress/reconstruction.h>
 
@@ -59,6 +60,8 @@ struct Results : RunRecord, Carried
   std::optional<Settlement> settlement;
   /** How much all states may differ, if that is asked for. */
   std::optional<Ranges> ranges;
+  /** How much they differ as a rule, if that is asked for. */
+  std::optional<Samples> samples;
 };
 
 /** All that a run found whose load is not carried, in the user's units. */

@@ -21,6 +21,17 @@ struct RangesWanted
   bool reactions = false;
 };
 
+/** How many states are drawn; see draw_samples(). */
+struct SamplesWanted
+{
+  /** The number of states. */
+  unsigned int n = 0;
+  /** The number of steps from one to the next; 0: the dimension of the set. */
+  unsigned int n_steps = 0;
+  /** Of the random numbers. */
+  unsigned int seed = 1;
+};
+
 /** The section `Ranges`: of which forces the ranges are found. */
 class RangeParameters
 {
@@ -36,9 +47,17 @@ public:
    */
   std::optional<RangesWanted> wanted(const Packing &packing) const;
 
+  /**
+   * The samples that are wanted; none by default.
+   *
+   * @throws InputError if they are too few to tell anything.
+   */
+  std::optional<SamplesWanted> samples() const;
+
 private:
   std::string where = "0";
   bool reactions = false;
+  SamplesWanted of_samples;
 };
 } // namespace Voussoir
 

@@ -46,8 +46,8 @@ struct Settlement
  *
  * @param scene whose loads are carried, with a law whose blocks dilate.
  * @param of_supports Motion::of_supports; not all zero.
- * @throws InputError if the law is not associated, or forces of any size resist
- *   the displacements.
+ * @throws InputError if the law is not associated, supports turn and blocks do
+ * not, or forces of any size resist the displacements.
  * @throws SolverError if a programme has no answer, or its proofs are none.
  */
 Settlement find_settlement(const Scene &scene,
