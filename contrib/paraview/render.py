@@ -135,8 +135,11 @@ class Picture:
             return "utilisation of friction; at 1 an interface slides"
         if self.name in ("mechanism", "animation"):
             hinged = any(len(result.hinges()) for result in self.results)
-            return ("displacement in the mechanism, on the scale of the picture" +
+            return ("displacement, on the scale of the picture" +
                     ("; a dot is a hinge" if hinged else ""))
+        if self.name == "ranges":
+            return ("how much the normal force differs between states, at most "
+                    f"{number(self.high)}")
         if self.name == "displacement":
             factor = (self.options.fraction * block_size(self.results[0].blocks()) /
                       self.limit)

@@ -280,6 +280,23 @@ def eccentricity_panel(results, limit, options):
     return joint_panel(results.blocks(), interfaces, value, width, MIDDLE_THIRD)
 
 
+def range_values(results, options=None):
+    """How far the normal forces of all states differ; not of those left out."""
+    of = results.interfaces().of_cells
+    return (of["p_max"] - of["p_min"])[of["determined"] >= 0]
+
+
+def range_panel(results, limit, options):
+    """Joints without bound are wide, those left out have no width."""
+    interfaces = results.interfaces()
+    of = interfaces.of_cells
+    value = np.clip((of["p_max"] - of["p_min"]) / limit, 0, 1)
+    width = np.where(of["unbounded"] == 1, 0.14, 0.07)
+    width[of["determined"] < 0] = 0
+    value[of["unbounded"] == 1] = 1
+    return joint_panel(results.blocks(), interfaces, value, width, SEQUENTIAL)
+
+
 def group_panel(results, limit, options):
     blocks = results.blocks()
     return Panel(fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
@@ -309,7 +326,7 @@ def mechanism_panel(results, limit, options):
 @dataclass
 class View:
     """values: what the scale is for; reference: what makes small values rounding;
-    turning: only of blocks that turn; labels: words below a bar, for its numbers."""
+    turning: only of blocks that turn; ranges: only with those of the forces; labels: words below a bar, for its numbers."""
     file: str
     panel: Callable
     values: Callable = None
@@ -317,6 +334,7 @@ class View:
     scale: list = None
     legend: str = "bar"
     turning: bool = False
+    ranges: bool = False
     labels: tuple = None
 
     def missing(self, results):
@@ -327,6 +345,9 @@ class View:
         if self.turning and "eccentricity" not in results.grid(self.file).of_cells:
             return (f"needs results with Rotations = true, and those in "
                     f"'{results.directory}' are without")
+        if self.ranges and "p_max" not in results.grid(self.file).of_cells:
+            return ("needs ranges of forces, as of Ranges/Where = 1, and "
+                    f"'{results.directory}' has none")
         return None
 
 
@@ -365,6 +386,8 @@ VIEWS = {
     "eccentricity": View("interfaces.vtu", eccentricity_panel, scale=MIDDLE_THIRD,
                          turning=True, labels=("middle", "1/6", "1/3", "end")),
     "utilisation": View("interfaces.vtu", utilisation_panel, scale=SEQUENTIAL),
+    "ranges": View("interfaces.vtu", range_panel, range_values, forces,
+                   scale=SEQUENTIAL, ranges=True),
     "blocks": View("blocks.vtu", group_panel, legend="groups"),
     "displacement": View("blocks.vtu", displacement_panel,
                          lambda results, options: magnitude(results.blocks()),

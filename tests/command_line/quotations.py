@@ -6,6 +6,7 @@
 Numbers are compared to five digits, and those below 1e-9 count as zero: they are
 rounding.
 """
+import csv
 import re
 import subprocess
 import sys
@@ -85,6 +86,17 @@ def main(program, top):
                              ((push, "Friction/Strength=10.0999"), 3)):
         ended = run(program, scene, *settings)
         expect(f"the status with {settings}", ended.returncode, status, ended)
+    ended = run(program, scene, "Ranges/Where=1", "Ranges/Reactions=true")
+    expect("the ranges in the tutorial",
+           [line for line in ended.stdout.splitlines() if line.startswith("Ranges")][-1:],
+           quotation(tutorial, "Ranges         forces of").splitlines(), ended)
+    with open("quotations/interfaces.csv") as file:
+        found = [f"{float(joint['x0']):.2f} to {float(joint['x1']):.2f}: "
+                 f"{-float(joint['normal_force']):.1f} kN, between "
+                 f"{float(joint['p_min']):.1f} and {float(joint['p_max']):.1f}"
+                 for joint in csv.DictReader(file) if joint["cell_plus"] == "-1"]
+    expect("the forces on the ground in the tutorial", found,
+           quotation(tutorial, "0.00 to 0.50").splitlines())
     own = readme[readme.index("## Write your own scene"):]
     Path("readme.prm").write_text(quotation(own, "set Output directory"), "utf-8")
     ended = run(program, "readme.prm")

@@ -28,10 +28,12 @@ MOST = (140, 8, 46)  # utilisation or displacement at its largest
 STRESSES = {"sigma_xx", "sigma_xy", "sigma_yy", "von_mises"}
 SOLVED = STRESSES | {"principal", "chains", "utilisation", "blocks", "displacement"}
 # Scenes with Rotations = true.
-TURNING = {"rocking_column", "semicircular_arch"}
+TURNING = {"rocking_column", "semicircular_arch", "spreading_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
 FACTORS = {"arch_bridge", "block_on_incline", "dry_arch", "ferris_tin_loi_1",
            "ferris_tin_loi_2"}
+# Those whose supports move: a state and a motion.
+MOVED = {"spreading_arch"}
 
 
 def expect(what, condition):
@@ -137,9 +139,11 @@ def check_scenes():
         views = set(SOLVED)
         if scene in TURNING | FACTORS:
             views |= {"thrust", "eccentricity"}
-        if scene in FACTORS:
+        if scene in FACTORS | MOVED:
             views |= {"mechanism", "animation"}
         expect_views(run(scene, scene, *few), views)
+    ranges = run("shear_wall", "ranges", "Ranges/Where=1")
+    expect_views(ranges, set(SOLVED) | {"ranges"})
     collapse = run("arch", "collapse", "Friction/Strength=12.9", status=3)
     expect_views(collapse, {"mechanism", "animation"})
     expect("frames", os.path.getsize(
