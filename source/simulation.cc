@@ -245,14 +245,14 @@ std::optional<Ranges> Simulation::ranges_of(const Scene &scene)
   return found;
 }
 
-std::optional<Samples> Simulation::samples_of(const Scene &scene)
+std::optional<StateSamples> Simulation::samples_of(const Scene &scene)
 {
   const std::optional<SamplesWanted> wanted = ranges.samples();
   if (!wanted)
     return {};
   const dealii::TimerOutput::Scope section(timer, "samples");
   terminal.begin("Samples");
-  Samples drawn = draw_samples(scene, *wanted, terminal);
+  StateSamples drawn = draw_samples(scene, *wanted, terminal);
   terminal.stage("Samples",
                  text(counted(drawn.n, "state"), ", ",
                       counted(drawn.n_steps, "step"), " from one to the next"));

@@ -73,7 +73,7 @@ private:
   /** The ranges of forces that are asked for, if any are. */
   std::optional<Ranges> ranges_of(const Scene &scene);
   /** The samples of all states that are asked for, if any are. */
-  std::optional<Samples> samples_of(const Scene &scene);
+  std::optional<StateSamples> samples_of(const Scene &scene);
   /** Look for a factor instead of a state, and write what is found. */
   void find_factor(ResultDirectory &files,
                    Given given,

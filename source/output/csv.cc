@@ -48,7 +48,9 @@ void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
 }
 
 /** The columns of samples. */
-void add_samples(TextLines &line, const Samples &samples, const unsigned int e)
+void add_samples(TextLines &line,
+                 const StateSamples &samples,
+                 const unsigned int e)
 {
   line << ',' << 0. - samples.normal[e].mean << ','
        << samples.normal[e].deviation << ',' << samples.tangential[e].mean

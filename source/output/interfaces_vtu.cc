@@ -89,7 +89,7 @@ void add_ranges(const std::vector<Packing::Interface> &interfaces,
 }
 
 template <typename Add>
-void add_samples(const Samples &samples, const Add &add)
+void add_samples(const StateSamples &samples, const Add &add)
 {
   add("p_mean", [&samples](std::size_t e) {
     return scalar(0. - samples.normal[e].mean);

@@ -5,18 +5,19 @@
 #include <voussoir/statics/sufficient_strengths.h>
 
 #include <cmath>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
 /**
- * The products of constraints and multipliers to stop at. Objective and
- * constraints are homogeneous: where the load is carried, u goes to zero in
- * proportion to the products, the multipliers are the same for all, and they
- * have the more digits the larger the products are over the tolerance.
+ * The products of constraints and multipliers to stop at where rounding spoils
+ * smaller ones. Where a load is carried u goes to zero with them, and the
+ * digits of the linear systems, but the multipliers tend to be the same for
+ * all: the problem is homogeneous.
  */
-constexpr double last_product = 1e-4;
+constexpr double early_product = 1e-4;
 
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
@@ -126,8 +127,14 @@ Solution solve_linear_program(const DiscreteProblem &problem,
 {
   Program program(problem);
   IpoptControls ipopt{controls.tolerance, controls.n_max_iterations};
-  ipopt.mu_target = last_product;
   ProgramResult result = solve_program(problem, program, ipopt, terminal);
+  if (!result.solution.mechanism && !result.solution.converged())
+  {
+    ipopt.mu_target = early_product;
+    ProgramResult early = solve_program(problem, program, ipopt, terminal);
+    if (early.solution.mechanism || early.solution.converged())
+      result = std::move(early);
+  }
   if (!result.solution.mechanism)
     result.solution.forces = program.forces(result.multipliers);
   return result.solution;

@@ -6,7 +6,7 @@
 // samples lie within the ranges, also where these are points.
 
 #include <voussoir/statics/ranges.h>
-#include <voussoir/statics/samples.h>
+#include <voussoir/statics/state_samples.h>
 
 #include <deal.II/base/multithread_info.h>
 
@@ -18,10 +18,10 @@ using dealii::Tensor;
 
 constexpr double three = 3.;
 
-Samples draw(const Scene &scene,
-             const unsigned int n,
-             const unsigned int n_steps,
-             const unsigned int seed = 1)
+StateSamples draw(const Scene &scene,
+                  const unsigned int n,
+                  const unsigned int n_steps,
+                  const unsigned int seed = 1)
 {
   SamplesWanted wanted;
   wanted.n = n;
@@ -69,7 +69,7 @@ void on_three_feet()
   const Scene scene = under_weight(on_feet(3), 0., 0., translations(),
                                    Tensor<1, 2>({0., -1. / 3.}));
   const unsigned int n = 20000;
-  const Samples samples = draw(scene, n, 20);
+  const StateSamples samples = draw(scene, n, 20);
   check("  a triangle", samples.dimension == 2);
   check_error("  mixing", samples.mixing - 1., 0.01);
   check_error("  balance", samples.error_of_states, 1e-9);
@@ -94,7 +94,7 @@ void on_two_feet()
   const Scene scene = under_weight(on_feet(2), 0.2, 0., translations(),
                                    Tensor<1, 2>({0., -0.5}));
   const unsigned int n = 20000;
-  const Samples samples = draw(scene, n, 20);
+  const StateSamples samples = draw(scene, n, 20);
   check("  a rectangle", samples.dimension == 2);
   compare("pressure", samples.normal[0], -0.5, 1. / 12., 1.8, n);
   compare("friction", samples.tangential[0], 0., 0.4 * 0.4 / 12., 1.8, n);
@@ -104,14 +104,14 @@ void on_two_feet()
   Scene coulomb = scene;
   coulomb.strength.assign(coulomb.strength.size(), 0.);
   coulomb.coefficient.assign(coulomb.strength.size(), 0.6);
-  const Samples of_rhombus = draw(coulomb, n, 20);
+  const StateSamples of_rhombus = draw(coulomb, n, 20);
   std::cout << "with Coulomb's friction" << std::endl;
   // p has a triangular density about 1/2, and q about 0 with half width 0.3.
   compare("pressure", of_rhombus.normal[0], -0.5, 1. / 24., 2.4, n);
   compare("friction", of_rhombus.tangential[0], 0., 0.09 / 6., 2.4, n);
 }
 
-bool are_equal(const Samples &a, const Samples &b)
+bool are_equal(const StateSamples &a, const StateSamples &b)
 {
   bool equal = true;
   for (unsigned int e = 0; e < a.normal.size(); ++e)
@@ -126,9 +126,9 @@ void seeds()
 {
   const Scene scene =
       under_weight(on_ground(wall(3, 3)), 0.5, 0., translations());
-  const Samples first = draw(scene, 100, 5);
+  const StateSamples first = draw(scene, 100, 5);
   dealii::MultithreadInfo::set_thread_limit(1);
-  const Samples alone = draw(scene, 100, 5);
+  const StateSamples alone = draw(scene, 100, 5);
   dealii::MultithreadInfo::set_thread_limit();
   check("the same seed on one thread", are_equal(first, alone));
   check("another seed", !are_equal(first, draw(scene, 100, 5, 2)));
@@ -142,7 +142,7 @@ void within_ranges()
     {
       Scene scene =
           under_weight(on_ground(random_packing(20, 7)), 0.3, mu, *kinematics);
-      const Samples samples = draw(scene, 400, 0);
+      const StateSamples samples = draw(scene, 400, 0);
       const Ranges ranges = find_ranges(
           scene, {std::vector<bool>(scene.strength.size(), true), false},
           Terminal::silent());

@@ -7,8 +7,8 @@
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/load_factor.h>
 #include <voussoir/statics/ranges.h>
-#include <voussoir/statics/samples.h>
 #include <voussoir/statics/settlement.h>
+#include <voussoir/statics/state_samples.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
@@ -61,7 +61,7 @@ struct Results : RunRecord, Carried
   /** How much all states may differ, if that is asked for. */
   std::optional<Ranges> ranges;
   /** How much they differ as a rule, if that is asked for. */
-  std::optional<Samples> samples;
+  std::optional<StateSamples> samples;
 };
 
 /** All that a run found whose load is not carried, in the user's units. */

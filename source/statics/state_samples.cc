@@ -6,7 +6,7 @@
 #include <voussoir/scene/certificate.h>
 #include <voussoir/statics/all_states.h>
 #include <voussoir/statics/any_state.h>
-#include <voussoir/statics/samples.h>
+#include <voussoir/statics/state_samples.h>
 
 #include <deal.II/base/parallel.h>
 
@@ -366,12 +366,12 @@ private:
 };
 
 /** Put the sums of all chains together; @p unit is that of forces. */
-Samples moments_of(const std::vector<std::unique_ptr<Chain>> &chains,
-                   const Rows &rows,
-                   const Vector &centre,
-                   const double unit)
+StateSamples moments_of(const std::vector<std::unique_ptr<Chain>> &chains,
+                        const Rows &rows,
+                        const Vector &centre,
+                        const double unit)
 {
-  Samples samples;
+  StateSamples samples;
   for (const auto &chain : chains)
     samples.n += chain->sums().n;
   const double n = samples.n;
@@ -435,9 +435,9 @@ unsigned int dimension_of(const Rows &rows, const Vector &spread)
 }
 } // namespace
 
-Samples draw_samples(const Scene &scene,
-                     const SamplesWanted &wanted,
-                     Terminal &terminal)
+StateSamples draw_samples(const Scene &scene,
+                          const SamplesWanted &wanted,
+                          Terminal &terminal)
 {
   if (!scene.tensile_strength.empty() || !scene.compressive_strength.empty())
     throw InputError("'Ranges/Samples' draws states of interfaces that neither "
@@ -477,7 +477,7 @@ Samples draw_samples(const Scene &scene,
       1);
 
   Solution last;
-  Samples samples =
+  StateSamples samples =
       moments_of(chains, rows, extremes.centre,
                  rows.problem().stress_scale() * rows.problem().length_scale());
   samples.n_steps = n_steps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_statics_samples_h
-#define voussoir_statics_samples_h
+#ifndef voussoir_statics_state_samples_h
+#define voussoir_statics_state_samples_h
 
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/scene/scene.h>
@@ -25,7 +25,7 @@ struct Moments
  * Letters* 92 (2004) 054302): of f_e^n and f_e^t of each interface, or where
  * blocks turn of the normal forces at both ends.
  */
-struct Samples
+struct StateSamples
 {
   /** @{ */
   /** f_e^n and f_e^t of each interface. */
@@ -53,7 +53,7 @@ struct Samples
   double error_of_states = 0.;
 };
 
-/** Samples::mixing above which the chains are too short. */
+/** StateSamples::mixing above which the chains are too short. */
 constexpr double largest_mixing = 1.1;
 
 /**
@@ -70,9 +70,9 @@ constexpr double largest_mixing = 1.1;
  * @throws SolverError as AllStates does, or if friction is at its limit in all
  *   states.
  */
-Samples draw_samples(const Scene &scene,
-                     const SamplesWanted &wanted,
-                     Terminal &terminal);
+StateSamples draw_samples(const Scene &scene,
+                          const SamplesWanted &wanted,
+                          Terminal &terminal);
 } // namespace Voussoir
 
 #endif
