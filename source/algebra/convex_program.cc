@@ -274,6 +274,7 @@ IpoptResult solve_with_ipopt(ConvexProgram &program,
   // Convergence is judged by the certificate, so no looser tolerance.
   options->SetIntegerValue("acceptable_iter", 0);
   options->SetNumericValue("mu_target", controls.mu_target);
+  options->SetNumericValue("kappa_d", controls.damping);
   // Constraints hold as they are, not relaxed.
   options->SetNumericValue("bound_relax_factor", 0.);
   ipopt->Initialize("");

@@ -19,6 +19,10 @@ namespace
  */
 constexpr double early_product = 1e-4;
 
+/** Ipopt's damping times them, which stationarity ends with, over its
+ * tolerance. */
+constexpr double damping_of_tolerance = 0.1;
+
 /**
  * The unknowns are u, then v_e of the joints that have a strength. The rows of
  * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
@@ -131,6 +135,7 @@ Solution solve_linear_program(const DiscreteProblem &problem,
   if (!result.solution.mechanism && !result.solution.converged())
   {
     ipopt.mu_target = early_product;
+    ipopt.damping = damping_of_tolerance * controls.tolerance / early_product;
     ProgramResult early = solve_program(problem, program, ipopt, terminal);
     if (early.solution.mechanism || early.solution.converged())
       result = std::move(early);

@@ -54,6 +54,11 @@ struct IpoptControls
   unsigned int n_max_iterations;
   /** The product of each constraint and its multiplier to stop at. */
   double mu_target = 0.;
+  /**
+   * Ipopt's kappa_d: constraints that nothing closes are pushed to by that
+   * times the products, and stationarity is off by as much.
+   */
+  double damping = 1e-5;
   /** The unknowns that keep their values of the start. */
   std::vector<unsigned int> held = {};
   /** Unknowns that may change next to nothing else, neither f nor G x. */
