@@ -7,6 +7,8 @@
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/packing.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -154,6 +156,19 @@ void Packing::check_shape(const unsigned int c)
 
 std::vector<unsigned int> Packing::find_opposite_sides() const
 {
+  std::vector<unsigned int> opposite = find_shared_sides();
+  for (const auto &[one, other] : mesh.facing)
+  {
+    Assert(opposite[one] == none && opposite[other] == none,
+           dealii::ExcMessage("A side faces one other at most."));
+    opposite[one] = other;
+    opposite[other] = one;
+  }
+  return opposite;
+}
+
+std::vector<unsigned int> Packing::find_shared_sides() const
+{
   std::vector<Halfedge> halfedges;
   halfedges.reserve(mesh.loops.size());
   for (unsigned int c = 0; c < n_cells(); ++c)
@@ -203,8 +218,15 @@ void Packing::find_edges()
       side_list[s] = side_list[opposite[s]];
       continue;
     }
-    const Point<2> &a = vertex(c, s - mesh.first[c]);
-    const Point<2> &b = vertex(c, s - mesh.first[c] + 1);
+    const unsigned int i = s - mesh.first[c];
+    Point<2> a = vertex(c, i), b = vertex(c, i + 1);
+    if (opposite[s] != none)
+    {
+      const unsigned int other = cell_of_side[opposite[s]];
+      const unsigned int j = opposite[s] - mesh.first[other];
+      a += 0.5 * (vertex(other, j + 1) - a);
+      b += 0.5 * (vertex(other, j) - b);
+    }
     const Tensor<1, 2> edge = b - a;
     const double length = edge.norm();
     Tensor<1, 2> normal;

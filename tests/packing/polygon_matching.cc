@@ -98,7 +98,7 @@ bool agree(const Contacts &a, const Contacts &b, const double difference)
 
 void test_contacts()
 {
-  const double t = 0.01;
+  const double t = 0.001;
   const Ring below = rectangle(0, 0, 2, 1);
 
   CellLoops cells =
@@ -123,13 +123,13 @@ void test_contacts()
         has_counts(Packing(cells), {2, 0, 8}));
 
   check("a gap of half the tolerance is closed",
-        agree(contacts(matched({below, rectangle(1, 1.005, 3, 2)}, t)),
-              {{{0, 1}, {1}}}, 2e-5));
+        agree(contacts(matched({below, rectangle(1, 1.0005, 3, 2)}, t)),
+              {{{0, 1}, {1}}}, 2e-6));
   check("a gap of twice the tolerance stays open",
-        contacts(matched({below, rectangle(1, 1.02, 3, 2)}, t)).empty());
+        contacts(matched({below, rectangle(1, 1.002, 3, 2)}, t)).empty());
   check("an overlap of half the tolerance is a contact",
-        agree(contacts(matched({below, rectangle(1, 0.995, 3, 2)}, t)),
-              {{{0, 1}, {1}}}, 2e-5));
+        agree(contacts(matched({below, rectangle(1, 0.9995, 3, 2)}, t)),
+              {{{0, 1}, {1}}}, 2e-6));
 }
 
 void test_notice_of_gaps()
@@ -150,22 +150,22 @@ void test_notice_of_gaps()
 
 void test_small_sides()
 {
-  const double t = 0.01;
-  CellLoops cells = matched(
-      {{{0, 0}, {1, 0}, {1, 1}, {0.995, 1.005}, {0, 1}}, rectangle(1, 0, 2, 1)},
-      t);
+  const double t = 0.001;
+  CellLoops cells = matched({{{0, 0}, {1, 0}, {1, 1}, {0.9995, 1.0005}, {0, 1}},
+                             rectangle(1, 0, 2, 1)},
+                            t);
   check("a side shorter than the tolerance vanishes",
         cells.vertices.size() == 6 &&
             agree(contacts(cells), {{{0, 1}, {1}}}, 1e-15));
 
   // The corner of the square is within the tolerance of two sides of the
   // triangle, of which it must split only the one that it lies on.
-  cells = matched(
-      {{{0, 0}, {1, 0}, {1, 0.8}}, {{0.012, -1}, {1, -1}, {1, 0}, {0.012, 0}}},
-      t);
+  cells = matched({{{0, 0}, {1, 0}, {1, 0.8}},
+                   {{0.0012, -1}, {1, -1}, {1, 0}, {0.0012, 0}}},
+                  t);
   check("a vertex near a sharp corner splits one side",
         has_counts(Packing(cells), {2, 1, 6}) &&
-            agree(contacts(cells), {{{0, 1}, {0.988}}}, 1e-15));
+            agree(contacts(cells), {{{0, 1}, {0.9988}}}, 1e-15));
 
   // An L with a square in its notch: of the notch only the L is not convex.
   cells = matched(
@@ -180,6 +180,18 @@ void test_tolerance_handed_on()
   const CellLoops cells = matched({rectangle(0, 0, 2, 1)}, 0.01);
   check("the packing is told the tolerance",
         cells.tolerance >= 0.01 && cells.tolerance <= 0.1);
+}
+
+/** What moves blocks visibly is refused; what moves them at all is told. */
+void test_moves()
+{
+  const auto with_gap = [](const double gap) {
+    return matched({rectangle(0, 0, 1, 1), rectangle(0, 1 + gap, 1, 2 + gap)},
+                   0.002);
+  };
+  for (const std::string &notice : with_gap(0.0009).notices)
+    std::cout << notice << std::endl;
+  show_refusal([&] { with_gap(0.0011); });
 }
 
 /** The rings of a packing without the vertices within a straight side. */
@@ -330,6 +342,7 @@ int main()
   test_notice_of_gaps();
   test_small_sides();
   test_tolerance_handed_on();
+  test_moves();
   test_noise();
   test_round_trip("wall", wall(12, 6));
   test_round_trip("100 Voronoi cells far from the origin",

@@ -6,6 +6,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace Voussoir
 /**
  * The loops of vertices from which a Packing is made. Where two cells meet they
  * share the vertices at both ends of the common edge, so a T-junction is a
- * vertex of all three cells around it, with an angle of 180 degrees in one.
+ * vertex of all three cells around it, with an angle of 180 degrees in one; or
+ * they face each other.
  */
 struct CellLoops
 {
@@ -24,6 +26,12 @@ struct CellLoops
   std::vector<unsigned int> loops;
   /** The start of the loop of each cell, and the end: n_cells + 1 numbers. */
   std::vector<unsigned int> first = {0};
+  /**
+   * Pairs of sides of two cells that face each other across a joint of some
+   * width and share no vertices: their numbers, counted through all cells. They
+   * are one edge, whose ends lie midway between theirs.
+   */
+  std::vector<std::array<unsigned int, 2>> facing;
   /** The centre x_c of each cell, a length; empty to take the centroids. */
   std::vector<dealii::Point<2>> centres;
 
@@ -134,7 +142,8 @@ public:
 
   /**
    * Side i of a cell runs from vertex i to vertex i+1 of its loop, and is an
-   * interface or a boundary edge, with this number in its list.
+   * interface or a boundary edge, with this number in its list. Where cells
+   * face each other across a joint the interface lies beside the side.
    */
   struct Side
   {
@@ -257,6 +266,7 @@ private:
    * along the same edge, or invalid_unsigned_int.
    */
   std::vector<unsigned int> find_opposite_sides() const;
+  std::vector<unsigned int> find_shared_sides() const;
   void find_edges();
   [[noreturn]] void refuse(unsigned int cell,
                            const dealii::Point<2> &place,

@@ -9,6 +9,28 @@
 
 namespace Voussoir
 {
+/** What acts on a cell through one of its sides; S L. */
+struct SideForce
+{
+  /** The force of an interface, a support or a traction. */
+  dealii::Tensor<1, 2> force;
+  /**
+   * D, see CellForces::shift_on_side; zero on an interface where blocks do not
+   * turn.
+   */
+  dealii::Tensor<1, 2> shift;
+};
+
+/**
+ * The force on @p cell through its side @p i. An interface beside the side, in
+ * the middle of a joint of some width, has its force there: the couple about
+ * the middle of the side is more than that on the interface.
+ */
+SideForce side_force(const Scene &scene,
+                     const InterfaceForces &forces,
+                     unsigned int cell,
+                     unsigned int i);
+
 /**
  * The forces on some cells that are cut free of all others (paper, eq. 14), and
  * where blocks turn their couples; S L. An element for each side, cell by cell.

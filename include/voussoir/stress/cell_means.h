@@ -15,9 +15,9 @@ namespace Voussoir
  *
  *     |c|^-1 (sum_e f_e (x) (x_e - x_c) + int_c b (x) (x - x_c)),
  *
- * with the force f_e on the cell and the midpoint x_e of each of its edges, the
- * first moments of tractions g that vary along an edge added, and the body
- * force b: the mean of any stress with these tractions and div sigma = -b.
+ * with the force f_e on the cell and the midpoint x_e of each of its sides, the
+ * first moments of tractions that vary along a side added, and the body force
+ * b: the mean of any stress with these tractions and div sigma = -b.
  * Component ij is sigma_ij, tension positive; S. sigma_yx - sigma_xy is the
  * residual torque over the area.
  *

@@ -3,7 +3,6 @@
 #include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
@@ -38,6 +37,12 @@ constexpr double longest_move = 2.;
  * side, and one more, and so may be its neighbours on the other side of it.
  */
 constexpr double deepest_dent = 2. * (longest_move + 1.);
+
+/**
+ * The largest move of a vertex or side, over the mean size of a cell, that a
+ * block may be said to keep its shape with.
+ */
+constexpr double largest_relative_move = 1e-3;
 
 /** A point near a side, at @p position along it, from 0 to 1. */
 struct Contact
@@ -106,6 +111,7 @@ public:
       cells.add(vertices);
     }
     cells.tolerance = deepest_dent * tolerance;
+    judge_moves(cells);
     return cells;
   }
 
@@ -222,6 +228,64 @@ private:
                                 text_of_point(points[*twice]) + " " + advice);
   }
 
+  /** Refuse moves that change blocks, and tell of those that may matter. */
+  void judge_moves(CellLoops &cells) const
+  {
+    const double rounding = automatic_tolerance(polygons);
+    if (tolerance <= rounding)
+      return;
+    const double size = mean_size(polygons);
+    Move largest;
+    for (unsigned int c = 0; c < corners.n_cells(); ++c)
+      largest = std::max(largest, largest_move(c));
+    if (largest.distance > largest_relative_move * size)
+      polygons.refuse(
+          largest.cell,
+          text("would be changed at ", text_of_point(largest.place), " by ",
+               largest.distance,
+               " in matching, more than a thousandth of the "
+               "mean size ",
+               size,
+               " of a cell. Lower 'Packing/polygons/Matching tolerance', which "
+               "is for what a drawing was rounded to, and set 'Joint width' "
+               "beside it to the width of the widest joint: then blocks keep "
+               "their shapes."));
+    if (largest.distance > rounding)
+      cells.notices.push_back(
+          text("Matching moved vertices or sides of cells by up to ",
+               largest.distance, ", ", largest.distance / size,
+               " of the mean size of a cell, at ", text_of_point(largest.place),
+               ". To leave the cells as they are drawn, set 'Joint width' "
+               "instead."));
+  }
+
+  /** A vertex, or a point of a side, that matching moves. */
+  struct Move
+  {
+    double distance = 0.;
+    unsigned int cell = 0;
+    Point<2> place;
+    bool operator<(const Move &other) const
+    {
+      return distance < other.distance;
+    }
+  };
+
+  Move largest_move(const unsigned int cell) const
+  {
+    Move largest;
+    for (unsigned int i = 0; i < corners.n_sides(cell); ++i)
+    {
+      const unsigned int p = corners.corner(cell, i);
+      largest = std::max(largest, Move{points[p].distance(points[vertex[p]]),
+                                       cell, points[p]});
+    }
+    for (const Contact &contact : contacts(cell))
+      largest = std::max(largest,
+                         Move{contact.distance, cell, points[contact.vertex]});
+    return largest;
+  }
+
   const PolygonList &polygons;
   const double tolerance;
 
@@ -231,47 +295,10 @@ private:
   /** For each point the first one that is the same vertex. */
   std::vector<unsigned int> vertex;
 };
-
-/** Number the names of the groups in the order in which they appear. */
-void name_groups(const PolygonList &polygons, CellLoops &cells)
-{
-  const auto unnamed = [](const PolygonList::Polygon &polygon) {
-    return polygon.group.empty();
-  };
-  if (std::all_of(polygons.polygons.begin(), polygons.polygons.end(), unnamed))
-    return;
-  std::map<std::string, unsigned int> numbers;
-  for (const PolygonList::Polygon &polygon : polygons.polygons)
-  {
-    const std::string &name = unnamed(polygon) ? "block" : polygon.group;
-    const auto entry = numbers.emplace(name, cells.group_names.size());
-    if (entry.second)
-    {
-      const std::string fault = fault_of_group_name(name);
-      if (!fault.empty())
-        polygons.refuse(cells.group.size(),
-                        "belongs to the group " + quoted_group_name(name) +
-                            ", whose name " + fault + "; rename it.");
-      cells.group_names.push_back(name);
-    }
-    cells.group.push_back(entry.first->second);
-  }
-}
 } // namespace
 
 CellLoops match_polygons(const PolygonList &polygons, const double tolerance)
 {
-  refuse_overlaps(polygons, tolerance);
-  CellLoops cells = PolygonMatcher(polygons, tolerance).match();
-  name_groups(polygons, cells);
-  cells.file = polygons.file.string();
-  for (const PolygonList::Polygon &polygon : polygons.polygons)
-    cells.records.push_back(polygon.record);
-  cells.record_name = polygons.record_name;
-  cells.notices = polygons.notices;
-  const std::string gaps = describe_narrow_gaps(cells, tolerance);
-  if (!gaps.empty())
-    cells.notices.push_back(gaps);
-  return cells;
+  return PolygonMatcher(polygons, tolerance).match();
 }
 } // namespace Voussoir

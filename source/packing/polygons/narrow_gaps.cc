@@ -37,6 +37,17 @@ struct OpenSide
   Point<2> end;
 };
 
+/** The vertices of a side, counted through all cells, in ascending order. */
+std::pair<unsigned int, unsigned int> ends_of(const CellLoops &cells,
+                                              const unsigned int side)
+{
+  const unsigned int c =
+      std::upper_bound(cells.first.begin(), cells.first.end(), side) -
+      cells.first.begin() - 1;
+  const unsigned int i = side - cells.first[c];
+  return std::minmax({cells.corner(c, i), cells.corner(c, i + 1)});
+}
+
 /** The sides of one cell only, in the order of the cells. */
 std::vector<OpenSide> open_sides(const CellLoops &cells)
 {
@@ -54,6 +65,10 @@ std::vector<OpenSide> open_sides(const CellLoops &cells)
       if (!is_new)
         entry->second.cell = none;
     }
+
+  for (const auto &pair : cells.facing)
+    for (const unsigned int side : pair)
+      by_ends.erase(ends_of(cells, side));
 
   std::vector<OpenSide> open;
   for (const auto &[ends, h] : by_ends)

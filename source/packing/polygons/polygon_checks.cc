@@ -185,13 +185,17 @@ void check_and_orient(PolygonList &polygons)
   }
 }
 
-double automatic_tolerance(const PolygonList &polygons)
+double mean_size(const PolygonList &polygons)
 {
   double area = 0.;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
     area += std::abs(signed_area(polygon.ring));
-  return std::max(relative_tolerance *
-                      std::sqrt(area / polygons.polygons.size()),
+  return std::sqrt(area / polygons.polygons.size());
+}
+
+double automatic_tolerance(const PolygonList &polygons)
+{
+  return std::max(relative_tolerance * mean_size(polygons),
                   n_units_of_rounding * largest_coordinate(polygons));
 }
 

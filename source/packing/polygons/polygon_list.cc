@@ -1,19 +1,62 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace Voussoir
 {
+namespace
+{
+/** Number the names of the groups in the order in which they appear. */
+void name_groups(const PolygonList &polygons, CellLoops &cells)
+{
+  const auto unnamed = [](const PolygonList::Polygon &polygon) {
+    return polygon.group.empty();
+  };
+  if (std::all_of(polygons.polygons.begin(), polygons.polygons.end(), unnamed))
+    return;
+  std::map<std::string, unsigned int> numbers;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+  {
+    const std::string &name = unnamed(polygon) ? "block" : polygon.group;
+    const auto entry = numbers.emplace(name, cells.group_names.size());
+    if (entry.second)
+    {
+      const std::string fault = fault_of_group_name(name);
+      if (!fault.empty())
+        polygons.refuse(cells.group.size(),
+                        "belongs to the group " + quoted_group_name(name) +
+                            ", whose name " + fault + "; rename it.");
+      cells.group_names.push_back(name);
+    }
+    cells.group.push_back(entry.first->second);
+  }
+}
+} // namespace
+
 void PolygonList::refuse(const unsigned int cell,
                          const unsigned int record,
                          const std::string &fault) const
 {
   throw InputError(text("Cell ", cell, " (", record_name, ' ', record, " of '",
                         file.string(), "') ", fault));
+}
+
+void hand_on_records(const PolygonList &polygons, CellLoops &cells)
+{
+  name_groups(polygons, cells);
+  cells.file = polygons.file.string();
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+    cells.records.push_back(polygon.record);
+  cells.record_name = polygons.record_name;
+  cells.notices.insert(cells.notices.begin(), polygons.notices.begin(),
+                       polygons.notices.end());
 }
 
 std::string read_polygon_text(const std::filesystem::path &file)

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/polygons/facing_sides.h>
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/packing/polygons/points_file.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 #include <voussoir/packing/polygons/polygons.h>
 #include <voussoir/packing/polygons/readers.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <boost/algorithm/string/case_conv.hpp>
+
+#include <algorithm>
 
 namespace Voussoir
 {
+namespace
+{
+constexpr double radians_per_degree = dealii::numbers::PI / 180.;
+} // namespace
+
 void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -23,11 +33,26 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       Anything());
   prm.add_parameter(
       "Matching tolerance", tolerance,
-      "Vertices and sides no further apart than this length touch; wider gaps "
-      "stay open and carry nothing, and deeper overlaps are errors. 0: 1e-10 "
-      "of the mean size of a cell, or 16 units of rounding of the largest "
-      "coordinate if that is more.",
+      "Vertices and sides no further apart than this length touch, and move "
+      "together; wider gaps stay open and carry nothing, and deeper overlaps "
+      "are errors. For what a drawing was rounded to: a move of more than a "
+      "thousandth of the mean size of a cell is an error. 0: 1e-10 of that "
+      "size, or 16 units of rounding of the largest coordinate if that is "
+      "more.",
       Double(0.));
+  prm.add_parameter(
+      "Joint width", joint_width,
+      "The widest joint, drawn as a gap between blocks that keep their shapes: "
+      "sides that face each other no further apart than this length touch, and "
+      "their forces act midway between them. Overlaps up to 'Matching "
+      "tolerance' are joints, too. 0: blocks touch where they share their "
+      "sides, within 'Matching tolerance'.",
+      Double(0.));
+  prm.add_parameter(
+      "Joint angle", joint_angle,
+      "The largest angle between two sides that face each other across a "
+      "joint, in degrees; see 'Joint width'.",
+      Double(0., 45.));
   prm.add_parameter(
       "Centres file", centres_file,
       "A file with the centre \"x y\" of one cell a line, in the order of the "
@@ -47,7 +72,18 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
   const double used_tolerance =
       tolerance > 0. ? tolerance : automatic_tolerance(polygons);
   check_tolerance(polygons, used_tolerance);
-  CellLoops cells = match_polygons(polygons, used_tolerance);
+  refuse_overlaps(polygons, used_tolerance);
+  CellLoops cells =
+      joint_width > 0.
+          ? join_facing_sides(
+                polygons,
+                {joint_width, joint_angle * radians_per_degree, used_tolerance})
+          : match_polygons(polygons, used_tolerance);
+  hand_on_records(polygons, cells);
+  const std::string gaps =
+      describe_narrow_gaps(cells, std::max(used_tolerance, joint_width));
+  if (!gaps.empty())
+    cells.notices.push_back(gaps);
   if (centres_file.empty())
     return cells;
   cells.centres =

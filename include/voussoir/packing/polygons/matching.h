@@ -17,14 +17,16 @@ namespace Voussoir
  * sides of two cells coincide where they are no further apart than the
  * tolerance; wider gaps stay open. A side shorter than the tolerance vanishes.
  *
- * If gaps remain that are narrow, a notice says so; see describe_narrow_gaps().
+ * A notice tells of the largest move, if it is more than rounding.
  *
  * The distances are those of the polygons as given, found with an R-tree.
  *
- * @param polygons as check_and_orient() leaves them.
+ * @param polygons as check_and_orient() leaves them, no two of which overlap
+ *   more deeply than the tolerance.
  * @param tolerance a length that passes check_tolerance().
- * @throws InputError naming the cells and the place if two overlap more deeply
- *   than the tolerance, or one is too small or narrow for the tolerance.
+ * @throws InputError naming the cell and the place if one is too small or
+ *   narrow for the tolerance, or moves by more than a thousandth of the mean
+ *   size of a cell.
  */
 CellLoops match_polygons(const PolygonList &polygons, double tolerance);
 } // namespace Voussoir

@@ -17,6 +17,9 @@ namespace Voussoir
  */
 void check_and_orient(PolygonList &polygons);
 
+/** The root of the mean area of a cell; a length. */
+double mean_size(const PolygonList &polygons);
+
 /**
  * The matching tolerance for coordinates that are right to rounding; a length.
  * It is 1e-10 of the mean size of a cell, or 16 units of rounding of the

@@ -2,7 +2,7 @@
 #ifndef voussoir_packing_polygons_polygon_list_h
 #define voussoir_packing_polygons_polygon_list_h
 
-#include <deal.II/base/point.h>
+#include <voussoir/packing/packing.h>
 
 #include <filesystem>
 #include <string>
@@ -47,6 +47,14 @@ struct PolygonList
     refuse(cell, polygons[cell].record, fault);
   }
 };
+
+/**
+ * Let cells, made of the polygons in their order, belong to the groups of these
+ * and know the file and its records, and take over the notices.
+ *
+ * @throws InputError naming the cell if a group has an impossible name.
+ */
+void hand_on_records(const PolygonList &polygons, CellLoops &cells);
 
 /**
  * The text of a file of polygons, without the byte order mark that some

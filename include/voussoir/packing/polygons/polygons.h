@@ -10,7 +10,7 @@ namespace Voussoir
 /**
  * Cells that were drawn or computed by another program: each polygon of a file
  * is a cell, in the order of the file. Cells that touch become neighbours; see
- * match_polygons().
+ * match_polygons(), and join_facing_sides() for those that are drawn apart.
  */
 class PolygonGenerator : public PackingGenerator
 {
@@ -27,6 +27,8 @@ private:
   std::string file;
   std::string centres_file;
   double tolerance = 0.;
+  double joint_width = 0.;
+  double joint_angle = 15.;
 };
 
 /**
