@@ -13,6 +13,7 @@ namespace Voussoir
 /** The mean and the spread of a force; S L. */
 struct Moments
 {
+  /** The mean. */
   double mean = 0.;
   /** The standard deviation. */
   double deviation = 0.;
