@@ -18,20 +18,24 @@ void JointBlocks::find(const unsigned int e,
   }
   blocks = {};
   for (unsigned int r = 0; r < n_rows; ++r)
-  {
-    const ContactRow row = structure->row(e, r);
-    const dealii::Tensor<1, 2> &d = row.direction;
-    const double plus[] = {d[0], d[1], row.turn_plus};
-    const double minus[] = {-d[0], -d[1], -row.turn_minus};
-    for (unsigned int i = 0; i < unknowns; ++i)
-      for (unsigned int j = 0; j < unknowns; ++j)
-      {
-        const unsigned int k = i * unknowns + j;
-        blocks.minus[k] += a[r] * minus[i] * minus[j];
-        blocks.plus[k] += a[r] * plus[i] * plus[j];
-        blocks.mixed[k] += a[r] * plus[i] * minus[j];
-      }
-  }
+    add(structure->row(e, r), a[r], blocks);
+}
+
+void JointBlocks::add(const ContactRow &row,
+                      const double a,
+                      Blocks &blocks) const
+{
+  const dealii::Tensor<1, 2> &d = row.direction;
+  const double plus[] = {d[0], d[1], row.turn_plus};
+  const double minus[] = {-d[0], -d[1], -row.turn_minus};
+  for (unsigned int i = 0; i < unknowns; ++i)
+    for (unsigned int j = 0; j < unknowns; ++j)
+    {
+      const unsigned int k = i * unknowns + j;
+      blocks.minus[k] += a * minus[i] * minus[j];
+      blocks.plus[k] += a * plus[i] * plus[j];
+      blocks.mixed[k] += a * plus[i] * minus[j];
+    }
 }
 
 } // namespace Voussoir

@@ -134,7 +134,8 @@ void SparseFactor::make_pattern()
 
 void SparseFactor::fill(const std::vector<double> &coefficients,
                         const double shift,
-                        const double relative_shift)
+                        const double relative_shift,
+                        const std::vector<FurtherRow> &further)
 {
   const unsigned int n = blocks.n();
   double *values = static_cast<double *>(matrix->x);
@@ -149,22 +150,13 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
     if (minus >= n_bodies || plus >= n_bodies)
       continue;
     blocks.find(e, coefficients.data(), of);
-    const bool couples = !is_held(minus) && !is_held(plus);
-    // The block is stored in the columns of the lower body.
-    const bool transposed = plus < minus;
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        if (couples)
-          values[of_joint[n * e + j] + i] +=
-              of.mixed[transposed ? j * n + i : i * n + j];
-        if (i < j)
-          continue;
-        if (!is_held(minus))
-          values[of_body[n * minus + j] + i - j] += of.minus[i * n + j];
-        if (!is_held(plus))
-          values[of_body[n * plus + j] + i - j] += of.plus[i * n + j];
-      }
+    add(e, of);
+  }
+  for (const FurtherRow &one : further)
+  {
+    of = {};
+    blocks.add(one.row, one.coefficient, of);
+    add(one.joint, of);
   }
   if (!held.empty() || relative_shift > 0.)
     hold_bodies(relative_shift);
@@ -178,6 +170,31 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
     for (unsigned int j = 0; j < n; ++j)
       values[of_body[n * last[k] + j]] += addition[k];
   }
+}
+
+/** Add the blocks of a joint between bodies that count. */
+void SparseFactor::add(const unsigned int joint, const JointBlocks::Blocks &of)
+{
+  double *values = static_cast<double *>(matrix->x);
+  const unsigned int n = blocks.n();
+  const unsigned int minus = structure.joints()[joint].cell_minus;
+  const unsigned int plus = structure.joints()[joint].cell_plus;
+  const bool couples = !is_held(minus) && !is_held(plus);
+  // The block is stored in the columns of the lower body.
+  const bool transposed = plus < minus;
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      if (couples)
+        values[of_joint[n * joint + j] + i] +=
+            of.mixed[transposed ? j * n + i : i * n + j];
+      if (i < j)
+        continue;
+      if (!is_held(minus))
+        values[of_body[n * minus + j] + i - j] += of.minus[i * n + j];
+      if (!is_held(plus))
+        values[of_body[n * plus + j] + i - j] += of.plus[i * n + j];
+    }
 }
 
 /** Where nothing holds an unknown, next to nothing does. */
@@ -220,9 +237,10 @@ void SparseFactor::analyse()
 
 bool SparseFactor::factorise(const std::vector<double> &coefficients,
                              const double shift,
-                             const double relative_shift)
+                             const double relative_shift,
+                             const std::vector<FurtherRow> &further)
 {
-  fill(coefficients, shift, relative_shift);
+  fill(coefficients, shift, relative_shift, further);
   if (factor == nullptr)
     analyse();
   cholmod_factorize(matrix, factor, common.get());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/scene/range_parameters.h>
@@ -32,6 +33,18 @@ void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
       "true: also find the least and the greatest reaction of each straight "
       "support, in x (the thrust, if x is horizontal) and in y.",
       dealii::Patterns::Bool());
+  add_choice<RangeMethod>(
+      prm, "Method", method,
+      {{RangeMethod::automatic, "automatic",
+        "the one that is likely to be the quicker."},
+       {RangeMethod::simplex, "simplex",
+        "the simplex method, which goes from the end of one range to that of "
+        "the next: for many forces."},
+       {RangeMethod::interior_point, "interior point",
+        "an interior point, which takes about as long as a load factor for "
+        "each end: for few forces of large packings. Reactions of supports of "
+        "several interfaces are left to the simplex method."}},
+      "How they are found.");
   prm.add_parameter(
       "Samples", of_samples.n,
       "The number of states that are drawn from all admissible ones, with "
@@ -66,7 +79,7 @@ RangeParameters::wanted(const Packing &packing) const
   const std::string parameter = "Ranges/Where";
   const Condition holds(where, {"x", "y", "nx", "ny"}, parameter);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
-                         reactions};
+                         reactions, method};
   if (reactions && packing.n_supports() == 0)
     throw InputError("'Ranges/Reactions' is true, and there are no supports: "
                      "'Supports/Where' gives them.");

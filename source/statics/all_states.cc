@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/scene/certificate.h>
 #include <voussoir/statics/all_states.h>
+#include <voussoir/statics/greatest_force.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +16,8 @@ namespace
 /** What proofs may leave to rounding. */
 constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
                  largest_width = 1e-9;
+/** The same of an interior point, which does not end in a vertex. */
+constexpr double largest_width_of_interior = 1e-8;
 /** What a ray leaves on a body, over its largest force. */
 constexpr double rounding_of_ray = 1e-9;
 } // namespace
@@ -59,8 +62,14 @@ bool AllStates::is_ray(const std::vector<double> &x) const
          rounding_of_ray * largest_component(x);
 }
 
-/** The strips of joints that crush leave a width of their own. */
 bool AllStates::is_proven(const GreatestValue &value) const
+{
+  return is_proven(value, largest_width);
+}
+
+/** The strips of joints that crush leave a width of their own. */
+bool AllStates::is_proven(const GreatestValue &value,
+                          const double largest_width) const
 {
   return value.error_of_state <= largest_error_of_state &&
          value.bound.closing_violation <= largest_closing &&
@@ -72,9 +81,15 @@ bool AllStates::is_proven(const GreatestValue &value) const
 GreatestValue AllStates::found(StateProgram &program,
                                const ForceFunction &function) const
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<double> c = coefficients(function);
-  StateProgram::Optimum optimum = program.maximise(c);
+  return judged(program.maximise(c), c, function);
+}
+
+GreatestValue AllStates::judged(StateProgram::Optimum optimum,
+                                const std::vector<double> &c,
+                                const ForceFunction &function) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!optimum.is_found)
     throw SolverError("A linear programme of all states has no answer: the "
                       "load may be close to what the packing can carry. Set "
@@ -126,6 +141,19 @@ GreatestValue AllStates::greatest(StateProgram &program,
         value.width(),
         ". Set 'Ranges/Where = 0' and 'Analysis = state' to have the state "
         "alone."));
+  return value;
+}
+
+std::optional<GreatestValue> AllStates::greatest(const ForceFunction &function,
+                                                 Terminal &terminal) const
+{
+  const std::vector<double> c = coefficients(function);
+  const StateProgram::Optimum optimum = greatest_force(by_rows, c, terminal);
+  if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
+    return {};
+  GreatestValue value = judged(optimum, c, function);
+  if (!is_proven(value, largest_width_of_interior))
+    return {};
   return value;
 }
 } // namespace Voussoir

@@ -36,6 +36,16 @@ BoundedForces::BoundedForces(const BoundedRows &rows, std::vector<bool> held)
   }
 }
 
+BoundedForces::BoundedForces(const BoundedRows &rows,
+                             std::vector<bool> held,
+                             const std::vector<double> &c)
+    : BoundedForces(rows, std::move(held))
+{
+  for (unsigned int r = 0; r < c.size(); ++r)
+    if (c[r] != 0.)
+      of_function.push_back({r, c[r]});
+}
+
 void BoundedForces::clear_held(std::vector<double> &loads) const
 {
   for (unsigned int b = 0; b < held.size(); ++b)
@@ -46,9 +56,11 @@ void BoundedForces::clear_held(std::vector<double> &loads) const
 
 std::vector<double> BoundedForces::on_bodies(const std::vector<double> &x) const
 {
-  std::vector<double> sum(rows.n_dofs());
+  std::vector<double> sum(n_unknowns(), 0.);
   rows.add_jump_gradients(-1., x, sum);
   clear_held(sum);
+  for (const auto &[row, c] : of_function)
+    sum.back() += c * x[row];
   return sum;
 }
 
@@ -57,6 +69,8 @@ std::vector<double> BoundedForces::along(const std::vector<double> &u) const
   std::vector<double> result = rows.jumps(u);
   for (double &jump : result)
     jump = -jump;
+  for (const auto &[row, c] : of_function)
+    result[row] += c * u.back();
   for (const unsigned int row : without_force)
     result[row] = 0.;
   return result;
@@ -99,9 +113,56 @@ bool BoundedForces::prepare(std::vector<double> k)
       return false;
   for (double shift = first_shift; shift <= largest_shift;
        shift *= factor_of_shift)
-    if (factor.factorise(weights, 0., shift))
+    if (factorise(shift))
       return true;
   return false;
+}
+
+bool BoundedForces::factorise(const double shift)
+{
+  if (of_function.empty())
+    return factor.factorise(weights, 0., shift);
+
+  own_stiffness = 0.;
+  std::vector<double> rest = weights, of_rows(weights.size(), 0.);
+  for (const auto &[row, c] : of_function)
+  {
+    own_stiffness += c * c * weights[row];
+    of_rows[row] = c * weights[row];
+    rest[row] = 0.;
+  }
+  if (!(own_stiffness > 0.))
+    return false;
+  coupling = on_bodies(of_rows);
+  coupling.pop_back();
+  std::vector<SparseFactor::FurtherRow> further;
+  const unsigned int n = rows.n_rows();
+  for (std::size_t i = 0; i < of_function.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const auto &[r, c_r] = of_function[i];
+      const auto &[s, c_s] = of_function[j];
+      const ContactRow of_r = rows.row(r / n, r % n),
+                       of_s = rows.row(s / n, s % n);
+      further.push_back({r / n,
+                         {c_s * of_r.direction - c_r * of_s.direction,
+                          c_s * of_r.turn_minus - c_r * of_s.turn_minus,
+                          c_s * of_r.turn_plus - c_r * of_s.turn_plus},
+                         weights[r] * (weights[s] / own_stiffness)});
+    }
+  return factor.factorise(rest, 0., shift, further);
+}
+
+std::vector<double>
+BoundedForces::precondition(const std::vector<double> &right)
+{
+  if (of_function.empty())
+    return factor.solve(right, 1);
+  std::vector<double> left(right.begin(), right.end() - 1);
+  add(left, -right.back() / own_stiffness, coupling);
+  std::vector<double> u = factor.solve(left, 1);
+  u.push_back((right.back() - dot(coupling, u)) / own_stiffness);
+  return u;
 }
 
 std::vector<double> BoundedForces::product(const std::vector<double> &u) const
@@ -116,7 +177,7 @@ std::vector<double> BoundedForces::solve(const std::vector<double> &right,
                                          const double enough,
                                          const unsigned int n_gradients)
 {
-  std::vector<double> u = factor.solve(right, 1), best = u;
+  std::vector<double> u = precondition(right), best = u;
   std::vector<double> left = right;
   add(left, -1., product(u));
   double least = largest_component(left), previous = 0.;
@@ -125,7 +186,7 @@ std::vector<double> BoundedForces::solve(const std::vector<double> &right,
   for (unsigned int k = 0;
        k < n_gradients && least > enough && n_in_vain < n_without_gain; ++k)
   {
-    const std::vector<double> z = factor.solve(left, 1);
+    const std::vector<double> z = precondition(left);
     const double now = dot(left, z);
     if (direction.empty())
       direction = z;

@@ -11,6 +11,8 @@
 #include <CGAL/property_map.h>
 #include <mutex>
 
+#include <optional>
+
 namespace Voussoir
 {
 namespace
@@ -27,6 +29,33 @@ constexpr unsigned int n_kinds = 2;
 constexpr double no_force = 1e-10;
 /** The largest number of programmes for an end of a range of places. */
 constexpr unsigned int n_places = 30;
+/**
+ * Of so many cells, so few ends take longer by the simplex method, which has to
+ * find a first state, than by an interior point.
+ */
+constexpr unsigned int large_packing = 3000, few_ends = 40;
+
+/** True if each of @p n_ends is found sooner by an interior point. */
+bool is_quicker(const unsigned int n_cells, const std::size_t n_ends)
+{
+  return n_cells >= large_packing && n_ends <= few_ends;
+}
+
+/** One of the parts that functions are shared out in. */
+struct Part
+{
+  /** Its number; the first and the last of @p n items that are in it. */
+  unsigned int number;
+  unsigned int begin(const std::size_t n) const { return number * n / n_parts; }
+  unsigned int end(const std::size_t n) const
+  {
+    return (number + 1) * n / n_parts;
+  }
+  /** What finds its ends, if the simplex method does. */
+  std::optional<StateProgram> program;
+  /** Their errors. */
+  RangeProofs proofs;
+};
 
 /** Ranges are looked for, function by function. */
 class Search
@@ -40,8 +69,14 @@ public:
   Search(const Scene &scene,
          const std::vector<ForceFunction> &functions,
          const std::vector<unsigned int> &pressed,
+         const RangeMethod method,
          Terminal &terminal)
       : states(scene), functions(functions), pressed(pressed),
+        by_interior_point(
+            method == RangeMethod::interior_point ||
+            (method == RangeMethod::automatic &&
+             is_quicker(scene.packing.n_cells(),
+                        2 * (functions.size() + pressed.size())))),
         terminal(terminal), found(functions.size()),
         found_places(pressed.size())
   {}
@@ -61,31 +96,25 @@ public:
 private:
   /** Let @p find do all parts, on all threads. */
   template <typename Find>
-  void find_parts(const StateProgram &first, const Find &find);
-  void
-  find_forces(StateProgram &program, unsigned int part, RangeProofs &proofs);
-  void
-  find_places(StateProgram &program, unsigned int part, RangeProofs &proofs);
-  double farthest_place(StateProgram &program,
-                        unsigned int interface,
-                        double sign,
-                        RangeProofs &proofs) const;
+  void find_parts(const Find &find);
+  void find_forces(Part &part);
+  void find_places(Part &part);
+  double farthest_place(Part &part, unsigned int interface, double sign);
+  StateProgram &program_of(Part &part);
+  GreatestValue greatest(Part &part, const ForceFunction &function);
   void count();
 
   const AllStates states;
   const std::vector<ForceFunction> &functions;
   const std::vector<unsigned int> &pressed;
+  const bool by_interior_point;
+  /** What the programmes of all parts start from, if there are any. */
+  std::optional<StateProgram> first;
   Terminal &terminal;
   std::vector<Range> found, found_places;
   std::size_t n_done = 0;
   std::mutex mutex;
 };
-
-/** The first of @p n items that is in part @p part. */
-unsigned int begin_of(const unsigned int part, const std::size_t n)
-{
-  return part * n / n_parts;
-}
 
 void Search::count()
 {
@@ -98,21 +127,17 @@ void Search::count()
  * The kinds of functions one after the other, and all maxima before all minima,
  * so that each programme ends close to where the next one does.
  */
-void Search::find_forces(StateProgram &program,
-                         const unsigned int part,
-                         RangeProofs &of_part)
+void Search::find_forces(Part &part)
 {
   const std::size_t n = functions.size();
   for (unsigned int kind = 0; kind < n_kinds; ++kind)
     for (const double sign : {1., -1.})
-      for (unsigned int k = begin_of(part, n); k < begin_of(part + 1, n); ++k)
+      for (unsigned int k = part.begin(n); k < part.end(n); ++k)
       {
         if (k % n_kinds != kind)
           continue;
-        const GreatestValue value =
-            states.greatest(program, functions[k].times(sign));
+        const GreatestValue value = greatest(part, functions[k].times(sign));
         (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
-        of_part.add(value);
         count();
       }
 }
@@ -123,17 +148,15 @@ void Search::find_forces(StateProgram &program,
  * (1967), 492): the state with the most of sign (e - at) N has the next place,
  * until no state has any. Where forces have no bound it is the other end.
  */
-double Search::farthest_place(StateProgram &program,
+double Search::farthest_place(Part &part,
                               const unsigned int interface,
-                              const double sign,
-                              RangeProofs &of_part) const
+                              const double sign)
 {
   double at = -0.5 * sign;
   for (unsigned int k = 0; k < n_places; ++k)
   {
     const GreatestValue couple =
-        states.greatest(program, couple_about(interface, at).times(sign));
-    of_part.add(couple);
+        greatest(part, couple_about(interface, at).times(sign));
     if (!couple.is_bounded())
       return 0.5 * sign;
     if (couple.value <= no_force * reference())
@@ -144,37 +167,65 @@ double Search::farthest_place(StateProgram &program,
   return at;
 }
 
-void Search::find_places(StateProgram &program,
-                         const unsigned int part,
-                         RangeProofs &of_part)
+void Search::find_places(Part &part)
 {
   const std::size_t n = pressed.size();
   for (const double sign : {1., -1.})
-    for (unsigned int k = begin_of(part, n); k < begin_of(part + 1, n); ++k)
+    for (unsigned int k = part.begin(n); k < part.end(n); ++k)
     {
       double &place =
           sign > 0. ? found_places[k].greatest : found_places[k].least;
       place = found[n_kinds * k].least < -no_force * reference()
-                  ? farthest_place(program, pressed[k], sign, of_part)
+                  ? farthest_place(part, pressed[k], sign)
                   : std::numeric_limits<double>::quiet_NaN();
       count();
     }
 }
 
+/** True if @p function is of the forces of one interface. */
+bool is_of_one(const ForceFunction &function)
+{
+  return function.terms.size() == 1;
+}
+
+StateProgram &Search::program_of(Part &part)
+{
+  if (part.program)
+    return *part.program;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (!first)
+  {
+    first.emplace(states.program());
+    proofs.n_iterations += first->n_iterations();
+  }
+  return part.program.emplace(*first);
+}
+
+GreatestValue Search::greatest(Part &part, const ForceFunction &function)
+{
+  std::optional<GreatestValue> value;
+  if (by_interior_point && is_of_one(function))
+    value = states.greatest(function, Terminal::silent());
+  if (!value)
+    value = states.greatest(program_of(part), function);
+  part.proofs.add(*value);
+  return *value;
+}
+
 template <typename Find>
-void Search::find_parts(const StateProgram &first, const Find &find)
+void Search::find_parts(const Find &find)
 {
   dealii::parallel::apply_to_subranges(
       0U, n_parts,
       [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int part = begin; part < end; ++part)
+        for (unsigned int number = begin; number < end; ++number)
         {
-          StateProgram program(first);
-          RangeProofs of_part;
-          find(program, part, of_part);
-          of_part.n_iterations = program.n_iterations();
+          Part part{number, {}, {}};
+          find(part);
+          if (part.program)
+            part.proofs.n_iterations = part.program->n_iterations();
           const std::lock_guard<std::mutex> lock(mutex);
-          proofs.add(of_part);
+          proofs.add(part.proofs);
         }
       },
       1);
@@ -182,15 +233,9 @@ void Search::find_parts(const StateProgram &first, const Find &find)
 
 void Search::find_all()
 {
-  const StateProgram first = states.program();
-  proofs.n_iterations = first.n_iterations();
-  find_parts(first, [this](auto &program, auto part, auto &of_part) {
-    find_forces(program, part, of_part);
-  });
+  find_parts([this](Part &part) { find_forces(part); });
   if (!pressed.empty())
-    find_parts(first, [this](auto &program, auto part, auto &of_part) {
-      find_places(program, part, of_part);
-    });
+    find_parts([this](Part &part) { find_places(part); });
 }
 
 /**
@@ -262,7 +307,8 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   const bool has_places =
       scene.turns() && scene.tensile_strength.empty() && !interfaces.empty();
   const std::vector<unsigned int> none;
-  Search search(scene, functions, has_places ? interfaces : none, terminal);
+  Search search(scene, functions, has_places ? interfaces : none, wanted.method,
+                terminal);
   search.find_all();
   const std::size_t n = wanted.interfaces.size();
   Ranges ranges;

@@ -72,7 +72,7 @@ SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
     strongest = std::max(strongest, bound.limit);
   }
   now.x.assign(rows.n_all_rows(), 0.);
-  now.u.assign(rows.n_dofs(), 0.);
+  now.u.assign(forces.n_unknowns(), 0.);
   now.alpha = 0.;
   now.tau = now.kappa = 1.;
   const double live = largest_component(loads.live);

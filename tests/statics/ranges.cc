@@ -15,15 +15,50 @@
 using namespace Voussoir;
 using dealii::Tensor;
 
+/** The ranges of all forces by one method. */
+Ranges find_by(const RangeMethod method, const Scene &scene)
+{
+  return find_ranges(
+      scene,
+      {std::vector<bool>(scene.packing.interfaces().size(), true),
+       scene.packing.n_supports() > 0, method},
+      Terminal::silent());
+}
+
+/** How much two ranges differ; not at all if both have no bound. */
+double difference(const Range &one, const Range &other)
+{
+  const auto of = [](const double x, const double y) {
+    return x == y || (std::isnan(x) && std::isnan(y)) ? 0. : std::abs(x - y);
+  };
+  return std::max(of(one.least, other.least), of(one.greatest, other.greatest));
+}
+
+/** An interior point finds the same ranges, and as few without bound. */
+void agree(const Scene &scene, const Ranges &by_simplex)
+{
+  const Ranges found = find_by(RangeMethod::interior_point, scene);
+  double of_forces = 0., of_places = 0.;
+  for (unsigned int e = 0; e < found.normal.size(); ++e)
+  {
+    of_forces =
+        std::max({of_forces, difference(found.normal[e], by_simplex.normal[e]),
+                  difference(found.tangential[e], by_simplex.tangential[e])});
+    if (!found.eccentricity.empty())
+      of_places = std::max(of_places, difference(found.eccentricity[e],
+                                                 by_simplex.eccentricity[e]));
+  }
+  check_error("  interior point: difference", of_forces / found.reference,
+              1e-8);
+  check_error("  interior point: places", of_places, 1e-6);
+}
+
 /** The ranges of all forces, with checks of all proofs. */
 Ranges find(const std::string &name, const Scene &scene)
 {
   std::cout << name << std::endl;
-  const Ranges ranges =
-      find_ranges(scene,
-                  {std::vector<bool>(scene.packing.interfaces().size(), true),
-                   scene.packing.n_supports() > 0},
-                  Terminal::silent());
+  const Ranges ranges = find_by(RangeMethod::simplex, scene);
+  agree(scene, ranges);
   check_error("  states", ranges.proofs.error_of_states, 1e-9);
   check_error("  proofs close joints", ranges.proofs.closing_violation, 1e-9);
   check_error("  width over the loads", ranges.proofs.width / ranges.reference,

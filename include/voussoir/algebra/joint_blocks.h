@@ -44,6 +44,8 @@ public:
   unsigned int n() const { return unknowns; }
   /** Find those of joint @p e for @p coefficients of all rows of all joints. */
   void find(unsigned int e, const double *coefficients, Blocks &blocks) const;
+  /** Add those of one row, of any joint, with the coefficient @p a. */
+  void add(const ContactRow &row, double a, Blocks &blocks) const;
 
 private:
   const Structure *structure;

@@ -43,6 +43,17 @@ public:
   SparseFactor(const SparseFactor &) = delete;
   SparseFactor &operator=(const SparseFactor &) = delete;
 
+  /** A row beside those of the structure, between the bodies of a joint. */
+  struct FurtherRow
+  {
+    /** The number of the joint. */
+    unsigned int joint;
+    /** The row. */
+    ContactRow row;
+    /** Its coefficient. */
+    double coefficient;
+  };
+
   /**
    * Fill in the coefficients and the shift of own bodies, and factorise. To the
    * diagonal of each of the last bodies its largest entry is added, so that
@@ -52,13 +63,15 @@ public:
    * @param shift added to the diagonal.
    * @param relative_shift multiplies each entry of the diagonal by one more
    *   than it.
+   * @param further rows.
    * @return false if the matrix is not positive definite.
    * @throws std::bad_alloc if there is not enough memory, and where CHOLMOD's
    *   integers are too small.
    */
   bool factorise(const std::vector<double> &coefficients,
                  double shift,
-                 double relative_shift = 0.);
+                 double relative_shift = 0.,
+                 const std::vector<FurtherRow> &further = {});
 
   /** The number of unknowns: JointBlocks::n() times n_bodies. */
   unsigned int n() const;
@@ -104,7 +117,9 @@ private:
   }
   void fill(const std::vector<double> &coefficients,
             double shift,
-            double relative_shift);
+            double relative_shift,
+            const std::vector<FurtherRow> &further);
+  void add(unsigned int joint, const JointBlocks::Blocks &of);
   void hold_bodies(double relative_shift);
   void analyse();
   void extract_last_block();

@@ -12,6 +12,17 @@
 
 namespace Voussoir
 {
+/** How the ends of ranges are found; see AllStates. */
+enum class RangeMethod
+{
+  /** The quicker one, as far as the numbers of both tell. */
+  automatic,
+  /** The simplex method, each end from that of another. */
+  simplex,
+  /** An interior point, each end on its own. */
+  interior_point
+};
+
 /** The forces whose ranges are found; see find_ranges(). */
 struct RangesWanted
 {
@@ -19,6 +30,8 @@ struct RangesWanted
   std::vector<bool> interfaces;
   /** True if the reactions are. */
   bool reactions = false;
+  /** How. */
+  RangeMethod method = RangeMethod::automatic;
 };
 
 /** How many states are drawn; see draw_samples(). */
@@ -57,6 +70,7 @@ public:
 private:
   std::string where = "0";
   bool reactions = false;
+  RangeMethod method = RangeMethod::automatic;
   SamplesWanted of_samples;
 };
 } // namespace Voussoir

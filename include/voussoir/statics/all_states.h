@@ -6,6 +6,7 @@
 #include <voussoir/statics/state_program.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -63,6 +64,15 @@ public:
    */
   GreatestValue found(StateProgram &program,
                       const ForceFunction &function) const;
+  /**
+   * The greatest value of @p function, by greatest_force().
+   *
+   * @param function of the forces of one interface.
+   * @return nothing if the interior point does not come so close that there are
+   *   proofs, as where states have next to no interior.
+   */
+  std::optional<GreatestValue> greatest(const ForceFunction &function,
+                                        Terminal &terminal) const;
   /** True if the proofs of @p value are good. */
   bool is_proven(const GreatestValue &value) const;
 
@@ -71,6 +81,10 @@ public:
 
 private:
   std::vector<double> coefficients(const ForceFunction &function) const;
+  bool is_proven(const GreatestValue &value, double largest_width) const;
+  GreatestValue judged(StateProgram::Optimum optimum,
+                       const std::vector<double> &c,
+                       const ForceFunction &function) const;
   bool is_ray(const std::vector<double> &x) const;
 
   const Scene &scene;
