@@ -120,6 +120,12 @@ std::vector<std::string> doubts_about(const Results &results)
   return doubts;
 }
 
+namespace
+{
+/** A ratio of work to dissipation that makes units doubtful. */
+constexpr double ratio_of_units = 10.;
+} // namespace
+
 std::string message_of(const Collapse &collapse, const std::string &files)
 {
   std::ostringstream message;
@@ -143,6 +149,12 @@ std::string message_of(const Collapse &collapse, const std::string &files)
         << "; these would have to be at least that many times as large, and "
            "perhaps more";
   message << '.';
+  // Where blocks turn hardly anything slides, so that ratios are large.
+  if (std::isfinite(collapse.proof.work_over_dissipation) &&
+      collapse.proof.work_over_dissipation > ratio_of_units &&
+      !collapse.scene.turns())
+    message << " So large a ratio may come of units: see that lengths, loads "
+               "and strengths have the same.";
   if (!collapse.parts.empty())
     message << " Most is done by " << collapse.parts.front().name << ", "
             << std::lround(100. * share_of_first(collapse.parts))

@@ -92,6 +92,9 @@ int main()
     run("0.9", formulation);
     check_proof();
   }
+  // A mistake of units is likely.
+  run("0.05", "least energy");
+  check_proof();
   run("10", "analytic centre");
   const Table interfaces = read_table("output/interfaces.csv");
   bool right = true;

@@ -264,9 +264,33 @@ void test_ogr()
                 "Cell 1 (feature 2 of 'squares.geojson') has no geometry");
 }
 
+/** A drawing in mm with its scale is that in m; the units of messages are m. */
+void test_scale()
+{
+  write_file("m.wkt",
+             "POLYGON ((0 0, 0.215 0, 0.215 0.065, 0 0.065, 0 0))\n"
+             "POLYGON ((0.215 0, 0.43 0, 0.43 0.065, 0.215 0.065, 0.215 0))\n");
+  write_file("mm.wkt", "POLYGON ((0 0, 215 0, 215 65, 0 65, 0 0))\n"
+                       "POLYGON ((215 0, 430 0, 430 65, 215 65, 215 0))\n");
+  write_file("m.txt", "0.1 0.03\n0.3 0.03\n");
+  write_file("mm.txt", "100 30\n300 30\n");
+  const CellLoops in_m = imported_cells("m.wkt", {{"Centres file", "m.txt"}}),
+                  in_mm = imported_cells("mm.wkt", {{"Centres file", "mm.txt"},
+                                                    {"Scale", "0.001"}});
+  double error = in_m.vertices.size() == in_mm.vertices.size() ? 0. : 1.;
+  for (unsigned int v = 0; v < in_m.vertices.size() && error < 1.; ++v)
+    error = std::max(error, in_m.vertices[v].distance(in_mm.vertices[v]));
+  for (unsigned int c = 0; c < 2; ++c)
+    error = std::max(error, in_m.centres[c].distance(in_mm.centres[c]));
+  check_error("a drawing in mm", error, 1e-15);
+  for (const std::string scale : {"0", "-1"})
+    show_refusal([&] { imported_cells("mm.wkt", {{"Scale", scale}}); });
+}
+
 int main()
 {
   test_wkt();
   test_off();
   test_ogr();
+  test_scale();
 }

@@ -13,12 +13,19 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Voussoir
 {
 namespace
 {
 constexpr double radians_per_degree = dealii::numbers::PI / 180.;
+
+void multiply(std::vector<dealii::Point<2>> &points, const double scale)
+{
+  for (dealii::Point<2> &x : points)
+    x *= scale;
+}
 } // namespace
 
 void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
@@ -31,6 +38,12 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       "DXF, GeoJSON, GeoPackage and Shapefile. A relative path starts at the "
       "directory of the .prm file.",
       Anything());
+  prm.add_parameter(
+      "Scale", scale,
+      "What all coordinates of the file and of the centres file are multiplied "
+      "by as they are read: 0.001 for a drawing in mm and loads with m. All "
+      "other lengths, and those in messages, are the scaled ones.",
+      Double());
   prm.add_parameter(
       "Matching tolerance", tolerance,
       "Vertices and sides no further apart than this length touch, and move "
@@ -67,7 +80,13 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
   if (file.empty())
     throw InputError("'Packing/Generator' is 'polygons', but 'Packing/polygons/"
                      "File' names no file.");
+  if (!(scale > 0. && std::isfinite(scale)))
+    throw InputError(text("'Packing/polygons/Scale' = '", scale,
+                          "' must be a positive number: that which makes "
+                          "lengths of the drawing those of the scene."));
   PolygonList polygons = read_polygons((directory / file).lexically_normal());
+  for (PolygonList::Polygon &polygon : polygons.polygons)
+    multiply(polygon.ring, scale);
   check_and_orient(polygons);
   const double used_tolerance =
       tolerance > 0. ? tolerance : automatic_tolerance(polygons);
@@ -88,6 +107,7 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
     return cells;
   cells.centres =
       read_points_file((directory / centres_file).lexically_normal()).points;
+  multiply(cells.centres, scale);
   if (cells.centres.size() != cells.n_cells())
     throw InputError(
         text("The centres file '",

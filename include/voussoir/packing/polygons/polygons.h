@@ -26,6 +26,7 @@ public:
 private:
   std::string file;
   std::string centres_file;
+  double scale = 1.;
   double tolerance = 0.;
   double joint_width = 0.;
   double joint_angle = 15.;
