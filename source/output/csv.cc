@@ -152,8 +152,8 @@ void write_mechanism_joints_csv(std::ostream &out,
                                 const Scene &scene,
                                 const Motion &motion)
 {
-  out << "cell_minus,cell_plus,nx,ny,length,strength,opening,sliding,"
-         "dissipation"
+  out << "cell_minus,cell_plus,x0,y0,x1,y1,nx,ny,length,strength,opening,"
+         "sliding,dissipation"
       << (scene.turns() ? ",opening_0,opening_1" : "")
       << columns_of_limits(scene) << '\n';
   const auto &interfaces = scene.packing.interfaces();
@@ -162,9 +162,9 @@ void write_mechanism_joints_csv(std::ostream &out,
     const Packing::Interface &i = interfaces[e];
     const std::array<double, 2> &openings = jumps.openings[e];
     line.row(
-        i.cell_minus, number_of_plus(scene.packing, i), i.normal[0],
-        i.normal[1], i.length, scene.strength[e],
-        0.5 * (openings[0] + openings[1]), jumps.sliding[e],
+        i.cell_minus, number_of_plus(scene.packing, i), i.start[0], i.start[1],
+        i.end[0], i.end[1], i.normal[0], i.normal[1], i.length,
+        scene.strength[e], 0.5 * (openings[0] + openings[1]), jumps.sliding[e],
         scene.limits(e).resistance(openings, jumps.sliding[e]).dissipation);
     if (scene.turns())
       line << ',' << openings[0] << ',' << openings[1];

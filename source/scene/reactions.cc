@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/scene/reactions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Voussoir
@@ -14,7 +15,13 @@ std::vector<StraightRun> straight_supports(const Packing &packing)
   for (auto i = interfaces.end() - packing.n_supports(); i != interfaces.end();
        ++i)
     supports.push_back({i->cell_minus, i->start, i->end, i->normal, i->length});
-  return straight_runs(supports);
+  std::vector<StraightRun> runs = straight_runs(supports);
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const StraightRun &one, const StraightRun &other) {
+                     return one.start[0] + one.end[0] <
+                            other.start[0] + other.end[0];
+                   });
+  return runs;
 }
 
 std::vector<Reaction> reactions(const Scene &scene,

@@ -9,7 +9,10 @@
 
 namespace Voussoir
 {
-/** The supports along straight lines; the numbers are among the supports. */
+/**
+ * The supports along straight lines, from left to right; the numbers are among
+ * the supports.
+ */
 std::vector<StraightRun> straight_supports(const Packing &packing);
 
 /** The force of the ground on the packing along one straight support. */
