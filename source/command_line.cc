@@ -4,6 +4,7 @@
 #include <voussoir/base/reference.h>
 #include <voussoir/command_line.h>
 #include <voussoir/simulation.h>
+#include <voussoir/sweep.h>
 #include <voussoir/version.h>
 
 #include <boost/program_options.hpp>
@@ -32,6 +33,10 @@ struct Arguments
 {
   std::string file;
   std::vector<std::string> assignments;
+  std::vector<std::string> sweeps;
+  std::string find;
+  std::vector<std::string> results;
+  bool has_directories = false;
   bool print_parameters = false;
   bool print_reference = false;
   bool quiet = false;
@@ -46,6 +51,18 @@ po::options_description visible_options(Arguments &arguments)
   options.add_options()(
       "set", po::value(&arguments.assignments)->value_name("ENTRY"),
       "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
+      "sweep", po::value(&arguments.sweeps)->value_name("RANGE"),
+      "run with many values, as in --sweep \"Friction/Strength=0.1:1:20\" "
+      "(20 values), 0.1:1:20:log or \"a | b\", and write sweep.csv; repeatable "
+      "for all combinations")(
+      "find", po::value(&arguments.find)->value_name("RANGE"),
+      "look for the value at which the answer changes, as in --find "
+      "\"Friction/Strength=0:1:1e-6\", to this share of it")(
+      "result", po::value(&arguments.results)->value_name("NAME"),
+      "a number of summary.json for sweep.csv, such as ground/reaction/1; "
+      "repeatable")("directories", po::bool_switch(&arguments.has_directories),
+                    "with --sweep or --find: write the results of each run, "
+                    "into run_1, run_2, ... of the output directory")(
       "print-parameters", po::bool_switch(&arguments.print_parameters),
       "print every parameter with its value and documentation, as .prm")(
       "print-reference", po::bool_switch(&arguments.print_reference),
@@ -123,6 +140,39 @@ void print(std::ostream &out, const std::string &text)
                      "its reader gone?");
 }
 
+/** Run a scene many times, if that is asked for. */
+bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
+{
+  const bool finds = !arguments.find.empty();
+  if (arguments.sweeps.empty() && !finds)
+  {
+    if (!arguments.results.empty() || arguments.has_directories)
+      throw InputError("--result and --directories belong to --sweep or "
+                       "--find. See 'voussoir --help'.");
+    return false;
+  }
+  if (finds && !arguments.sweeps.empty())
+    throw InputError("--sweep and --find are given; give one of them.");
+  if (team.size() > 1)
+    throw InputError("--sweep and --find use the cores of one process; give "
+                     "them without mpirun.");
+  if (arguments.file.empty())
+    throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
+                     "see 'voussoir --help'.");
+  const ManyRuns runs = {arguments.file, arguments.assignments,
+                         arguments.results, arguments.has_directories};
+  if (finds)
+  {
+    search(runs, read_search_range(arguments.find), terminal);
+    return true;
+  }
+  std::vector<SweepAxis> axes;
+  for (const std::string &text : arguments.sweeps)
+    axes.push_back(read_sweep_axis(text));
+  sweep(runs, axes, terminal);
+  return true;
+}
+
 void run(const Arguments &arguments, const Streams &streams, const Team &team)
 {
   if (arguments.help)
@@ -135,9 +185,13 @@ void run(const Arguments &arguments, const Streams &streams, const Team &team)
                           : Terminal(streams.out, 1, streams.screens.out);
   if (arguments.quiet)
     terminal.be_quiet();
+  if (run_many(arguments, team, terminal))
+    return;
   Simulation simulation(terminal, team);
   dealii::ParameterHandler prm;
-  simulation.add_parameters(prm);
+  // Load cases have the names that the user gives them.
+  simulation.add_parameters(
+      prm, subsections_in("Load cases", arguments.file, arguments.assignments));
   if (!arguments.file.empty())
     read_parameters(prm, arguments.file);
   for (const std::string &assignment : arguments.assignments)

@@ -5,7 +5,8 @@
 
 namespace Voussoir
 {
-void SceneParameters::add_parameters(dealii::ParameterHandler &prm)
+void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
+                                     const std::set<std::string> &cases)
 {
   prm.add_parameter(
       "Rotations", blocks_turn,
@@ -17,24 +18,38 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm)
   supports.add_parameters(prm);
   loads.add_parameters(prm);
   live_loads.add_parameters(prm);
+  load_cases.add_parameters(prm, cases);
   friction.add_parameters(prm);
   contact.add_parameters(prm);
 }
 
-Given SceneParameters::read(const std::filesystem::path &directory,
-                            const bool with_live_loads,
-                            Terminal &terminal) const
+Packing SceneParameters::read_packing(const std::filesystem::path &directory,
+                                      Terminal &terminal) const
 {
   Packing blocks = packing.make_packing(directory, terminal);
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);
+  return blocks;
+}
+
+Given SceneParameters::given(Packing blocks,
+                             const bool with_live_loads,
+                             Terminal &terminal) const
+{
   Given given = {std::move(blocks), {}, {}, {}};
   given.strengths = friction.strengths(given.packing);
   contact.add_strengths(given.packing, given.strengths);
+  if (load_cases.forgotten())
+    terminal.warning("There are 'Load cases', and none of them acts; set "
+                     "'Loads/Combination', as in 1.35 dead + 1.5 lorry.");
   given.loads = loads.loads(given.packing);
+  load_cases.add_combination("Loads", given.packing, given.loads);
   if (with_live_loads)
+  {
     given.live_loads = live_loads.loads(given.packing);
+    load_cases.add_combination("Live loads", given.packing, given.live_loads);
+  }
   for (const auto &warnings : {given.strengths.warnings, given.loads.warnings,
                                given.live_loads.warnings})
     for (const std::string &warning : warnings)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/unused_settings.h>
 
@@ -17,11 +18,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
-
-bool is_entry(const Json &node)
-{
-  return node.contains("pattern_description");
-}
 
 bool is_changed(const Json &entry)
 {
@@ -120,19 +116,36 @@ void Search::look_beside(const std::string &path,
     }
   add(true, path, entries);
 }
+
+/** Add the changed entries of a section and of those in it. */
+void add_changed(const Json &section,
+                 const std::string &path,
+                 NamesAndValues &changed)
+{
+  if (!section.is_object())
+    return;
+  for (const auto &[name, node] : section.items())
+    if (!is_entry(node))
+      add_changed(node, path + name + '/', changed);
+    else if (is_changed(node))
+      changed.emplace_back(path + name, node.at("value"));
+}
 } // namespace
 
 std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm)
 {
-  std::stringstream text;
-  prm.print_parameters(text,
-                       dealii::ParameterHandler::JSON |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
-  Search search{Json::parse(text), {}, {}};
+  Search search{tree_of(prm), {}, {}};
   search.look_into("");
   Names sentences;
   for (const auto &[place, sentence] : search.sentences)
     sentences.push_back(sentence);
   return sentences;
+}
+
+NamesAndValues changed_settings(const dealii::ParameterHandler &prm)
+{
+  NamesAndValues changed;
+  add_changed(tree_of(prm), "", changed);
+  return changed;
 }
 } // namespace Voussoir

@@ -10,7 +10,9 @@ press the macro's button. What is new in the pipeline:
     Chains      of forces: from centroid to centroid, as wide as the normal force
     Thrust      with Rotations = true, in place of the chains: the line of thrust
 
-or, after a collapse, the mechanism, warped, and the blocks at rest. All are
+or, after a collapse, the mechanism, warped, over the blocks at rest. Crosses and
+chains are blue where they press and red where they pull; chains and line of
+thrust are hidden at first, and shown by the eye beside their names. All are
 ordinary sources and filters, whose properties can be changed as always.
 
 ParaView keeps a copy of a macro, so that this file needs no other. The functions
@@ -82,15 +84,17 @@ def chains(blocks, interfaces, limit=None):
     """Lines from the centroids of two blocks to the middle of their interface:
     begin, end, width, value.
 
-    Where the normal force is limit, they are 0.3 of the mean block wide."""
+    Where the normal force is limit, they are 0.3 of the mean block wide. Normal
+    forces that are rounding beside the tangential ones are none."""
     if not interfaces.size:
         return np.empty((0, 2)), np.empty((0, 2)), np.empty(0), np.empty(0)
     area, centre = blocks.areas_and_centroids()
     force = interfaces.of_cells["normal_force"]
     minus, plus = (interfaces.of_cells[name] for name in ("cell_minus", "cell_plus"))
     middle = interfaces.points[interfaces.corners.reshape(-1, 2)].mean(axis=1)
+    largest = np.abs(interfaces.of_cells["tangential_force"]).max()
+    pressed = np.abs(force) > 1e-9 * np.maximum(np.abs(force).max(), largest)
     limit = limit or np.abs(force).max() or 1.0
-    pressed = np.abs(force) > 1e-9 * limit
     half = pressed & (plus >= 0)
     begin = np.concatenate((centre[minus[pressed]], centre[plus[half]]))
     end = np.concatenate((middle[pressed], middle[half]))
@@ -207,8 +211,9 @@ def result_directory(source):
     raise RuntimeError("Open a file of a result directory and select it first.")
 
 
-def colour(shown, array, view, component=None):
-    from paraview.simple import ColorBy, GetColorTransferFunction
+def colour(shown, array, view, component=None, title="", bar=True):
+    """Colours from compression to tension, under a title that is for people."""
+    from paraview.simple import (ColorBy, GetColorTransferFunction, GetScalarBar)
     ColorBy(shown, ("CELLS", array))
     colours = GetColorTransferFunction(array)
     if component is not None:
@@ -218,7 +223,10 @@ def colour(shown, array, view, component=None):
     colours.ColorSpace = "RGB"
     colours.AutomaticRescaleRangeMode = "Never"
     colours.RGBPoints = [x for at, *rgb in DIVERGING for x in (at * limit, *rgb)]
-    shown.SetScalarBarVisibility(view, True)
+    shown.SetScalarBarVisibility(view, bar)
+    if bar:
+        legend = GetScalarBar(colours, view)
+        legend.Title, legend.ComponentTitle = title or array, ""
     flat(shown)
 
 
@@ -227,9 +235,11 @@ def flat(shown):
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
 
 
-def outline(source, view):
+def outline(source, view, behind=0):
+    """The sides of blocks, so far behind what else is shown."""
     from paraview.simple import Show
     shown = Show(source, view)
+    shown.Position = [0, 0, -behind]
     shown.SetRepresentationType("Wireframe")
     shown.ColorArrayName = [None, ""]
     shown.AmbientColor = shown.DiffuseColor = [0.15, 0.15, 0.15]
@@ -258,18 +268,20 @@ def show_mechanism(mechanism, view):
     shown.SetRepresentationType("Surface With Edges")
     shown.SetScalarBarVisibility(view, True)
     flat(shown)
-    outline(mechanism, view)
+    bounds = mechanism.GetDataInformation().GetBounds()
+    outline(mechanism, view, behind=1e-3 * max(bounds[1] - bounds[0],
+                                               bounds[3] - bounds[2]))
 
 
 def show_stress(directory, view):
-    from paraview.simple import ProgrammableFilter, RenameSource, Show
+    from paraview.simple import Hide, ProgrammableFilter, RenameSource, Show
     blocks = read(directory, "blocks.vtu", "Outlines")
     interfaces = read(directory, "interfaces.vtu", "Interfaces")
     stress = (read(directory, "stress.vtu", "Stress") or
               read(directory, "stress.pvtu", "Stress") or blocks)
     if not blocks or not interfaces:
         raise RuntimeError(f"'{directory}' has no results with blocks.vtu.")
-    colour(Show(stress, view), "stress", view, component=0)
+    colour(Show(stress, view), "stress", view, component=0, title="sigma_xx")
     outline(blocks, view)
     turns = interfaces.CellData.GetArray("eccentricity") is not None
     lines = ("Thrust", THRUST) if turns else ("Chains", CHAINS)
@@ -281,10 +293,15 @@ def show_stress(directory, view):
         marks.UpdatePipeline()
         shown = Show(marks, view)
         shown.Position = [0, 0, 0]
-        shown.ColorArrayName = [None, ""]
-        shown.AmbientColor = shown.DiffuseColor = [0.1, 0.1, 0.1]
-        shown.Opacity = 0.6
-        flat(shown)
+        if name == "Thrust":
+            shown.ColorArrayName = [None, ""]
+            shown.AmbientColor = shown.DiffuseColor = [0.1, 0.1, 0.1]
+            flat(shown)
+        elif marks.GetDataInformation().GetNumberOfCells() > 0:
+            colour(shown, "value", view, title=name, bar=False)
+        # One thing at a time: the eye in the pipeline browser shows it.
+        if name != "Crosses":
+            Hide(marks, view)
 
 
 def main():

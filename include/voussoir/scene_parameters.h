@@ -5,6 +5,7 @@
 #include <voussoir/packing/packing_parameters.h>
 #include <voussoir/scene/contact.h>
 #include <voussoir/scene/friction.h>
+#include <voussoir/scene/load_cases.h>
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/scene/supports.h>
@@ -14,6 +15,7 @@
 
 #include <filesystem>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -35,8 +37,9 @@ struct Given
 class SceneParameters
 {
 public:
-  /** Declare them and bind them. */
-  void add_parameters(dealii::ParameterHandler &prm);
+  /** Declare them, with load cases of these names, and bind them. */
+  void add_parameters(dealii::ParameterHandler &prm,
+                      const std::set<std::string> &load_cases);
 
   /** Files that the packing is read from; paths start at @p directory. */
   auto input_files(const std::filesystem::path &directory) const
@@ -44,16 +47,25 @@ public:
     return packing.input_files(directory);
   }
   /**
-   * Make all of it.
+   * Make the packing, with its supports.
    *
    * @param directory where relative paths begin.
+   * @param terminal sees what is noticed.
+   * @throws InputError.
+   */
+  Packing read_packing(const std::filesystem::path &directory,
+                       Terminal &terminal) const;
+  /**
+   * Add the strengths and the loads to a packing with its supports.
+   *
+   * @param blocks the packing.
    * @param with_live_loads false to leave these out.
    * @param terminal sees what is noticed.
    * @throws InputError.
    */
-  Given read(const std::filesystem::path &directory,
-             bool with_live_loads,
-             Terminal &terminal) const;
+  Given given(Packing blocks, bool with_live_loads, Terminal &terminal) const;
+  /** See PackingParameters::give(). */
+  void give(PolygonList polygons) { packing.give(std::move(polygons)); }
   /** How the supports of @p packing move; see SupportParameters::motion(). */
   auto motion_of_supports(const Packing &packing) const
   {
@@ -72,6 +84,7 @@ private:
   SupportParameters supports;
   LoadParameters loads;
   LoadParameters live_loads = LoadParameters("Live loads");
+  LoadCases load_cases;
   FrictionParameters friction;
   ContactParameters contact;
 };

@@ -5,6 +5,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -15,6 +16,12 @@ namespace Voussoir
  * accuracy: one sentence for each section.
  */
 std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm);
+
+/** Names, as in "Friction/Strength", and their values. */
+using NamesAndValues = std::vector<std::pair<std::string, std::string>>;
+
+/** The entries that have another value than their default. */
+NamesAndValues changed_settings(const dealii::ParameterHandler &prm);
 } // namespace Voussoir
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
+#include <mutex>
 
 #include <algorithm>
 #include <exception>
@@ -257,6 +258,9 @@ IpoptResult solve_with_ipopt(ConvexProgram &program,
                              const IpoptStop &stops,
                              Terminal &terminal)
 {
+  // MUMPS keeps its state in variables of the whole program.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   const Ipopt::SmartPtr<Adapter> adapter =
       new Adapter(program, std::move(start), controls, stops, terminal);
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt =

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/nearest_name.h>
+#include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/reference.h>
 
@@ -45,11 +47,53 @@ std::optional<std::string> between(const std::string &text,
   return found;
 }
 
+/** Add the paths of the sections, or of the entries, in @p section. */
+void add_paths(const nlohmann::ordered_json &section,
+               const std::string &path,
+               const bool of_sections,
+               std::vector<std::string> &paths)
+{
+  if (!section.is_object())
+    return;
+  for (const auto &[name, node] : section.items())
+  {
+    if (is_entry(node) != of_sections)
+      paths.push_back(path + name);
+    if (!is_entry(node))
+      add_paths(node, path + name + '/', of_sections, paths);
+  }
+}
+
+/**
+ * "; did you mean 'Friction/Strength'?", or ".": one beside it if @p place,
+ * "--set Friction/Strenght=1", names its section.
+ */
+std::string did_you_mean(const dealii::ParameterHandler &prm,
+                         const std::string &name,
+                         const std::string &place,
+                         const bool of_sections)
+{
+  std::vector<std::string> paths, beside;
+  add_paths(tree_of(prm), "", of_sections, paths);
+  for (const std::string &path : paths)
+    if (place.find(' ' + path.substr(0, path.rfind('/') + 1) + name) !=
+        std::string::npos)
+      beside.push_back(path);
+  if (!nearest_names(name, beside).empty())
+    paths = beside;
+  std::string names;
+  for (const std::string &path : nearest_names(name, paths))
+    names += (names.empty() ? "'" : " or '") + path + '\'';
+  return names.empty() ? "." : "; did you mean " + names + '?';
+}
+
 /**
  * The message of deal.II's parser about a bad entry, in words that a user
  * knows, if it is one of the usual faults.
  */
-std::string in_plain_words(const std::string &message)
+std::string in_plain_words(const dealii::ParameterHandler &prm,
+                           const std::string &message,
+                           const std::string &where)
 {
   const std::string named = " for the entry named ";
   const std::string pattern = " does not match the given pattern: ";
@@ -62,10 +106,12 @@ std::string in_plain_words(const std::string &message)
   }
   if (const auto name = between(message, "No entry with name <",
                                 "> was declared in the current subsection"))
-    return "there is no parameter '" + *name + "' in this section.";
+    return "there is no parameter '" + *name + "' in this section" +
+           did_you_mean(prm, *name, where, false);
   if (const auto name =
           between(message, "There is no such subsection to be entered: ", "."))
-    return "there is no section '" + *name + "' here.";
+    return "there is no section '" + *name + "' here" +
+           did_you_mean(prm, *name, where, true);
   if (const auto line = between(message, "The line <", "> could not be parsed"))
     return "'" + *line +
            "' is neither 'set NAME = VALUE' nor 'subsection NAME' nor 'end'.";
@@ -80,7 +126,8 @@ std::string in_plain_words(const std::string &message)
  * with "Line <7> of file <name>:", which is of use for a file with several
  * lines only.
  */
-std::string explain(const dealii::ExceptionBase &exception,
+std::string explain(const dealii::ParameterHandler &prm,
+                    const dealii::ExceptionBase &exception,
                     const std::string &name,
                     const bool is_file)
 {
@@ -105,7 +152,7 @@ std::string explain(const dealii::ExceptionBase &exception,
   }
   if (message.empty() || message.back() != '.')
     message += '.';
-  return place + ": " + in_plain_words(message);
+  return place + ": " + in_plain_words(prm, message, place);
 }
 
 void parse(dealii::ParameterHandler &prm,
@@ -119,7 +166,7 @@ void parse(dealii::ParameterHandler &prm,
   }
   catch (const dealii::ExceptionBase &exception)
   {
-    throw InputError(explain(exception, name, is_file) + " " +
+    throw InputError(explain(prm, exception, name, is_file) + " " +
                      how_to_list_parameters);
   }
 }
@@ -178,6 +225,38 @@ const std::string how_to_list_parameters =
     "Run 'voussoir --print-parameters' to see every parameter and what it "
     "accepts.";
 
+std::set<std::string>
+subsections_in(const std::string &section,
+               const std::filesystem::path &file,
+               const std::vector<std::string> &assignments)
+{
+  using dealii::Utilities::trim;
+  std::set<std::string> names;
+  std::ifstream in(file);
+  std::vector<std::string> path;
+  for (std::string line; std::getline(in, line);)
+  {
+    line = trim(line.substr(0, line.find('#')));
+    std::string word = line.substr(0, line.find_first_of(" \t"));
+    if (word == "subsection" || word == "SUBSECTION")
+    {
+      path.push_back(trim(line.substr(word.size())));
+      if (path.size() == 2 && path[0] == section)
+        names.insert(path[1]);
+    }
+    else if ((line == "end" || line == "END") && !path.empty())
+      path.pop_back();
+  }
+  for (const std::string &assignment : assignments)
+  {
+    const auto words = dealii::Utilities::split_string_list(
+        assignment.substr(0, assignment.find('=')), '/');
+    if (words.size() > 2 && words[0] == section)
+      names.insert(words[1]);
+  }
+  return names;
+}
+
 void read_parameters(dealii::ParameterHandler &prm,
                      const std::filesystem::path &file)
 {
@@ -202,6 +281,14 @@ void read_parameters(dealii::ParameterHandler &prm,
   in.clear();
   in.seekg(0);
   parse(prm, in, file.string(), true);
+}
+
+void read_parameters_text(dealii::ParameterHandler &prm,
+                          const std::string &text,
+                          const std::string &name)
+{
+  std::istringstream in(text);
+  parse(prm, in, name, true);
 }
 
 void assign_parameter(dealii::ParameterHandler &prm,

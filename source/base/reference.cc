@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/reference.h>
 #include <voussoir/base/text.h>
 
@@ -7,11 +8,9 @@
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
 
 #include <ostream>
 #include <regex>
-#include <sstream>
 
 namespace Voussoir
 {
@@ -59,11 +58,6 @@ void write_paragraph(std::ostream &out,
   const auto lines = dealii::Utilities::break_text_into_lines(
       words, line_width - indent.size());
   out << boost::algorithm::join(lines, "\n" + indent) << '\n';
-}
-
-bool is_entry(const Json &node)
-{
-  return node.contains("pattern_description");
 }
 
 /** The entries of a section, and then the sections in it. */
@@ -127,10 +121,6 @@ std::string text_of_pattern(const std::string &text)
 
 void write_reference(std::ostream &out, const dealii::ParameterHandler &prm)
 {
-  std::stringstream json;
-  prm.print_parameters(json,
-                       dealii::ParameterHandler::JSON |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
   out << "# Parameters\n\n";
   write_paragraph(
       out,
@@ -140,6 +130,6 @@ void write_reference(std::ostream &out, const dealii::ParameterHandler &prm)
       "file leaves out keeps its default. On the command line an entry is "
       "assigned by its path, as in `--set \"Solver/Tolerance=1e-8\"`.",
       "");
-  write_section(out, Json::parse(json), "");
+  write_section(out, tree_of(prm), "");
 }
 } // namespace Voussoir

@@ -81,9 +81,9 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       << (results.ranges && !results.ranges->eccentricity.empty()
               ? ",e_min,e_max"
               : "")
-      << (results.samples
-              ? ",p_mean,p_deviation,q_mean,q_deviation,correlation\n"
-              : "\n");
+      << (results.samples ? ",p_mean,p_deviation,q_mean,q_deviation,correlation"
+                          : "")
+      << ",branch_x,branch_y\n";
   const auto &interfaces = scene.packing.interfaces();
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
@@ -106,6 +106,30 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       add_ranges(line, *results.ranges, e);
     if (results.samples)
       add_samples(line, *results.samples, e);
+    const dealii::Tensor<1, 2> branch =
+        (i.cell_plus == scene.packing.ground()
+             ? i.midpoint()
+             : scene.packing.centre(i.cell_plus)) -
+        scene.packing.centre(i.cell_minus);
+    line << ',' << branch[0] << ',' << branch[1] << '\n';
+  });
+}
+
+void write_boundary_csv(std::ostream &out, const Results &results)
+{
+  out << "cell,x0,y0,x1,y1,nx,ny,length,force_x,force_y,moment_x,moment_y,"
+         "branch_x,branch_y\n";
+  const Scene &scene = results.scene;
+  const auto &edges = scene.packing.boundary_edges();
+  write_lines(out, edges.size(), [&](TextLines &line, unsigned int b) {
+    const Packing::BoundaryEdge &edge = edges[b];
+    const dealii::Tensor<1, 2> force = edge.length * scene.traction[b];
+    const dealii::Tensor<1, 2> &moment = scene.traction_moment[b];
+    const dealii::Tensor<1, 2> branch =
+        edge.midpoint() - scene.packing.centre(edge.cell);
+    line.row(edge.cell, edge.start[0], edge.start[1], edge.end[0], edge.end[1],
+             edge.normal[0], edge.normal[1], edge.length, force[0], force[1],
+             moment[0], moment[1], branch[0], branch[1]);
     line << '\n';
   });
 }

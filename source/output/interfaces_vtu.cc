@@ -2,6 +2,7 @@
 #include <voussoir/output/interfaces_vtu.h>
 #include <voussoir/output/vtu_file.h>
 #include <voussoir/output/vtu_values.h>
+#include <voussoir/scene/jumps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,31 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
     add_samples(*results.samples, add);
   add_mark("never_pressed", results.never_pressed);
   add_mark("always_sliding", results.always_sliding);
+  file.write(out);
+}
+
+void write_mechanism_joints_vtu(std::ostream &out,
+                                const Scene &scene,
+                                const Motion &motion)
+{
+  VtuFile file = lines_of(scene.packing.interfaces());
+  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
+  const auto add = [&](const std::string &name, const auto &value) {
+    VtuValues::add_cell_field(file, name, value);
+  };
+  add("opening", [&](std::size_t e) {
+    return scalar(0.5 * (jumps.openings[e][0] + jumps.openings[e][1]));
+  });
+  add("sliding", [&](std::size_t e) { return scalar(jumps.sliding[e]); });
+  add("dissipation", [&](std::size_t e) {
+    return scalar(scene.limits(e)
+                      .resistance(jumps.openings[e], jumps.sliding[e])
+                      .dissipation);
+  });
+  if (scene.turns())
+    for (const unsigned int end : {0, 1})
+      add("opening_" + std::to_string(end),
+          [&, end](std::size_t e) { return scalar(jumps.openings[e][end]); });
   file.write(out);
 }
 } // namespace Voussoir

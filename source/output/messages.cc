@@ -84,12 +84,16 @@ std::vector<std::string> cells_not_convex(const Packing &packing)
   if (packing.not_convex().empty())
     return {};
   const unsigned int c = packing.not_convex().front();
+  const std::size_t n_hiding = packing.not_seen_whole().size();
   return {text("Not convex: ", counted(packing.not_convex().size(), "cell"),
                ", the first of which is ", packing.describe(c), " at ",
                text_of_point(packing.centre(c)),
-               ". Each can be seen whole from its centre, so the forces on its "
-               "sides are those of the model; whether it would interlock with "
-               "its neighbours is not looked at.")};
+               ". The forces on their sides are those of the model; whether "
+               "they would interlock with their neighbours is not looked at.",
+               n_hiding > 0 ? text(" Of these ", n_hiding,
+                                   " cannot be seen whole from the centre, and "
+                                   "the stress is found in convex pieces.")
+                            : "")};
 }
 
 std::vector<std::string> doubts_about(const Results &results)

@@ -140,9 +140,8 @@ fs::path ResultDirectory::place_for(const std::string &name)
   return staging / name;
 }
 
-void ResultDirectory::publish()
+void ResultDirectory::put_in_place()
 {
-  Uninterrupted whole;
   std::error_code error;
   for (const std::string &name : written)
     if (fs::is_directory(directory / name, error))
@@ -153,6 +152,22 @@ void ResultDirectory::publish()
     if (error)
       refuse(error.message());
   }
+}
+
+void ResultDirectory::finish(Uninterrupted &whole)
+{
+  written.clear();
+  created.clear();
+  discard();
+  whole.on_interruption({});
+  whole.state("the results in '" + directory.string() + "' are complete.");
+}
+
+void ResultDirectory::publish()
+{
+  Uninterrupted whole;
+  put_in_place();
+  std::error_code error;
   std::vector<fs::path> outdated;
   for (const auto &entry : fs::directory_iterator(directory, error))
   {
@@ -162,11 +177,14 @@ void ResultDirectory::publish()
   }
   for (const fs::path &path : outdated)
     fs::remove(path, error);
-  written.clear();
-  created.clear();
-  discard();
-  whole.on_interruption({});
-  whole.state("the results in '" + directory.string() + "' are complete.");
+  finish(whole);
+}
+
+void ResultDirectory::publish_beside()
+{
+  Uninterrupted whole;
+  put_in_place();
+  finish(whole);
 }
 
 void ResultDirectory::refuse(const std::string &reason) const

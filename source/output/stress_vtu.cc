@@ -143,7 +143,8 @@ private:
   /** The number of a cell in the whole packing. */
   unsigned int number_of(unsigned int cell) const
   {
-    return shown.first_cell + cell;
+    return shown.numbers != nullptr ? (*shown.numbers)[cell]
+                                    : shown.first_cell + cell;
   }
 
   const StressedCells shown;

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/output/descriptions.h>
+#include <voussoir/output/ground_summary.h>
 #include <voussoir/output/messages.h>
 #include <voussoir/output/summary.h>
+#include <voussoir/output/versions.h>
 #include <voussoir/packing/connected_groups.h>
-#include <voussoir/scene/jumps.h>
-#include <voussoir/version.h>
 
-#include <deal.II/base/config.h>
-
-#include <CGAL/version.h>
-#include <IpoptConfig.h>
-#include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cholmod.h>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -54,14 +49,18 @@ Json summary_of(const RunRecord &run, const Status &status)
         run.scene.dilates ? "associated Coulomb" : "Coulomb";
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
+  const dealii::BoundingBox<2> box = packing.box();
   summary["packing"] = {
       {"cells", packing.n_cells()},
       {"interfaces", packing.interfaces().size()},
       {"supports", packing.n_supports()},
       {"boundary_edges", packing.boundary_edges().size()},
+      {"extent", {box.side_length(0), box.side_length(1)}},
+      {"area", packing.area()},
       {"static_indeterminacy",
        static_indeterminacy(packing, run.scene.kinematics->n_unknowns())},
       {"groups", groups}};
+  summary["loads"] = loads_summary(run.scene);
   summary["solver"] = {{"outcome", run.outcome},
                        {"iterations", run.n_iterations},
                        {"evaluations", run.n_evaluations}};
@@ -73,23 +72,6 @@ Json summary_of(const RunRecord &run, const Status &status)
   if (!run.earlier_outcome.empty())
     summary["solver"]["earlier_outcome"] = run.earlier_outcome;
   return summary;
-}
-
-/** The loads, and what the ground does about them. */
-Json ground_summary(const Results &results)
-{
-  const auto pair = [](const auto &v) { return Json::array({v[0], v[1]}); };
-  Json supports = Json::array();
-  for (const Reaction &reaction : results.reactions)
-    supports.push_back({{"from", pair(reaction.start)},
-                        {"to", pair(reaction.end)},
-                        {"reaction", pair(reaction.force)}});
-  const GroundBalance balance =
-      balance_on_ground(results.scene, results.reactions);
-  return {{"load", pair(balance.load)},
-          {"reaction", pair(balance.reaction)},
-          {"imbalance", balance.imbalance},
-          {"supports", supports}};
 }
 
 /** The number, or null, which stands for what is not finite. */
@@ -109,22 +91,6 @@ Json summary_of_factor(const LoadFactor &factor)
     json["closing_violation"] = factor.proof.closing_violation;
   return json;
 }
-
-/** How many interfaces have their ranges, and of which kinds they are. */
-struct CountOfRanges
-{
-  explicit CountOfRanges(const Ranges &ranges)
-  {
-    for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
-    {
-      wanted += ranges.wanted[e];
-      determined += ranges.is_determined(e);
-      unbounded += ranges.is_unbounded(e);
-    }
-  }
-
-  unsigned int wanted = 0, determined = 0, unbounded = 0;
-};
 
 /** The ranges of forces, with the errors of their proofs over the loads. */
 Json summary_of_ranges(const Results &results)
@@ -156,43 +122,6 @@ Json summary_of_ranges(const Results &results)
           {"iterations", ranges.proofs.n_iterations}};
 }
 
-std::string description_of(const Ranges &ranges)
-{
-  const CountOfRanges count(ranges);
-  std::string words = text("forces of ", counted(count.wanted, "interface"),
-                           ": ", count.determined, " determined by statics");
-  if (count.unbounded > 0)
-    words += text(", ", count.unbounded, " without bound");
-  if (!ranges.reactions.empty())
-    words += text("; reactions of ",
-                  counted(ranges.reactions.size(), "straight support"));
-  return words;
-}
-
-/** A jump, over the largest displacement of a support, that is one. */
-constexpr double least_jump = 1e-6;
-
-/** How many interfaces a settlement opens or lets slide. */
-struct CountOfJumps
-{
-  CountOfJumps(const Scene &scene, const Settlement &settlement)
-  {
-    const InterfaceJumps jumps = jumps_of(scene.packing, settlement.motion);
-    const double least = least_jump * settlement.largest_displacement;
-    for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
-    {
-      const bool at_start = jumps.openings[e][0] > least;
-      const bool at_end = jumps.openings[e][1] > least;
-      open += at_start && at_end;
-      hinges += at_start != at_end;
-      sliding += std::abs(jumps.sliding[e]) > least;
-    }
-  }
-
-  /** Along all of them; at one end only; and that slide. */
-  unsigned int open = 0, hinges = 0, sliding = 0;
-};
-
 Json summary_of_settlement(const Results &results)
 {
   const Settlement &settlement = *results.settlement;
@@ -206,59 +135,14 @@ Json summary_of_settlement(const Results &results)
           {"sliding", count.sliding}};
 }
 
-std::string description_of(const Scene &scene, const Settlement &settlement)
-{
-  const CountOfJumps count(scene, settlement);
-  return text("supports move by at most ", settlement.largest_displacement,
-              "; interfaces with a hinge: ", count.hinges,
-              ", open: ", count.open, ", sliding: ", count.sliding);
-}
-
 /** Add what stands last, and write. */
 void write(std::ostream &out, Json summary, const RunRecord &run)
 {
   summary["timings"] = run.timings;
-  summary["versions"] = {
-      {"voussoir", VOUSSOIR_VERSION},
-      {"deal.II", DEAL_II_PACKAGE_VERSION},
-      {"Ipopt", IPOPT_VERSION},
-      {"CHOLMOD", text(CHOLMOD_MAIN_VERSION, ".", CHOLMOD_SUB_VERSION, ".",
-                       CHOLMOD_SUBSUB_VERSION)},
-      {"CGAL", CGAL_VERSION_STR},
-      {"Boost", text(BOOST_VERSION / 100000, ".", BOOST_VERSION / 100 % 1000,
-                     ".", BOOST_VERSION % 100)},
-      {"Trilinos",
-       text(DEAL_II_TRILINOS_VERSION_MAJOR, ".", DEAL_II_TRILINOS_VERSION_MINOR,
-            ".", DEAL_II_TRILINOS_VERSION_SUBMINOR)}};
+  summary["versions"] = library_versions();
   out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-/** The law of friction, and what it means for what is carried. */
-std::string description_of_law(const Scene &scene)
-{
-  return scene.dilates
-             ? "Coulomb, associated: joints that slide open, too"
-             : "Coulomb, without dilatancy: this state carries the loads, but "
-               "no theorem says that the blocks stay in it";
-}
-
-std::string description_of(const LoadFactor &factor)
-{
-  if (factor.passes.n > 0)
-    return text(text_to_copy(factor.carried),
-                " has a state without dilatancy; ", text_to_copy(factor.bound),
-                " collapses, with it or without");
-  if (factor.is_unbounded)
-    return text(text_to_copy(factor.carried),
-                " is carried, and so is any beyond it: the live loads balance "
-                "by pressure alone");
-  if (!std::isfinite(factor.bound))
-    return text_to_copy(factor.carried) +
-           " is carried; no mechanism was found that bounds it";
-  return text(text_to_copy(factor.carried), " is carried, ",
-              text_to_copy(factor.bound), " collapses; they differ by ",
-              factor.width(), " of it");
-}
 } // namespace
 
 void write_summary_json(std::ostream &out, const Results &results)
@@ -292,6 +176,7 @@ void write_summary_json(std::ostream &out, const Results &results)
         {"error_of_states", results.samples->error_of_states}};
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
+  summary["most_used"] = most_used_summary(results);
   if (!results.never_pressed.empty())
     summary["interfaces"] = {
         {"never_pressed", std::count(results.never_pressed.begin(),
@@ -319,12 +204,13 @@ void write_summary_json(std::ostream &out, const Collapse &collapse)
 
 void show_packing(Terminal &terminal, const Packing &packing)
 {
-  terminal.stage(
-      "Packing",
-      text(counted(packing.n_cells(), "cell"), ", ",
-           counted(packing.interfaces().size(), "interface"), ", ",
-           packing.n_supports(), " of them supports, ",
-           counted(packing.boundary_edges().size(), "boundary edge")));
+  const dealii::BoundingBox<2> box = packing.box();
+  terminal.stage("Packing",
+                 text(counted(packing.n_cells(), "cell"), ", ",
+                      counted(packing.interfaces().size(), "interface"), ", ",
+                      packing.n_supports(), " of them supports, ",
+                      counted(packing.boundary_edges().size(), "boundary edge"),
+                      ", on ", box.side_length(0), " x ", box.side_length(1)));
   for (const std::string &warning : cells_not_convex(packing))
     terminal.warning(warning);
   const std::vector<StraightRun> supports = straight_supports(packing);
@@ -355,10 +241,7 @@ void show_summary(Terminal &terminal, const Results &results)
   if (results.ranges)
     terminal.summary("Ranges", description_of(*results.ranges));
   if (results.samples)
-    terminal.summary("Samples",
-                     text(results.samples->n, " of all states, a set of ",
-                          counted(results.samples->dimension, "dimension"),
-                          "; mixing ", results.samples->mixing));
+    terminal.summary("Samples", description_of(*results.samples));
   if (!results.scene.coefficient.empty())
     terminal.summary("Law", description_of_law(results.scene));
   if (!results.earlier_outcome.empty())
@@ -372,15 +255,7 @@ void show_summary(Terminal &terminal, const Results &results)
   terminal.summary("Admissibility",
                    text("violation ", certificate.admissibility_violation,
                         " of the largest load on a cell"));
-  if (!results.reactions.empty())
-  {
-    const GroundBalance balance =
-        balance_on_ground(results.scene, results.reactions);
-    terminal.summary(
-        "Reaction",
-        text("(", balance.reaction[0], ", ", balance.reaction[1], ") on ",
-             counted(results.reactions.size(), "straight support")));
-  }
+  show_reactions(terminal, results);
   terminal.summary("Friction",
                    text("largest utilisation ", certificate.max_utilisation));
   terminal.summary("Contact",
@@ -393,5 +268,6 @@ void show_summary(Terminal &terminal, const Results &results)
                                 certificate.max_torque <= largest_accepted_error
                             ? ""
                             : ", which couples of the interfaces can balance"));
+  show_most_used(terminal, results);
 }
 } // namespace Voussoir

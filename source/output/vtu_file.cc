@@ -10,13 +10,57 @@
 #include <lz4.h>
 #include <numeric>
 #include <ostream>
+#include <zlib.h>
 
 namespace Voussoir
 {
 namespace
 {
-/** Bytes of a block before compression: enough for LZ4 to find repetitions. */
+/** Bytes of a block before compression: enough to find repetitions. */
 constexpr std::size_t block_size = 1 << 19;
+
+/** The cells of a grid that zlib compresses, at most; see Compressor. */
+constexpr std::size_t most_cells_by_zlib = 1000000;
+
+/** Speed counts for more than size. */
+constexpr int zlib_level = 1;
+
+/**
+ * Either of two libraries. Readers without VTK behind them know zlib only; LZ4
+ * takes a fraction of its time, which counts in large files.
+ */
+struct Compressor
+{
+  explicit Compressor(const std::size_t n_cells)
+      : by_zlib(n_cells <= most_cells_by_zlib)
+  {}
+
+  const char *name() const
+  {
+    return by_zlib ? "vtkZLibDataCompressor" : "vtkLZ4DataCompressor";
+  }
+
+  /** Compress into @p bytes. @return their number, which is not zero. */
+  std::size_t compress(const std::vector<char> &plain,
+                       const std::size_t size,
+                       std::vector<char> &bytes) const
+  {
+    if (!by_zlib)
+    {
+      bytes.resize(LZ4_compressBound(size));
+      return LZ4_compress_default(plain.data(), bytes.data(), size,
+                                  bytes.size());
+    }
+    uLongf n = compressBound(size);
+    bytes.resize(n);
+    const int status = compress2(reinterpret_cast<Bytef *>(bytes.data()), &n,
+                                 reinterpret_cast<const Bytef *>(plain.data()),
+                                 size, zlib_level);
+    return status == Z_OK ? n : 0;
+  }
+
+  const bool by_zlib;
+};
 
 /**
  * Bytes of white space before the data. VTK's reader takes 4096 bytes at a
@@ -33,21 +77,26 @@ void write_binary(std::ostream &out, const std::vector<std::uint64_t> &numbers)
             numbers.size() * sizeof(std::uint64_t));
 }
 
-/** A number that is known later, in as many digits as it may need. */
-void write_padded(std::ostream &out, const std::uint64_t number)
+/**
+ * A number that is known later, with the quotation mark behind it, in as many
+ * letters as it may need. Spaces follow, as some readers compare the digits.
+ */
+void write_later(std::ostream &out, const std::uint64_t number)
 {
-  out << std::setw(20) << std::setfill('0') << number;
+  out << std::left << std::setw(21) << std::to_string(number) + '"';
 }
 
-void write_begin(std::ostream &out, const char *type)
+void write_begin(std::ostream &out,
+                 const char *type,
+                 const Compressor &compressor)
 {
   const std::uint16_t one = 1;
   const bool little = *reinterpret_cast<const char *>(&one) == 1;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
       << "\" version=\"1.0\" byte_order=\""
       << (little ? "LittleEndian" : "BigEndian")
-      << "\" header_type=\"UInt64\" compressor=\"vtkLZ4DataCompressor\">\n<"
-      << type;
+      << "\" header_type=\"UInt64\" compressor=\"" << compressor.name()
+      << "\">\n<" << type;
 }
 
 /** All of a DataArray but its end. */
@@ -107,10 +156,11 @@ void VtuFile::write(std::ostream &out) const
     out << " format=\"appended\" offset=\"";
     places.push_back(out.tellp());
     arrays.push_back(&array);
-    write_padded(out, 0);
-    out << "\"/>\n";
+    write_later(out, 0);
+    out << "/>\n";
   };
-  write_begin(out, "UnstructuredGrid");
+  const Compressor compressor(cells.back().n_items);
+  write_begin(out, "UnstructuredGrid", compressor);
   out << ">\n<Piece NumberOfPoints=\"" << points.n_items
       << "\" NumberOfCells=\"" << cells.back().n_items << "\">\n<Points>\n";
   announce(points);
@@ -129,7 +179,7 @@ void VtuFile::write(std::ostream &out) const
   {
     const std::streampos here = out.tellp();
     out.seekp(places[i]);
-    write_padded(out, here - begin);
+    write_later(out, here - begin);
     out.seekp(here);
     write_data(out, *arrays[i]);
   }
@@ -143,7 +193,7 @@ void VtuFile::write_record(std::ostream &out,
     write_head(out, array, "PDataArray");
     out << "/>\n";
   };
-  write_begin(out, "PUnstructuredGrid");
+  write_begin(out, "PUnstructuredGrid", Compressor(cells.back().n_items));
   out << " GhostLevel=\"0\">\n<PPoints>\n";
   announce(points);
   out << "</PPoints>\n<PPointData>\n";
@@ -160,8 +210,9 @@ void VtuFile::write_record(std::ostream &out,
  * The number of blocks, their size, that of the last if it is a smaller one,
  * the compressed size of each, and the compressed blocks.
  */
-void VtuFile::write_data(std::ostream &out, const Array &array)
+void VtuFile::write_data(std::ostream &out, const Array &array) const
 {
+  const Compressor compressor(cells.back().n_items);
   const std::size_t n = array.n_items;
   const std::size_t per_block = block_size / array.item_size;
   const std::size_t n_blocks = (n + per_block - 1) / per_block;
@@ -184,10 +235,8 @@ void VtuFile::write_data(std::ostream &out, const Array &array)
         const std::size_t from = (first + k) * per_block;
         const std::size_t to = std::min(from + per_block, n);
         array.fill(from, to, plain.data());
-        const int size = (to - from) * array.item_size;
-        compressed[k].resize(LZ4_compressBound(size));
-        head[3 + first + k] = LZ4_compress_default(
-            plain.data(), compressed[k].data(), size, compressed[k].size());
+        const std::size_t size = (to - from) * array.item_size;
+        head[3 + first + k] = compressor.compress(plain, size, compressed[k]);
         Assert(head[3 + first + k] > 0, dealii::ExcInternalError());
       }
     };

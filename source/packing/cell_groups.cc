@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
+#include <regex>
 
 namespace Voussoir
 {
@@ -22,6 +25,29 @@ unsigned int group_of_name(const Packing &packing,
   throw InputError("The parameter '" + parameter + "' names the group '" +
                    name + "', which no cell belongs to. There are " + known +
                    "; 'Packing/Groups' makes others.");
+}
+
+std::vector<unsigned int> cells_of_name(const Packing &packing,
+                                        const std::string &name,
+                                        const std::string &parameter)
+{
+  std::smatch match;
+  unsigned int number = 0;
+  if (std::regex_match(name, match, std::regex("cell +([0-9]+)")))
+  {
+    if (!boost::conversion::try_lexical_convert(match[1].str(), number) ||
+        number >= packing.n_cells())
+      throw InputError(text("The parameter '", parameter, "' names '", name,
+                            "', but the cells have the numbers from 0 to ",
+                            packing.n_cells() - 1, "."));
+    return {number};
+  }
+  const unsigned int group = group_of_name(packing, name, parameter);
+  std::vector<unsigned int> cells;
+  for (unsigned int c = 0; c <= packing.ground(); ++c)
+    if (packing.group(c) == group)
+      cells.push_back(c);
+  return cells;
 }
 
 void assign_groups(Packing &packing, const std::string &groups)

@@ -37,6 +37,30 @@ bool is_control(const unsigned char letter)
 {
   return letter < ' ' || letter == 0x7f;
 }
+
+/** True if a colon follows that is not the one of a conditional, "a ? b : c".
+ */
+bool begins_with_name(const std::string &text)
+{
+  return text.find(':') < text.find('?');
+}
+
+/** The elements "name: value" of a list. */
+std::vector<std::string> split_elements(const std::string &list,
+                                        const bool of_vectors)
+{
+  const std::vector<std::string> parts = split_at_bars(list);
+  if (parts.size() > 1)
+    return parts;
+  std::vector<std::string> elements;
+  for (const std::string &piece :
+       dealii::Utilities::split_string_list(list, ';'))
+    if (elements.empty() || !of_vectors || begins_with_name(piece))
+      elements.push_back(piece);
+    else
+      elements.back() += "; " + piece;
+  return elements;
+}
 } // namespace
 
 std::string quoted_group_name(const std::string &name)
@@ -75,13 +99,32 @@ void check_group_name(const std::string &name)
                      " of a group of cells " + fault + "; choose another.");
 }
 
+std::vector<std::string> split_at_bars(const std::string &list)
+{
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list.compare(i, 2, "||") == 0)
+    {
+      parts.back() += "||";
+      ++i;
+    }
+    else if (list[i] == '|')
+      parts.emplace_back();
+    else
+      parts.back() += list[i];
+  for (std::string &part : parts)
+    part = dealii::Utilities::trim(part);
+  return parts;
+}
+
 std::vector<std::pair<std::string, std::string>>
-split_named_list(const std::string &list, const std::string &parameter)
+split_named_list(const std::string &list,
+                 const std::string &parameter,
+                 const bool of_vectors)
 {
   using dealii::Utilities::trim;
   std::vector<std::pair<std::string, std::string>> elements;
-  for (const std::string &element :
-       dealii::Utilities::split_string_list(list, ';'))
+  for (const std::string &element : split_elements(list, of_vectors))
   {
     const std::size_t colon = element.find(':');
     const std::string name = trim(element.substr(0, colon));

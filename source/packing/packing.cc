@@ -136,22 +136,25 @@ void Packing::check_shape(const unsigned int c)
         "loop.");
 
   const Point<2> &centre = mesh.centres[c];
+  bool is_seen = true;
   for (unsigned int i = 0; i < n_sides(c); ++i)
   {
     const Tensor<1, 2> side = vertex(c, i + 1) - vertex(c, i);
-    if (cross(side, centre - vertex(c, i)) > 0.)
-      continue;
-    if (convex)
-      refuse(c, centre,
-             "does not have its centre inside; move the point or line of "
-             "'Points file' or 'Centres file' that it is from.");
-    refuse(c, vertex(c, i),
-           text("is not convex, and the side that begins there cannot be seen "
-                "from its centre ",
-                text_of_point(centre), "; cut it into convex cells."));
+    is_seen &= cross(side, centre - vertex(c, i)) > 0.;
   }
+  if (!is_seen && convex)
+    refuse(c, centre,
+           "does not have its centre inside; move the point or line of "
+           "'Points file' or 'Centres file' that it is from.");
   if (!convex)
-    star_shaped.push_back(c);
+    concave.push_back(c);
+  if (!is_seen)
+    hiding.push_back(c);
+}
+
+bool Packing::is_seen_whole(const unsigned int cell) const
+{
+  return !std::binary_search(hiding.begin(), hiding.end(), cell);
 }
 
 std::vector<unsigned int> Packing::find_opposite_sides() const
@@ -282,6 +285,21 @@ void Packing::refuse(const unsigned int cell,
   throw InputError(text(name, " at ", text_of_point(place), " ", fault));
 }
 
+dealii::BoundingBox<2> Packing::box() const
+{
+  std::pair<dealii::Point<2>, dealii::Point<2>> corners = {vertex(0, 0),
+                                                           vertex(0, 0)};
+  for (unsigned int c = 0; c < n_cells(); ++c)
+    for (unsigned int i = 0; i < n_sides(c); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double x = vertex(c, i)[d];
+        corners.first[d] = std::min(corners.first[d], x);
+        corners.second[d] = std::max(corners.second[d], x);
+      }
+  return dealii::BoundingBox<2>(corners);
+}
+
 double Packing::area() const
 {
   return std::accumulate(areas.begin(), areas.end(), 0.);
@@ -307,10 +325,25 @@ void Packing::set_group(const unsigned int cell, const std::string &name)
 
 double Packing::distance(const Interface &interface) const
 {
-  const Point<2> far = interface.cell_plus == ground()
-                           ? interface.midpoint()
-                           : centre(interface.cell_plus);
-  return (far - centre(interface.cell_minus)) * interface.normal;
+  const unsigned int minus = interface.cell_minus, plus = interface.cell_plus;
+  if (!is_seen_whole(minus) || !is_seen_whole(plus))
+    return half_distance(minus, interface) + half_distance(plus, interface);
+  const Point<2> far = plus == ground() ? interface.midpoint() : centre(plus);
+  return (far - centre(minus)) * interface.normal;
+}
+
+/** The part of d_e that lies in a cell. */
+double Packing::half_distance(const unsigned int cell,
+                              const Interface &interface) const
+{
+  if (cell == ground())
+    return 0.;
+  if (is_seen_whole(cell))
+    return std::abs((interface.midpoint() - centre(cell)) * interface.normal);
+  double perimeter = 0.;
+  for (unsigned int i = 0; i < n_sides(cell); ++i)
+    perimeter += vertex(cell, i).distance(vertex(cell, i + 1));
+  return 2. * area(cell) / perimeter;
 }
 
 std::string Packing::describe(const unsigned int cell) const

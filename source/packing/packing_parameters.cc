@@ -21,7 +21,9 @@ PackingParameters::PackingParameters()
   generators.push_back(std::make_unique<ArchGenerator>());
   generators.push_back(std::make_unique<HoneycombGenerator>());
   generators.push_back(std::make_unique<PerturbedGridGenerator>());
-  generators.push_back(std::make_unique<PolygonGenerator>());
+  auto of_polygons = std::make_unique<PolygonGenerator>();
+  polygons = of_polygons.get();
+  generators.push_back(std::move(of_polygons));
 }
 
 void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -43,7 +45,7 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
   }
   prm.add_parameter(
       "Groups", groups,
-      "Names for groups of cells, \"name: condition; name: condition\", with "
+      "Names for groups of cells, \"name: condition | name: condition\", with "
       "expressions in the coordinates x, y of a cell's centre. Of the "
       "conditions that a cell meets the last one counts; a cell that meets "
       "none keeps the name that the generator gave it.",

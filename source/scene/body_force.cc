@@ -2,9 +2,11 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/triangle_integral.h>
+#include <voussoir/packing/convex_pieces.h>
 #include <voussoir/scene/body_force.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Voussoir
 {
@@ -42,21 +44,53 @@ bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
 
 using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
 
-std::array<Point<2>, 3>
-corners(const Packing &packing, const unsigned int c, const unsigned int i)
+using Triangle = std::array<Point<2>, 3>;
+
+/** Put into @p triangles those between a point and the sides of a polygon. */
+void add_fan(const Point<2> &centre,
+             const std::vector<Point<2>> &ring,
+             std::vector<Triangle> &triangles)
 {
-  return {{packing.centre(c), packing.vertex(c, i), packing.vertex(c, i + 1)}};
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    triangles.push_back({{centre, ring[i], ring[(i + 1) % ring.size()]}});
 }
 
 /**
- * Put into @p parts the integrals over the triangles of the centre and each
- * side of a cell, by one rule each.
+ * Put into @p triangles those of a cell: between its centre and each side, or
+ * if it cannot be seen whole from there, those of its convex pieces.
+ */
+void cut(const Packing &packing,
+         const unsigned int c,
+         std::vector<Triangle> &triangles)
+{
+  triangles.clear();
+  if (packing.is_seen_whole(c))
+  {
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      triangles.push_back({{packing.centre(c), packing.vertex(c, i),
+                            packing.vertex(c, i + 1)}});
+    return;
+  }
+  const std::vector<Point<2>> ring = ring_of(packing, c);
+  for (const auto &piece : convex_pieces(ring))
+  {
+    std::vector<Point<2>> of_piece;
+    for (const unsigned int v : piece)
+      of_piece.push_back(ring[v]);
+    add_fan(centroid(of_piece), of_piece, triangles);
+  }
+}
+
+/**
+ * Put into @p parts the integrals over the @p triangles of a cell, by one rule
+ * each.
  *
  * @return true if nothing can be between its points, by one look at the whole
  *   cell, which is cheaper than one at each triangle.
  */
 bool integrate_quickly(const Packing &packing,
                        const unsigned int c,
+                       const std::vector<Triangle> &triangles,
                        const Function &b,
                        const Jumps &jumps,
                        std::vector<TriangleIntegral> &parts)
@@ -65,10 +99,9 @@ bool integrate_quickly(const Packing &packing,
   if (!jumps.empty() &&
       !jumps.crossings(box_of(packing, c), jumps.no_limits()).empty())
     return false;
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+  for (const Triangle &triangle : triangles)
   {
-    const auto part =
-        quick_triangle_integral(corners(packing, c, i), packing.centre(c), b);
+    const auto part = quick_triangle_integral(triangle, packing.centre(c), b);
     if (!part)
       return false;
     parts.push_back(*part);
@@ -79,14 +112,14 @@ bool integrate_quickly(const Packing &packing,
 /** The same exactly, whatever it takes. */
 void integrate(const Packing &packing,
                const unsigned int c,
+               const std::vector<Triangle> &triangles,
                const Function &b,
                const Jumps &jumps,
                std::vector<TriangleIntegral> &parts)
 {
   parts.clear();
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-    parts.push_back(
-        triangle_integral(corners(packing, c, i), packing.centre(c), b, jumps));
+  for (const Triangle &triangle : triangles)
+    parts.push_back(triangle_integral(triangle, packing.centre(c), b, jumps));
 }
 } // namespace
 
@@ -96,18 +129,35 @@ BodyForce::BodyForce(
     const Jumps &jumps,
     Inaccuracies *const inaccuracies)
 {
-  allocate(packing);
+  std::vector<unsigned int> all(packing.n_cells());
+  std::iota(all.begin(), all.end(), 0);
+  add(packing, all, b, jumps, inaccuracies);
+}
+
+void BodyForce::add(
+    const Packing &packing,
+    const std::vector<unsigned int> &cells,
+    const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
+    const Jumps &jumps,
+    Inaccuracies *const inaccuracies)
+{
+  if (empty())
+    allocate(packing);
   std::vector<TriangleIntegral> parts;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  std::vector<Triangle> triangles;
+  for (const unsigned int c : cells)
   {
     const std::function<Tensor<1, 2>(const Point<2> &)> b_c =
         [&](const Point<2> &x) { return b(x, c); };
-    if (!integrate_quickly(packing, c, b_c, jumps, parts))
-      integrate(packing, c, b_c, jumps, parts);
+    cut(packing, c, triangles);
+    if (!integrate_quickly(packing, c, triangles, b_c, jumps, parts))
+      integrate(packing, c, triangles, b_c, jumps, parts);
     double error = 0., size = 0., uncertain = 0.;
     for (unsigned int i = 0; i < parts.size(); ++i)
     {
-      on_sub_cell[packing.first_side(c) + i] = parts[i].value;
+      // A cell that is cut into pieces has no sub-cells of its own.
+      on_sub_cell[packing.first_side(c) + (packing.is_seen_whole(c) ? i : 0)] +=
+          parts[i].value;
       moment_of_cell[c] += parts[i].moment;
       error += parts[i].error;
       size += parts[i].size;

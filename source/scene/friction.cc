@@ -32,8 +32,9 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
                     "bed joints and another for head joints.");
   prm.add_parameter("Pair strengths", pair_strengths,
                     "Other strengths where two groups of cells meet, \"name, "
-                    "name: expression; name, name: expression\", as in brick, "
-                    "brick: 0.3; brick, ground: 1 + x. What supports the "
+                    "name: expression | name, name: expression\", as in "
+                    "brick, lintel: 0.3 | brick, ground: 1 + x; one name alone "
+                    "stands for the joints within its group. What supports the "
                     "packing is called ground.",
                     Anything());
   prm.add_parameter("Coefficient", coefficient,

@@ -82,19 +82,19 @@ struct OfPair
 /** Two groups of cells, the lower number first. */
 using GroupPair = std::pair<unsigned int, unsigned int>;
 
-/** The groups that a user names as "one, other". */
+/** The groups that a user names as "one, other", or as one with itself. */
 GroupPair pair_of_names(const Packing &packing,
                         const std::string &names,
                         const std::string &parameter)
 {
   const std::vector<std::string> words =
       dealii::Utilities::split_string_list(names, ',');
-  if (words.size() != 2)
+  if (words.size() > 2)
     throw InputError("The parameter '" + parameter + "' has '" + names +
                      "' where the names of two groups are expected, as in "
                      "\"brick, lintel: 0.5\".");
-  return std::minmax({group_of_name(packing, words[0], parameter),
-                      group_of_name(packing, words[1], parameter)});
+  return std::minmax({group_of_name(packing, words.front(), parameter),
+                      group_of_name(packing, words.back(), parameter)});
 }
 } // namespace
 

@@ -1,96 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/geometry.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/edge_integral.h>
 #include <voussoir/formula/inaccuracies.h>
 #include <voussoir/formula/vector_expression.h>
-#include <voussoir/packing/cell_groups.h>
-#include <voussoir/packing/group_names.h>
+#include <voussoir/scene/body_force_formulas.h>
 #include <voussoir/scene/loads.h>
 #include <voussoir/scene/supports.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
-
-#include <boost/lexical_cast.hpp>
 
 #include <cmath>
-#include <regex>
 #include <utility>
 
 namespace Voussoir
 {
 using dealii::Point;
 using dealii::Tensor;
-
-namespace
-{
-/** The distance of a place from a cell, over the size of it, that is rounding.
- */
-constexpr double rounding_of_place = 1e-10;
-
-/** The cells that a user calls @p name: a group, or "cell" and a number. */
-std::vector<unsigned int> cells_of_name(const Packing &packing,
-                                        const std::string &name,
-                                        const std::string &parameter)
-{
-  std::smatch match;
-  unsigned int number = 0;
-  if (std::regex_match(name, match, std::regex("cell +([0-9]+)")))
-  {
-    if (!boost::conversion::try_lexical_convert(match[1].str(), number) ||
-        number >= packing.n_cells())
-      throw InputError(text("The parameter '", parameter, "' names '", name,
-                            "', but the cells have the numbers from 0 to ",
-                            packing.n_cells() - 1, "."));
-    return {number};
-  }
-  const unsigned int group = group_of_name(packing, name, parameter);
-  std::vector<unsigned int> cells;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    if (packing.group(c) == group)
-      cells.push_back(c);
-  return cells;
-}
-bool contains(const Packing &packing, const unsigned int c, const Point<2> &x)
-{
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-  {
-    const Point<2> &a = packing.vertex(c, i), &b = packing.vertex(c, i + 1);
-    if (cross(b - a, x - a) < -rounding_of_place * packing.area(c))
-      return false;
-  }
-  return true;
-}
-
-/** The torque about x_c of a force that acts at @p place. */
-double torque_at(const Packing &packing,
-                 const CellForce &f,
-                 const std::string &place,
-                 const std::string &parameter)
-{
-  const auto x = pair_of_text(place);
-  if (!x)
-    throw InputError("The parameter '" + parameter + "' lets the force on '" +
-                     f.name + "' act at '" + place +
-                     "'; two finite numbers \"x, y\" are expected, with a "
-                     "comma between.");
-  if (f.cells.size() != 1)
-    throw InputError(
-        text("The parameter '", parameter, "' lets the force on '", f.name,
-             "' act at ", text_of_point(*x), ", but there are ", f.cells.size(),
-             " cells of that name; name one cell, as in cell 12."));
-  const unsigned int c = f.cells.front();
-  if (!contains(packing, c, *x))
-    throw InputError(text("The parameter '", parameter, "' lets the force on '",
-                          f.name, "' act at ", text_of_point(*x),
-                          ", which is not a place in ", packing.describe(c),
-                          " at ", text_of_point(packing.centre(c)), "."));
-  return cross(*x - packing.centre(c), f.force);
-}
-} // namespace
 
 void Loads::add(const double factor, const Loads &other)
 {
@@ -113,7 +40,7 @@ void Loads::add(const double factor, const Loads &other)
 void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  prm.enter_subsection(section);
+  prm.enter_subsection(name);
   add_choice<Kind>(prm, "Boundary load", kind,
                    {{Kind::traction, "traction",
                      "the expressions in 'Traction'.", "Traction"},
@@ -137,7 +64,7 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter(
       "Segment tractions", on_segments,
       "Further tractions on straight lines along the boundary, from point to "
-      "point: \"x, y to x, y: g_x, g_y; ...\", as in 0.27, 1 to 0.43, 1: 0, "
+      "point: \"x, y to x, y: g_x, g_y | ...\", as in 0.27, 1 to 0.43, 1: 0, "
       "-10 for a strip load; or \"x, y to x, y: g_x, g_y to g_x, g_y\" for "
       "one that varies linearly, as a pressure of water does. Stresses; lines "
       "may begin and end anywhere on edges that are not supported.",
@@ -147,13 +74,18 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "thickness, such as weight: 0; -20 in kN/m^3. Expressions "
                     "in x and y.",
                     List(Anything(), 2, 2, ";"));
+  prm.add_parameter("Group body forces", body_of_groups,
+                    "The same for groups of cells, or cells by number, in "
+                    "place of 'Body force': \"name: b_x; b_y | name: b_x; "
+                    "b_y\", as in stone: 0; -24 | fill: 0; -18.",
+                    Anything());
   prm.add_parameter("Cell forces", cell_forces,
-                    "Point loads: the resultants of forces on cells by name, "
-                    "\"name: F_x, F_y; name: F_x, "
-                    "F_y\": on each cell of the group of that name, or on the "
-                    "cell with a number, as in cell 12: 0, -5. Per unit "
-                    "thickness; spread evenly over the cell. On one cell it "
-                    "may act at a place, as in cell 12: 0, -5 at 0.3, 1.",
+                    "Point loads: \"at x, y: F_x, F_y | at x, y: F_x, F_y\" "
+                    "for forces on the cells at these places; or by name, as "
+                    "in keystone: 0, -10, on each cell of the group of that "
+                    "name, or on the cell with a number, as in cell 12: 0, "
+                    "-5, spread evenly over it or acting at a place, as in "
+                    "cell 12: 0, -5 at 0.3, 1. Per unit thickness.",
                     Anything());
   prm.leave_subsection();
 }
@@ -164,8 +96,11 @@ Loads LoadParameters::loads(const Packing &packing) const
   EdgeTractions on_edges = tractions(packing, loads.warnings);
   loads.traction = std::move(on_edges.mean);
   loads.traction_moment = std::move(on_edges.first_moment);
-  loads.body = body_force(packing, loads.warnings);
-  loads.on_cells = forces_on_cells(packing);
+  loads.body = body_force_of_formulas(
+      packing, {section + "/Body force", body},
+      {section + "/Group body forces", body_of_groups}, loads.warnings);
+  loads.on_cells =
+      cell_forces_of_text(packing, cell_forces, section + "/Cell forces");
   return loads;
 }
 
@@ -242,63 +177,5 @@ void LoadParameters::add_uniform_stress(const Packing &packing,
   for (unsigned int b = 0; b < chosen.size(); ++b)
     if (chosen[b])
       tractions.mean[b] += S * packing.boundary_edges()[b].normal;
-}
-
-BodyForce LoadParameters::body_force(const Packing &packing,
-                                     std::vector<std::string> &warnings) const
-{
-  const std::string parameter = section + "/Body force";
-  const VectorExpression b(body, {"x", "y"}, parameter);
-  if (b.is_zero())
-    return {};
-  const auto value = [&](const Point<2> &p, const unsigned int cell) {
-    const auto where = [&] {
-      return text(", in cell ", cell, "; a force must be finite.");
-    };
-    return Tensor<1, 2>({b.component(0, {p[0], p[1]}, where),
-                         b.component(1, {p[0], p[1]}, where)});
-  };
-  if (b.is_constant())
-  {
-    BodyForce uniform;
-    for (unsigned int c = 0; c < packing.n_cells(); ++c)
-      uniform.add(packing, c, packing.area(c) * value(packing.centre(c), c));
-    return uniform;
-  }
-  Inaccuracies inaccuracies(parameter);
-  BodyForce force(packing, value, Jumps({b.formula(0), b.formula(1)}, {}),
-                  &inaccuracies);
-  for (std::string &warning : inaccuracies.warnings())
-    warnings.push_back(std::move(warning));
-  return force;
-}
-
-std::vector<CellForce>
-LoadParameters::forces_on_cells(const Packing &packing) const
-{
-  const std::string parameter = section + "/Cell forces";
-  std::vector<CellForce> forces;
-  for (const auto &[name, value] : split_named_list(cell_forces, parameter))
-  {
-    const std::vector<unsigned int> cells =
-        cells_of_name(packing, name, parameter);
-    const std::size_t at = value.find(" at ");
-    const auto force = pair_of_text(value.substr(0, at));
-    if (!force)
-      throw InputError("The parameter '" + parameter + "' gives '" + name +
-                       "' the force '" + value +
-                       "'; two finite numbers \"F_x, F_y\" are expected, "
-                       "with a comma between.");
-    if (cells.empty())
-      throw InputError("The parameter '" + parameter + "' gives a force to '" +
-                       name +
-                       "', which has no cells to take it; name another group, "
-                       "or a cell by its number.");
-    forces.push_back({name, cells, *force});
-    if (at != std::string::npos)
-      forces.back().torque =
-          torque_at(packing, forces.back(), value.substr(at + 4), parameter);
-  }
-  return forces;
 }
 } // namespace Voussoir

@@ -3,17 +3,81 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
 #include <voussoir/scene/range_parameters.h>
 
 #include <deal.II/base/patterns.h>
-
-#include <algorithm>
+#include <deal.II/base/utilities.h>
 
 namespace Voussoir
 {
 namespace
 {
 constexpr unsigned int least_number_of_samples = 100;
+const std::string parameter_where = "Ranges/Where";
+const std::string parameter_joints = "Ranges/Joints";
+
+/** Choose the interfaces where the condition holds. */
+void choose_where(const Packing &packing,
+                  const std::string &where,
+                  const Condition &holds,
+                  std::vector<bool> &chosen)
+{
+  bool any = false;
+  for (unsigned int e = 0; e < chosen.size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const dealii::Point<2> x = i.midpoint();
+    chosen[e] = holds({x[0], x[1], i.normal[0], i.normal[1]});
+    any |= chosen[e];
+  }
+  if (!any)
+    throw InputError("The condition '" + where + "' of '" + parameter_where +
+                     "' holds on no interface. It is asked at the midpoint x, "
+                     "y of each, with its unit normal nx, ny; where rounding "
+                     "matters write y < 1e-9 rather than y == 0.");
+}
+
+/** For each cell and the ground, whether it has the name. */
+std::vector<bool> are_named(const Packing &packing, const std::string &name)
+{
+  std::vector<bool> named(packing.n_cells() + 1, false);
+  for (const unsigned int c : cells_of_name(packing, name, parameter_joints))
+    named[c] = true;
+  return named;
+}
+
+/** Choose the interfaces of one name, or between two. */
+void choose_named(const Packing &packing,
+                  const std::string &names,
+                  std::vector<bool> &chosen)
+{
+  const auto words = dealii::Utilities::split_string_list(names, ',');
+  if (words.empty() || words.size() > 2)
+    throw InputError("The parameter '" + parameter_joints + "' has '" + names +
+                     "' where one or two names are expected, as in \"keystone "
+                     "| pier, ground\".");
+  const std::vector<bool> one = are_named(packing, words.front());
+  const std::vector<bool> other = words.size() == 2
+                                      ? are_named(packing, words.back())
+                                      : std::vector<bool>(one.size(), true);
+  bool any = false;
+  for (unsigned int e = 0; e < chosen.size(); ++e)
+  {
+    const unsigned int a = packing.interfaces()[e].cell_minus;
+    const unsigned int b = packing.interfaces()[e].cell_plus;
+    if (!((one[a] && other[b]) || (one[b] && other[a])))
+      continue;
+    chosen[e] = true;
+    any = true;
+  }
+  if (!any)
+    throw InputError("The parameter '" + parameter_joints + "' names '" +
+                     names +
+                     "', and there is no interface of that name; change it, "
+                     "or leave it out.");
+}
 } // namespace
 
 void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -27,6 +91,13 @@ void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
       "expression is not zero. Each takes four linear programmes, from "
       "thousandths of a second each with hundreds of cells to seconds with "
       "tens of thousands. 1: all. 0: none.",
+      dealii::Patterns::Anything());
+  prm.add_parameter(
+      "Joints", joints,
+      "Interfaces by name, besides: of the cells of a group, or of a cell with "
+      "a number, with all that touch them, as in keystone or cell 12; or "
+      "between two of these, as in brick, lintel or cell 3, cell 4 or pier, "
+      "ground. Several are separated by bars: keystone | pier, ground.",
       dealii::Patterns::Anything());
   prm.add_parameter(
       "Reactions", reactions,
@@ -76,27 +147,19 @@ std::optional<SamplesWanted> RangeParameters::samples() const
 std::optional<RangesWanted>
 RangeParameters::wanted(const Packing &packing) const
 {
-  const std::string parameter = "Ranges/Where";
-  const Condition holds(where, {"x", "y", "nx", "ny"}, parameter);
+  const Condition holds(where, {"x", "y", "nx", "ny"}, parameter_where);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
                          reactions, method};
   if (reactions && packing.n_supports() == 0)
     throw InputError("'Ranges/Reactions' is true, and there are no supports: "
                      "'Supports/Where' gives them.");
-  if (holds.is_never())
-    return reactions ? std::make_optional(wanted) : std::nullopt;
-  for (unsigned int e = 0; e < wanted.interfaces.size(); ++e)
-  {
-    const Packing::Interface &i = packing.interfaces()[e];
-    const dealii::Point<2> x = i.midpoint();
-    wanted.interfaces[e] = holds({x[0], x[1], i.normal[0], i.normal[1]});
-  }
-  if (std::find(wanted.interfaces.begin(), wanted.interfaces.end(), true) ==
-      wanted.interfaces.end())
-    throw InputError("The condition '" + where + "' of '" + parameter +
-                     "' holds on no interface. It is asked at the midpoint x, "
-                     "y of each, with its unit normal nx, ny; where rounding "
-                     "matters write y < 1e-9 rather than y == 0.");
+  if (!holds.is_never())
+    choose_where(packing, where, holds, wanted.interfaces);
+  if (!joints.empty())
+    for (const std::string &names : split_at_bars(joints))
+      choose_named(packing, names, wanted.interfaces);
+  if (holds.is_never() && joints.empty() && !reactions)
+    return {};
   return wanted;
 }
 } // namespace Voussoir

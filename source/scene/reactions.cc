@@ -32,9 +32,22 @@ std::vector<Reaction> reactions(const Scene &scene,
   std::vector<Reaction> reactions;
   for (const StraightRun &run : straight_supports(scene.packing))
   {
-    Reaction reaction = {run.start, run.end, {}};
+    Reaction reaction = {
+        run.start, run.end, {}, run.start + 0.5 * (run.end - run.start)};
+    double normal = 0., moment = 0.;
+    const Tensor<1, 2> along =
+        (run.end - run.start) / run.start.distance(run.end);
     for (const unsigned int k : run.edges)
-      reaction.force += forces.on_cell_minus(interfaces[first + k], first + k);
+    {
+      const Packing::Interface &i = interfaces[first + k];
+      reaction.force += forces.on_cell_minus(i, first + k);
+      normal += forces.normal[first + k];
+      moment +=
+          forces.normal[first + k] * ((i.midpoint() - run.start) * along) -
+          forces.couple(i, first + k);
+    }
+    if (normal != 0.)
+      reaction.place = run.start + moment / normal * along;
     reactions.push_back(reaction);
   }
   return reactions;

@@ -2,11 +2,13 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cell_tree.h>
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/scene.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Voussoir
@@ -48,9 +50,63 @@ struct GroupLoad
   unsigned int n_members = 0;
 };
 
+/** The distance from any other cell, over the size, that is a contact. */
+constexpr double touches = 1e-9;
+
+/** The width of what may be a joint, over the size of a cell. */
+constexpr double widest_joint = 0.2;
+
+/** A sentence on the cell that is the nearest to a connected group of cells. */
+std::string describe_nearest(const Packing &packing,
+                             const std::vector<unsigned int> &group,
+                             const unsigned int g)
+{
+  std::vector<std::vector<dealii::Point<2>>> rings(packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      rings[c].push_back(packing.vertex(c, i));
+  const CellTree cells(std::move(rings));
+  std::optional<NearestCell> found;
+  unsigned int of = g;
+  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  {
+    if (group[edge.cell] != g)
+      continue;
+    const auto nearest = cells.nearest(
+        edge.cell, [&](const unsigned int c) { return group[c] != g; });
+    if (nearest && (!found || nearest->distance < found->distance))
+    {
+      found = nearest;
+      of = edge.cell;
+    }
+  }
+  if (!found)
+    return "";
+  const std::string place =
+      text(packing.describe(found->cell), " at ", text_of_point(found->place));
+  if (found->distance <= touches * std::sqrt(packing.area(of)))
+    return text(" Cell ", of, " meets ", place,
+                " in a point only, which carries nothing.");
+  return text(" The nearest to it is ", place, ", where cell ", of, " is ",
+              found->distance, " away",
+              found->distance > widest_joint * std::sqrt(packing.area(of))
+                  ? "."
+                  : "; if that is a joint of a drawing, set "
+                    "'Packing/polygons/Joint width' to at least that.");
+}
+
+/** How much of the loads on blocks @p share of the sum of their sizes is. */
+std::string share_in_words(const double share)
+{
+  return share > 1. - balance_tolerance
+             ? "nothing balances any of them."
+             : text(100. * share, " per cent of them are not balanced.");
+}
+
 /** The message that the groups @p floating, by their first cells, move. */
 std::string describe_unbalanced(const Packing &packing,
                                 const std::vector<GroupLoad> &loads,
+                                const std::vector<unsigned int> &group,
                                 const std::vector<unsigned int> &floating)
 {
   const GroupLoad &first = loads[floating.front()];
@@ -64,8 +120,8 @@ std::string describe_unbalanced(const Packing &packing,
       text("The loads are not balanced: on ",
            is_all ? "the packing" : name(floating.front()),
            first.n_members == 1 && !is_all ? ", which touches no other," : "",
-           " their sum is (", first.total[0], ", ", first.total[1], "), ",
-           first.total.norm() / first.size, " of the sum of their sizes.");
+           " their sum is (", first.total[0], ", ", first.total[1],
+           "): ", share_in_words(first.total.norm() / first.size));
   if (floating.size() > 1)
     message += text(" So it is on ", floating.size() - 1, " more:");
   for (unsigned int k = 1; k < floating.size() && k < n_named_groups; ++k)
@@ -77,10 +133,11 @@ std::string describe_unbalanced(const Packing &packing,
               ? " Nothing supports the packing, so the total force must be "
                 "zero; change the loads, or choose 'Supports/Where'."
               : " What floats touches neither the ground nor what rests on it: "
-                "support it by 'Supports/Where', balance its loads, or, if it "
-                "was read from a file with gaps, close them or enlarge "
-                "'Packing/polygons/Matching tolerance'.");
+                "support it by 'Supports/Where', balance its loads, or close "
+                "the gap around it." +
+                    describe_nearest(packing, group, floating.front()));
 }
+
 /** The largest distance of a point of a cell from its centre. */
 double reach(const Packing &packing, const unsigned int c)
 {
@@ -167,7 +224,7 @@ void Scene::check_balance() const
         loads[g].total.norm() > balance_tolerance * loads[g].size)
       floating.push_back(g);
   if (!floating.empty())
-    throw InputError(describe_unbalanced(packing, loads, floating));
+    throw InputError(describe_unbalanced(packing, loads, group, floating));
 }
 
 /**
@@ -192,10 +249,11 @@ void Scene::check_moments() const
           "The moments of the loads are not balanced, and 'Rotations' is true: "
           "about ",
           text_of_point(packing.centre(g)), ", the centre of ",
-          packing.describe(g), ", they add up to ", moment[g], ", ",
-          std::abs(moment[g]) / size[g],
-          " of the sum of their sizes, on blocks that nothing supports. Change "
-          "the loads, choose 'Supports/Where', or set 'Rotations = false'."));
+          packing.describe(g), ", they add up to ", moment[g],
+          " on blocks that nothing supports, ",
+          100. * std::abs(moment[g]) / size[g],
+          " per cent of the largest that such loads can have. Change the "
+          "loads, choose 'Supports/Where', or set 'Rotations = false'."));
 }
 
 /** A cell by itself carries nothing: what is left of its load is rounding. */

@@ -245,16 +245,29 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
   return {{}, self_stress_near(smooth, newton.forces())};
 }
 
+/** True if a motion opens each joint between two cells, if only a little. */
+bool opens_between_cells(const DiscreteProblem &problem,
+                         const std::vector<double> &u)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    if (problem.joints()[e].cell_plus != problem.n_cells() &&
+        !(problem.opening(e, u.data()) > 0.))
+      return false;
+  return true;
+}
+
 Opening find_opening(const DiscreteProblem &problem)
 {
   std::vector<double> u(problem.n_dofs());
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
     for (unsigned int i = 0; i < 2; ++i)
       u[problem.dof(c, i)] = problem.centres()[c][i];
+  // Convex blocks all draw apart, others may clamp each other.
+  const bool draws_apart = opens_between_cells(problem, u);
   if (!problem.has_ground())
-    return {u, {}};
+    return draws_apart ? Opening{u, {}} : push_open(problem, u);
   Tensor<1, 2> ground;
-  if (!draw_back_ground(problem, ground))
+  if (!draws_apart || !draw_back_ground(problem, ground))
     return push_open(problem, u);
   for (unsigned int i = 0; i < 2; ++i)
     u[problem.dof(problem.n_cells(), i)] = ground[i];

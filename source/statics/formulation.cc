@@ -83,8 +83,12 @@ void require_interior(const DiscreteProblem &problem,
       "' has no answer there; set 'Formulation = least energy', which has one.";
   if (!opening_of(problem).self_stress.empty())
     throw InputError(
-        "The supports clamp the packing: no motion opens all contacts, so that "
-        "normal forces can balance by themselves and have no bound. " +
+        (problem.has_ground()
+             ? "The supports clamp the packing: no motion opens all contacts, "
+               "so that normal forces can balance by themselves and have no "
+               "bound. "
+             : "Blocks clamp each other: no motion opens all contacts, so that "
+               "normal forces can balance by themselves and have no bound. ") +
         advice);
   throw InputError(
       "Whether the supports clamp the packing cannot be told: a motion that "

@@ -58,6 +58,8 @@ void Terminal::iteration(const std::string &solver, const std::string &state)
 
 void Terminal::warning(const std::string &message)
 {
+  if (out.rdbuf() != nullptr)
+    warned.push_back(message);
   // Padded here, since the width of a colour is not that of its characters.
   const std::string name = "Warning";
   line(screen.doubtful(name) + std::string(name_width - name.size(), ' '),

@@ -235,10 +235,11 @@ void failures(const std::string &scene)
   refused(scene, [&] { edit(interfaces, 4, 10, std::string(100, '1') + "x"); });
   refused(scene,
           [&] { edit(interfaces, 5, [](auto &fields) { fields.resize(3); }); });
-  refused(scene, [&] { fs::resize_file(interfaces, 300); });
+  refused(scene, [&] { fs::resize_file(interfaces, 330); });
   refused(scene, [&] { std::ofstream(cells, std::ios::app) << "4,0\n"; });
   refused(scene, [&] {
-    std::ofstream(interfaces, std::ios::app) << "0,1,0,0,1,1,1,1,1,1,1,1,1\n";
+    std::ofstream(interfaces, std::ios::app)
+        << "0,1,0,0,1,1,1,1,1,1,1,1,1,1,1\n";
   });
   refused(scene, [&] {
     const std::string all = read(cells);

@@ -24,7 +24,7 @@ OTHERS = [
     "The load is not carried: along a mechanism of the blocks that closes no joint it does",
     "work that friction does not resist", "Not convex:",
     "is not determined by the forces on their edges, and the mean stress is written instead.",
-    "face each other across a narrow gap near", "within the matching tolerance",
+    "face each other across a gap near", "within the matching tolerance",
     "The packing, supports and strengths must be those of the run that the forces are from; "
     "leave 'Forces from' empty to solve.", "A file or directory cannot be used:",
     "There is not enough memory for this packing.", "Interrupted by", "no effect, since",

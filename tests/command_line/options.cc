@@ -59,12 +59,13 @@ int main()
   const std::string out = run({"sub/scene.prm"});
   check("the scene runs", out.find("solved") != std::string::npos);
   for (const char *file :
-       {"interfaces.csv", "cells.csv", "blocks.vtu", "interfaces.vtu",
-        "stress.vtu", "results.pvd", "parameters.prm", "summary.json"})
+       {"interfaces.csv", "cells.csv", "boundary.csv", "blocks.vtu",
+        "interfaces.vtu", "stress.vtu", "results.pvd", "report.html",
+        "parameters.prm", "summary.json"})
     check(file, fs::file_size(std::string("output/scene/") + file) > 0);
   check("nothing is left over",
         std::distance(fs::directory_iterator("output/scene"),
-                      fs::directory_iterator()) == 8);
+                      fs::directory_iterator()) == 10);
   std::cout << read("output/scene/interfaces.csv");
 
   // Quiet shows the summary alone, of at most ten lines.
@@ -94,8 +95,9 @@ int main()
             .empty());
 
   // What is not asked for is not written, and no older file stays.
-  const auto files_with = [](const std::string &setting) {
-    run({"sub/scene.prm", "--set", setting});
+  const auto files_with = [](const std::string &setting,
+                             const std::string &other = "Title=files") {
+    run({"sub/scene.prm", "--set", setting, "--set", other});
     std::set<std::string> names;
     for (const auto &file : fs::directory_iterator("output/scene"))
       names.insert(file.path().filename());
@@ -103,7 +105,8 @@ int main()
   };
   using Names = std::set<std::string>;
   const Names always = {"parameters.prm", "summary.json"};
-  const Names csv = {"interfaces.csv", "cells.csv"};
+  const Names csv = {"interfaces.csv", "cells.csv", "boundary.csv"};
+  const Names report = {"report.html"};
   const Names vtu = {"blocks.vtu", "interfaces.vtu", "stress.vtu",
                      "results.pvd"};
   const auto also = [](Names a, const Names &b) {
@@ -112,7 +115,13 @@ int main()
   };
   check("draft: no stress.vtu",
         files_with("Accuracy=draft").count("stress.vtu") == 0);
-  check("all", files_with("Output/Files=all") == also(also(always, csv), vtu));
+  check("all", files_with("Output/Files=all") ==
+                   also(also(also(always, csv), vtu), report));
+  check("no report",
+        files_with("Output/Report=false") == also(also(always, csv), vtu));
+  check("a report alone",
+        files_with("Output/Files=none", "Output/Report=true") ==
+            also(always, report));
   check("csv", files_with("Output/Files=csv") == also(always, csv));
   check("vtu", files_with("Output/Files=vtu") == also(always, vtu));
   check("none", files_with("Output/Files=none") == always);

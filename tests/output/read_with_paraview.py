@@ -37,7 +37,7 @@ def expect_equal(what, found, expected):
         sys.exit(f"{what}: not as expected, to the last bit")
 
 
-def columns(name, *chosen):
+def columns(name, *chosen, directory=directory):
     """Columns of a .csv file, (n, number of columns)."""
     rows = csv.DictReader(open(f"{directory}/{name}"))
     return np.array([[float(row[column]) for column in chosen]
@@ -231,6 +231,14 @@ if abs(displacement[:, 1:]).max() > 1e-9:
     sys.exit("the courses do not slide, or not only")
 top, bottom = displacement[-1, 0], displacement[0, 0]
 expect("directions", (top > 0, bottom < 0), (True, True))
+
+joints = read("mechanism_joints.vtu", collapse)
+expect("fields of mechanism_joints.vtu", components(joints.CellData),
+       {"opening": 1, "sliding": 1, "dissipation": 1})
+grid = Grid(joints)
+for name in ("opening", "sliding", "dissipation"):
+    expect_equal(f"{name} of the mechanism", grid.fields[name],
+                 columns("mechanism_joints.csv", name, directory=collapse)[:, 0])
 
 # The stress [[-1, 0.3], [0.3, -2]] in every sub-cell.
 stress = read("stress.vtu", uniform)

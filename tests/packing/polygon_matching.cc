@@ -322,7 +322,7 @@ void test_groups()
             cells.group == std::vector<unsigned int>({0, 1, 2, 2, 2}));
 }
 
-/** A cell that is not convex is taken if its centre sees all of it. */
+/** A cell that is not convex is taken, and known for what its centre sees. */
 void test_star_shapes()
 {
   write_file("star.wkt", "POLYGON((0 0,4 0,4 2,2 1.5,0 2,0 0))\n"
@@ -332,7 +332,10 @@ void test_star_shapes()
         packing.not_convex() == std::vector<unsigned int>({0}) &&
             packing.interfaces().size() == 2);
   write_file("hook.wkt", "POLYGON((0 0,4 0,4 4,3 4,3 1,0 1,0 0))\n");
-  show_refusal([] { Packing hook(imported_cells("hook.wkt")); });
+  const Packing hook(imported_cells("hook.wkt"));
+  check("and one that it does not",
+        hook.not_seen_whole() == std::vector<unsigned int>({0}) &&
+            packing.not_seen_whole().empty() && !hook.is_seen_whole(0));
 }
 
 int main()

@@ -138,6 +138,80 @@ int main()
         inside.on_cells[0].cells == std::vector<unsigned int>{7} &&
             inside.on_cells[0].force[1] == -4. &&
             inside.on_cells[1].cells.size() == packing.n_cells());
+  // Body forces of groups, cell by cell, constant and not.
+  {
+    Packing named = wall(4, 3);
+    assign_groups(named, "odd: floor(4*y) == 1 | top: y > 0.75 || y < 0");
+    const Loads of_groups =
+        loads_on(named, "set Body force = 1; 0\n"
+                        "set Group body forces = odd: 0; x < 9 ? -24 : 1 | "
+                        "top: x; -y | cell 0: 0; 5");
+    error = 0.;
+    for (unsigned int c = 0; c < named.n_cells(); ++c)
+    {
+      const dealii::Point<2> &x = named.centre(c);
+      dealii::Tensor<1, 2> b({1., 0.});
+      if (c == 0)
+        b = dealii::Tensor<1, 2>({0., 5.});
+      else if (named.group_name(c) == "odd")
+        b = dealii::Tensor<1, 2>({0., -24.});
+      else if (named.group_name(c) == "top")
+        b = dealii::Tensor<1, 2>({x[0], -x[1]});
+      error = std::max(
+          error, (of_groups.body.force(named, c) - named.area(c) * b).norm());
+    }
+    check_error("body forces of groups", error, 1e-14);
+    check("semicolons between names, too",
+          loads_on(named, "set Group body forces = odd: 0; -24; top: 1; 2")
+                  .body.force(named, 0)
+                  .norm() == 0.);
+    show_refusal([&] { loads_on(named, "set Group body forces = odd: -24"); });
+    show_refusal(
+        [&] { loads_on(named, "set Group body forces = ground: 0; -24"); });
+    show_refusal([&] {
+      loads_on(named, "set Group body forces = odd: 0; 1 | odd: 0; 2");
+    });
+    show_refusal(
+        [&] { loads_on(named, "set Group body forces = fill: 0; -24"); });
+  }
+
+  // Point loads by place: within a cell, on its boundary, where cells touch.
+  {
+    const Packing blocks = wall(2, 1, 3., 2.);
+    const auto torque_about = [&](const CellForce &f,
+                                  const dealii::Point<2> &x) {
+      return cross(blocks.centre(f.cells[0]) - x, f.force) + f.torque;
+    };
+    for (const auto &[place, x, n] :
+         {std::make_tuple("0.25, 1.5", dealii::Point<2>(0.25, 1.5), 1u),
+          std::make_tuple("2.5, 2", dealii::Point<2>(2.5, 2.), 1u),
+          std::make_tuple("1.5, 2", dealii::Point<2>(1.5, 2.), 2u)})
+    {
+      const auto forces =
+          loads_on(blocks,
+                   std::string("set Cell forces = at ") + place + ": 3, -4")
+              .on_cells;
+      dealii::Tensor<1, 2> sum;
+      double torque = 0.;
+      for (const CellForce &f : forces)
+      {
+        sum += f.force;
+        torque += torque_about(f, x);
+      }
+      check(std::string("a force at ") + place,
+            forces.size() == n && sum[0] == 3. && sum[1] == -4. &&
+                std::abs(torque) < 1e-15);
+    }
+    show_refusal(
+        [&] { loads_on(blocks, "set Cell forces = at 1.5, 2.01: 0, -1"); });
+    show_refusal([&] { loads_on(blocks, "set Cell forces = at 1.5: 0, -1"); });
+    show_refusal([&] {
+      loads_on(blocks, "set Cell forces = cell 0: 0, -1 at 2.9, 1.5");
+    });
+    show_refusal(
+        [&] { loads_on(blocks, "set Cell forces = brick: 0, -1 at 2.9, 1"); });
+  }
+
   check("nothing without a body force", loads_on(packing, "").body.empty());
   const Loads on_top = loads_on(packing, "set Traction = 1; 2\n"
                                          "set Where = ny > 0.5 && x < 0.5");
@@ -198,7 +272,10 @@ int main()
   show_refusal([&] { loads_on(bricks, "set Cell forces = brick: 1"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = brick"); });
   show_refusal([&] { loads_on(bricks, "set Cell forces = ground: 0, 1"); });
-  show_refusal([&] { strengths(bricks, "1", "brick: 2"); });
+  check("a group with itself by one name",
+        strengths(bricks, "1", "brick: 2") ==
+            strengths(bricks, "1", "brick, brick: 2"));
+  show_refusal([&] { strengths(bricks, "1", "brick, brick, brick: 2"); });
   show_refusal(
       [&] { strengths(bricks, "1", "brick, brick: 2; brick,brick: 3"); });
   show_refusal([&] { strengths(bricks, "1", "brick, ground: 2"); });

@@ -39,8 +39,9 @@ Packing joined(const std::vector<Ring> &rings,
                const double width,
                const double tolerance = 1e-10)
 {
+  PolygonList polygons = list_of(rings);
   return Packing(
-      join_facing_sides(list_of(rings), {width, fifteen_degrees, tolerance}));
+      join_facing_sides(polygons, {width, fifteen_degrees, tolerance}));
 }
 
 Ring rectangle(const double x, const double y, const double b, const double h)

@@ -5,6 +5,7 @@
 // packings, whose forces have no bound. States that all formulations select lie
 // within the ranges, whose ends are attained and proven.
 
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/statics/formulation.h>
 #include <voussoir/statics/least_energy.h>
@@ -244,20 +245,45 @@ void random_packings()
 
 void refusals()
 {
-  const auto wanted = [](const std::string &where, const bool reactions) {
+  const auto wanted = [](const std::string &where, const bool reactions,
+                         const std::string &joints = "") {
     RangeParameters parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
     prm.enter_subsection("Ranges");
     prm.set("Where", where);
     prm.set("Reactions", reactions);
+    prm.set("Joints", joints);
     prm.leave_subsection();
-    return parameters.wanted(wall(2, 2));
+    Packing packing = on_ground(wall(2, 2));
+    assign_groups(packing, "base: y < 0.5");
+    return parameters.wanted(packing);
   };
   check("none", !wanted("0", false));
   check("some", wanted("ny > 0.5", false).has_value());
+  const auto number = [&](const std::string &where, const std::string &joints) {
+    const auto of = wanted(where, false, joints)->interfaces;
+    return std::count(of.begin(), of.end(), true);
+  };
+  // Two bricks on the ground and three above.
+  check("joints by names", number("0", "base, ground") == 2 &&
+                               number("0", "base") == 2 + 1 + 4 &&
+                               number("0", "cell 0, cell 1") == 1 &&
+                               number("0", "brick, base | base, ground") == 6 &&
+                               number("ny < -0.5", "cell 0, cell 1") == 3);
+  show_refusal([&] { wanted("0", false, "brick, ground"); });
+  show_refusal([&] { wanted("0", false, "lintel"); });
+  show_refusal([&] { wanted("0", false, "base, base, base"); });
   show_refusal([&] { wanted("x > 5", false); });
-  show_refusal([&] { wanted("0", true); });
+  show_refusal([&] {
+    RangeParameters parameters;
+    dealii::ParameterHandler prm;
+    parameters.add_parameters(prm);
+    prm.enter_subsection("Ranges");
+    prm.set("Reactions", true);
+    prm.leave_subsection();
+    parameters.wanted(wall(2, 2));
+  });
 }
 
 int main()

@@ -5,6 +5,7 @@
 // tilts and beside a wall that rises; the thrust is an end of its range; and
 // what is refused.
 
+#include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/jumps.h>
 #include <voussoir/scene/reactions.h>
 #include <voussoir/scene/supports.h>
@@ -19,13 +20,15 @@ using dealii::Tensor;
 
 /** Supports with the settings of the section, of @p packing. */
 std::vector<SupportMotion> motion_of(const Packing &packing,
-                                     const std::string &displacement)
+                                     const std::string &displacement,
+                                     const std::string &of_groups = "")
 {
   SupportParameters parameters;
   dealii::ParameterHandler prm;
   parameters.add_parameters(prm);
   prm.enter_subsection("Supports");
   prm.set("Displacement", displacement);
+  prm.set("Group displacements", of_groups);
   prm.leave_subsection();
   return parameters.motion(packing);
 }
@@ -291,6 +294,29 @@ void random_walls()
       }
 }
 
+/** Supports by the names of their cells. */
+void groups()
+{
+  Packing packing = on_ground(wall(2, 3, 3., 1.));
+  assign_groups(packing, "left: x < 1 | right: x > 2");
+  const auto by_place =
+      motion_of(packing, "0; x < 1 ? -2 : x > 2 ? 3 : 1; x > 2 ? 0.1 : 0");
+  const auto by_name =
+      motion_of(packing, "0; 1", "left: 0; -2 | right: 0; 3; 0.1");
+  double difference = 0.;
+  for (unsigned int k = 0; k < by_name.size(); ++k)
+    difference += (by_name[k].displacement - by_place[k].displacement).norm() +
+                  std::abs(by_name[k].rotation - by_place[k].rotation);
+  check("supports by groups", by_name.size() == 3 && difference == 0.);
+  check("others stay",
+        motion_of(packing, "", "left: 0; -2")[1].displacement.norm() == 0.);
+  show_refusal([&] { motion_of(packing, "", "middle: 0; 1"); });
+  show_refusal([&] { motion_of(packing, "", "cell 5: 0; 1"); });
+  show_refusal([&] { motion_of(packing, "", "left: 0; 1 | cell 0: 0; 2"); });
+  show_refusal([&] { motion_of(packing, "", "left: 1"); });
+  show_refusal([&] { motion_of(packing, "", "left: 0; 0"); });
+}
+
 void refusals()
 {
   Packing packing = wall(1, 1, 1., 1.);
@@ -325,5 +351,6 @@ int main()
   wall_that_rises(3.);
   floor_that_slides();
   random_walls();
+  groups();
   refusals();
 }

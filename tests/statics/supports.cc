@@ -248,4 +248,17 @@ int main()
   show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 1"); });
   show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 13"); });
   show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < -1"); });
+
+  // So are the gap beside it, and a contact in a point.
+  CellLoops two;
+  two.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
+  for (const Point<2> &p :
+       {Point<2>(0., 1.1), Point<2>(1., 1.1), Point<2>(0.5, 2.)})
+    two.vertices.push_back(p);
+  two.add({0, 1, 2, 3});
+  two.add({4, 5, 6});
+  show_refusal([&] { under_weight(Packing(two), 1., 1., "y < 0.1"); });
+  two.vertices[4] = {1., 1.};
+  two.vertices[5] = {2., 1.};
+  show_refusal([&] { under_weight(Packing(two), 1., 1., "y < 0.1"); });
 }

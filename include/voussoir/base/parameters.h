@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,6 +88,17 @@ void add_choice(dealii::ParameterHandler &prm,
 }
 
 /**
+ * The names of the subsections directly in @p section that a file and
+ * command-line assignments have entries of, to declare those that a user names.
+ *
+ * @param file need not exist.
+ */
+std::set<std::string>
+subsections_in(const std::string &section,
+               const std::filesystem::path &file,
+               const std::vector<std::string> &assignments);
+
+/**
  * Read the file @p file into @p prm.
  *
  * @throws InputError if the file cannot be read, or has an entry that is not
@@ -94,6 +106,15 @@ void add_choice(dealii::ParameterHandler &prm,
  */
 void read_parameters(dealii::ParameterHandler &prm,
                      const std::filesystem::path &file);
+
+/**
+ * The same of a text of several lines.
+ *
+ * @param name of the text, for messages.
+ */
+void read_parameters_text(dealii::ParameterHandler &prm,
+                          const std::string &text,
+                          const std::string &name);
 
 /**
  * Carry out one command-line assignment "Section/Subsection/Name=value".

@@ -15,6 +15,7 @@ namespace Voussoir
 /** The name of a file, written by the function that is named like it. */
 inline const std::string interfaces_csv = "interfaces.csv";
 inline const std::string cells_csv = "cells.csv";
+inline const std::string boundary_csv = "boundary.csv";
 inline const std::string mechanism_csv = "mechanism.csv";
 inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
 /** @} */
@@ -27,9 +28,18 @@ inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
  * in compression), s_e (a stress) and |f_e^t| / (s_e |e|); and, if the
  * formulation finds out, 1 where every admissible and balanced state has
  * f_e^n = 0, and |f_e^t| = s_e |e|. Where blocks turn also what of f_e^n acts
- * at the start and at the end, and InterfaceForces::eccentricity().
+ * at the start and at the end, and InterfaceForces::eccentricity(). The branch
+ * vector, at the end, runs from x_c- to x_c+, or to the midpoint of a support.
  */
 void write_interfaces_csv(std::ostream &out, const Results &results);
+
+/**
+ * One line per boundary edge: its cell, ends, normal and length; the force of
+ * the traction on it and its EdgeTractions::first_moment; and the branch vector
+ * from x_c to its midpoint. With the forces and branch vectors of the
+ * interfaces these add up to the mean stress of the packing.
+ */
+void write_boundary_csv(std::ostream &out, const Results &results);
 
 /**
  * One line per cell: its number, centre and area, the load F_c (a force per

@@ -21,6 +21,19 @@ inline const std::string interfaces_vtu = "interfaces.vtu";
  * formulation finds out (see Results).
  */
 void write_interfaces_vtu(std::ostream &out, const Results &results);
+
+/** The name of the file that the next function writes. */
+inline const std::string mechanism_joints_vtu = "mechanism_joints.vtu";
+
+/**
+ * The jumps of a motion at the interfaces, where these are at rest, one line
+ * for each, with the fields of mechanism_joints.csv: opening and sliding, of
+ * the size of the motion, dissipation, and where blocks turn opening_0 and
+ * opening_1.
+ */
+void write_mechanism_joints_vtu(std::ostream &out,
+                                const Scene &scene,
+                                const Motion &motion);
 } // namespace Voussoir
 
 #endif

@@ -82,8 +82,13 @@ public:
    */
   void publish();
 
+  /** The same, and leave the results of an earlier run where they are. */
+  void publish_beside();
+
 private:
   bool is_result(const std::string &name) const;
+  void put_in_place();
+  void finish(Uninterrupted &whole);
   void make_staging(Uninterrupted &whole);
   void discard();
 

@@ -9,6 +9,7 @@
 #include <voussoir/statics/ranges.h>
 #include <voussoir/statics/settlement.h>
 #include <voussoir/statics/state_samples.h>
+#include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>
 
 #include <map>
@@ -52,7 +53,9 @@ struct Results : RunRecord, Carried
   std::vector<double> torques;
   /** cell_mean_stresses() of each cell, S; empty if not asked for. */
   std::vector<dealii::Tensor<2, 2>> mean_stresses;
-  /** In the sub-cells of each cell; empty if not asked for. */
+  /** Where some are cut into pieces for the stress. */
+  std::optional<CellPieces> pieces;
+  /** In the sub-cells of each cell, or piece; empty if not asked for. */
   StressField stress;
   /** The factor at which the forces are, if one was looked for. */
   std::optional<LoadFactor> load_factor;

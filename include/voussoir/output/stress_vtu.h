@@ -29,6 +29,8 @@ struct StressedCells
   const Motion &motion;
   /** The number of the first cell, if others are elsewhere. */
   unsigned int first_cell = 0;
+  /** The number of each, if they are pieces; else null. */
+  const std::vector<unsigned int> *numbers = nullptr;
 };
 
 /**

@@ -17,9 +17,10 @@ namespace Voussoir
  * each cell and values at the points: a .vtu file, or a .pvtu file that lists
  * several of these as the pieces of one grid.
  *
- * Numbers are binary, appended to the XML in blocks that LZ4 compresses. No
- * array is ever kept: a block is asked for when its turn comes, by all threads
- * at a time, so that a grid costs hardly more memory than its description.
+ * Numbers are binary, appended to the XML in blocks that zlib compresses, or
+ * LZ4 from a million cells on. No array is ever kept: a block is asked for when
+ * its turn comes, by all threads at a time, so that a grid costs hardly more
+ * memory than its description.
  */
 class VtuFile
 {
@@ -121,7 +122,7 @@ private:
           values(begin, end, reinterpret_cast<Number *>(bytes));
         }};
   }
-  static void write_data(std::ostream &out, const Array &array);
+  void write_data(std::ostream &out, const Array &array) const;
 
   VtuFile(const Items<double> &points,
           const Array &connectivity,

@@ -5,6 +5,7 @@
 #include <voussoir/packing/packing.h>
 
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -17,6 +18,16 @@ namespace Voussoir
 unsigned int group_of_name(const Packing &packing,
                            const std::string &name,
                            const std::string &parameter);
+
+/**
+ * The numbers of the cells that a user calls @p name, ascending: those of a
+ * group, or the one of "cell" and a number. The ground is Packing::ground().
+ *
+ * @throws InputError as group_of_name() does, or if there is no such cell.
+ */
+std::vector<unsigned int> cells_of_name(const Packing &packing,
+                                        const std::string &name,
+                                        const std::string &parameter);
 
 /**
  * Put cells into groups by the list @p groups, "name: condition; ...", where

@@ -25,13 +25,21 @@ std::string quoted_group_name(const std::string &name);
 void check_group_name(const std::string &name);
 
 /**
- * Split a list "name: value; name: value", as parameters about groups of cells
- * have it, into names and values without the spaces around them.
+ * Split a list "name: value | name: value", as parameters about groups of cells
+ * have it, into names and values without the spaces around them. The bars may
+ * be semicolons.
  *
+ * @param of_vectors true if semicolons also separate the components of a value:
+ *   where there is no bar, one without a name behind it does.
  * @throws InputError naming @p parameter if an element has no name or value.
  */
 std::vector<std::pair<std::string, std::string>>
-split_named_list(const std::string &list, const std::string &parameter);
+split_named_list(const std::string &list,
+                 const std::string &parameter,
+                 bool of_vectors = false);
+
+/** The parts of @p list between bars; not between "||", the "or" of formulas.*/
+std::vector<std::string> split_at_bars(const std::string &list);
 } // namespace Voussoir
 
 #endif

@@ -3,6 +3,7 @@
 #define voussoir_packing_packing_h
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -12,6 +13,22 @@
 
 namespace Voussoir
 {
+/** An open joint between two cells that nearly touch. */
+struct Gap
+{
+  /** The two, the lower number first. */
+  std::array<unsigned int, 2> cells;
+  /** The widest distance of the sides that face each other; a length. */
+  double width;
+  /** What lies between them, counterclockwise; lengths. */
+  std::array<dealii::Point<2>, 4> outline;
+  /** The middle of it; a length. */
+  dealii::Point<2> place() const
+  {
+    return 0.25 * (outline[0] + outline[1] + outline[2] + outline[3]);
+  }
+};
+
 /**
  * The loops of vertices from which a Packing is made. Where two cells meet they
  * share the vertices at both ends of the common edge, so a T-junction is a
@@ -56,6 +73,8 @@ struct CellLoops
 
   /** Notices to the user on how the input was understood. */
   std::vector<std::string> notices;
+  /** The narrow gaps that were left open. */
+  std::vector<Gap> gaps;
 
   /** The number of cells. */
   unsigned int n_cells() const { return first.size() - 1; }
@@ -84,7 +103,7 @@ struct CellLoops
 };
 
 /**
- * A packing: a mesh of convex polygons, its cells, with the edges between them.
+ * A packing: a mesh of polygons, its cells, with the edges between them.
  * Geometry and topology only, in the user's unit of length.
  *
  * Cells c = 0..F-1 have a centre x_c. The edge shared by two cells is an
@@ -159,8 +178,8 @@ public:
    * rests on the ground.
    *
    * @throws InputError naming the cell and the place if a cell is not a
-   *   counterclockwise polygon of positive area that is convex, or has all of
-   *   its sides in view of its centre (see not_convex()); if its area is beyond
+   *   counterclockwise polygon of positive area, or is convex and its centre is
+   *   outside; if its area is beyond
    *   what can be computed with, its centre is not inside, or a vertex repeats;
    *   if an edge belongs to more than two cells, or to two on the same side of
    *   it; or if a group has an impossible name.
@@ -197,6 +216,8 @@ public:
   double area(const unsigned int cell) const { return areas[cell]; }
   /** The sum of the areas of all cells; L^2. */
   double area() const;
+  /** The box around all cells; lengths. */
+  dealii::BoundingBox<2> box() const;
   /**
    * The names of the groups of cells; every cell belongs to one. The last is
    * "ground", whose only member is ground().
@@ -223,7 +244,9 @@ public:
    * The distance d_e of the centres along the normal, positive; a length.
    *
    * It is (x_{c+} - x_{c-}) . n_e; to the ground the distance of x_{c-} from
-   * the edge.
+   * the edge. A cell that cannot be seen whole from its centre has twice its
+   * area over its perimeter for its part, the distance of the sides of a
+   * regular polygon.
    */
   double distance(const Interface &interface) const;
 
@@ -250,10 +273,16 @@ public:
     return mesh.vertex(cell, i);
   }
 
-  /** The cells that are not convex, only star-shaped; ascending numbers. */
-  const std::vector<unsigned int> &not_convex() const { return star_shaped; }
+  /** The cells that are not convex; ascending numbers. */
+  const std::vector<unsigned int> &not_convex() const { return concave; }
+  /** Those of them that cannot be seen whole from their centre. */
+  const std::vector<unsigned int> &not_seen_whole() const { return hiding; }
+  /** True if all of @p cell can be seen from its centre. */
+  bool is_seen_whole(unsigned int cell) const;
   /** Notices to the user on how the input was understood. */
   const std::vector<std::string> &notices() const { return mesh.notices; }
+  /** The narrow gaps that the input left open. */
+  const std::vector<Gap> &gaps() const { return mesh.gaps; }
   /** "cell 3", with its line or feature if it was read; "the ground". */
   std::string describe(unsigned int cell) const;
 
@@ -261,6 +290,7 @@ private:
   void name_groups();
   void measure(unsigned int cell, bool take_centroid);
   void check_shape(unsigned int cell);
+  double half_distance(unsigned int cell, const Interface &interface) const;
   /**
    * For each side, all cells' sides counted through, the side of another cell
    * along the same edge, or invalid_unsigned_int.
@@ -277,7 +307,7 @@ private:
   std::vector<Side> side_list;
   std::vector<Interface> interface_list;
   std::vector<BoundaryEdge> boundary_list;
-  std::vector<unsigned int> star_shaped;
+  std::vector<unsigned int> concave, hiding;
   unsigned int support_count = 0;
 };
 } // namespace Voussoir

@@ -3,8 +3,10 @@
 #define voussoir_packing_packing_parameters_h
 
 #include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/polygons/polygons.h>
 
 #include <memory>
+#include <utility>
 
 namespace Voussoir
 {
@@ -17,6 +19,9 @@ public:
 
   /** Declare the section, with those of the generators, and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
+
+  /** PolygonGenerator::give(); it is used if that is the generator chosen. */
+  void give(PolygonList given) { polygons->give(std::move(given)); }
 
   /** The files that make_packing() reads. */
   std::vector<std::filesystem::path>
@@ -39,6 +44,7 @@ public:
 
 private:
   std::vector<std::unique_ptr<PackingGenerator>> generators;
+  PolygonGenerator *polygons; // one of them
   unsigned int chosen = 0;
   std::string groups;
 };

@@ -39,6 +39,14 @@ public:
             const Jumps &jumps = Jumps(),
             Inaccuracies *inaccuracies = nullptr);
 
+  /** The same on some @p cells, which have had none. */
+  void add(const Packing &packing,
+           const std::vector<unsigned int> &cells,
+           const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
+                                                    unsigned int)> &b,
+           const Jumps &jumps,
+           Inaccuracies *inaccuracies);
+
   /**
    * Add the force @p f and the @p torque about x_c, per unit thickness, spread
    * over @p cell: as a constant, and as a field that turns about x_c and grows

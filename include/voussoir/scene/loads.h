@@ -4,29 +4,16 @@
 
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/body_force.h>
+#include <voussoir/scene/cell_forces.h>
 #include <voussoir/scene/segment_tractions.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Voussoir
 {
-/** A force on each of some cells, which acts evenly over the area of each. */
-struct CellForce
-{
-  /** The name that the user gave the cells. */
-  std::string name;
-  /** Their numbers, ascending. */
-  std::vector<unsigned int> cells;
-  /** On each cell; per unit thickness. */
-  dealii::Tensor<1, 2> force;
-  /** The torque about x_c of the place where it acts; per unit thickness. */
-  double torque = 0.;
-};
-
 /** All that acts on a packing, in the user's units. */
 struct Loads
 {
@@ -49,12 +36,16 @@ struct Loads
 class LoadParameters
 {
 public:
-  /** @param section its name. */
-  explicit LoadParameters(std::string section = "Loads")
-      : section(std::move(section))
+  /**
+   * @param name of the section.
+   * @param parent the section that it is in; empty if it is in none.
+   */
+  explicit LoadParameters(const std::string &name = "Loads",
+                          const std::string &parent = "")
+      : name(name), section(parent.empty() ? name : parent + "/" + name)
   {}
 
-  /** Declare the section and bind it. */
+  /** Declare the section, in its parent, and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /**
@@ -84,10 +75,9 @@ private:
   void add_uniform_stress(const Packing &packing,
                           const std::vector<bool> &chosen,
                           EdgeTractions &tractions) const;
-  BodyForce body_force(const Packing &packing,
-                       std::vector<std::string> &warnings) const;
-  std::vector<CellForce> forces_on_cells(const Packing &packing) const;
 
+  std::string name;
+  /** Its path. */
   std::string section;
   Kind kind = Kind::traction;
   std::string traction = "0; 0";
@@ -95,6 +85,7 @@ private:
   std::string loaded_where = "1";
   std::string on_segments;
   std::string body = "0; 0";
+  std::string body_of_groups;
   std::string cell_forces;
 };
 } // namespace Voussoir

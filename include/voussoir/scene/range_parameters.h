@@ -56,7 +56,8 @@ public:
    * What is wanted of a packing with its supports; nothing by default.
    *
    * @throws InputError if the condition cannot be evaluated or holds on no
-   *   interface, or reactions are wanted and there are no supports.
+   *   interface, a name is that of none, or reactions are wanted and there are
+   * no supports.
    */
   std::optional<RangesWanted> wanted(const Packing &packing) const;
 
@@ -68,7 +69,7 @@ public:
   std::optional<SamplesWanted> samples() const;
 
 private:
-  std::string where = "0";
+  std::string where = "0", joints;
   bool reactions = false;
   RangeMethod method = RangeMethod::automatic;
   SamplesWanted of_samples;

@@ -25,6 +25,11 @@ struct Reaction
   /** @} */
   /** On the packing; S L. */
   dealii::Tensor<1, 2> force;
+  /**
+   * Where its resultant meets the line of the support, a length; the middle if
+   * nothing presses.
+   */
+  dealii::Point<2> place;
 };
 
 /** The reactions of all supports, in the user's units. */

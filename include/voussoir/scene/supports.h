@@ -31,12 +31,12 @@ public:
    * How each support of @p packing moves; empty if they do not.
    *
    * @throws InputError if it cannot be evaluated, is zero everywhere, or there
-   *   are no supports.
+   *   are no supports, or none under a group that is named.
    */
   std::vector<SupportMotion> motion(const Packing &packing) const;
 
 private:
-  std::string where = "0", displacement;
+  std::string where = "0", displacement, displacement_of_groups;
 };
 
 /**

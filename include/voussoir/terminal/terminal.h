@@ -9,6 +9,8 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Voussoir
 {
@@ -64,9 +66,19 @@ public:
 
   /** Something unexpected that did not stop the run. Always shown. */
   void warning(const std::string &message);
+  /** All of these, in their order; none of the silent one. */
+  const std::vector<std::string> &warnings() const { return warned; }
+  /** The same, of which none are kept. */
+  std::vector<std::string> take_warnings() { return std::exchange(warned, {}); }
 
   /** A line of the closing summary. Shown unless quiet. */
   void summary(const std::string &name, const std::string &value);
+  /** A line of it that is shown at verbosity 2 only. */
+  void detail(const std::string &name, const std::string &value)
+  {
+    if (verbosity() >= 2)
+      summary(name, value);
+  }
   /** The first of them, in the colour of what is good or bad. */
   void status(const std::string &value, const bool is_good)
   {
@@ -80,6 +92,7 @@ private:
   const Screen screen;
   unsigned int level;
   bool quiet = false;
+  std::vector<std::string> warned;
   /** The line of progress; null before a stage and where none is shown. */
   std::unique_ptr<ProgressLine> in_progress;
 };

@@ -138,7 +138,7 @@ std::optional<Facing> facing_of(const std::vector<Side> &sides,
 class SideJoiner
 {
 public:
-  SideJoiner(const PolygonList &polygons, const FacingLimits &limits)
+  SideJoiner(PolygonList &polygons, const FacingLimits &limits)
       : polygons(polygons), limits(limits), sides(sides_of(polygons)),
         on_side(sides.size())
   {}
@@ -147,7 +147,8 @@ public:
   {
     find_joints();
     for (std::size_t s = 0; s < sides.size(); ++s)
-      part(s);
+      polygons.passes([&] { part(s); });
+    polygons.refuse_faults();
     return cut();
   }
 
@@ -262,7 +263,7 @@ private:
                   polygons.polygons[c].record, ")");
     };
     polygons.refuse(
-        sides[side].cell,
+        DrawingFault::Kind::hidden_cell, sides[side].cell,
         text("faces both ", other(one), " and ", other(next), " at ",
              text_of_point(sides[side].start + next.begin * sides[side].along),
              " within the joint width ", limits.joint_width,
@@ -313,7 +314,7 @@ private:
     return cells;
   }
 
-  const PolygonList &polygons;
+  PolygonList &polygons;
   const FacingLimits &limits;
   const std::vector<Side> sides;
   std::vector<Facing> joints;
@@ -322,8 +323,7 @@ private:
 };
 } // namespace
 
-CellLoops join_facing_sides(const PolygonList &polygons,
-                            const FacingLimits &limits)
+CellLoops join_facing_sides(PolygonList &polygons, const FacingLimits &limits)
 {
   return SideJoiner(polygons, limits).join();
 }

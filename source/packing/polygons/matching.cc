@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 namespace Voussoir
@@ -61,33 +60,12 @@ Box box_around(const Point<2> &a, const Point<2> &b, const double margin)
   return box;
 }
 
-/** The rings of all cells, with their different points in the file's order. */
-CellLoops corners_of(const PolygonList &polygons)
-{
-  CellLoops corners;
-  std::map<std::pair<double, double>, unsigned int> numbers;
-  for (const PolygonList::Polygon &polygon : polygons.polygons)
-  {
-    std::vector<unsigned int> loop;
-    for (const Point<2> &p : polygon.ring)
-    {
-      const auto [entry, is_new] =
-          numbers.emplace(std::make_pair(p[0], p[1]), corners.vertices.size());
-      if (is_new)
-        corners.vertices.push_back(p);
-      loop.push_back(entry->second);
-    }
-    corners.add(loop);
-  }
-  return corners;
-}
-
 /** Matches one list; one object, used once. */
 class PolygonMatcher
 {
 public:
-  PolygonMatcher(const PolygonList &polygons, const double tolerance)
-      : polygons(polygons), tolerance(tolerance), corners(corners_of(polygons)),
+  PolygonMatcher(PolygonList &polygons, const double tolerance)
+      : polygons(polygons), tolerance(tolerance), corners(loops_of(polygons)),
         points(corners.vertices), tree(dealii::pack_rtree_of_indices(points))
   {}
 
@@ -99,6 +77,7 @@ public:
     for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
     {
       std::vector<unsigned int> vertices = loop(c);
+      polygons.passes([&] { check_loop(c, vertices); });
       for (unsigned int &v : vertices)
       {
         if (number[v] == none)
@@ -110,6 +89,7 @@ public:
       }
       cells.add(vertices);
     }
+    polygons.refuse_faults();
     cells.tolerance = deepest_dent * tolerance;
     judge_moves(cells);
     return cells;
@@ -198,7 +178,6 @@ private:
     }
     while (result.size() > 1 && result.back() == result.front())
       result.pop_back();
-    check_loop(cell, result);
     return result;
   }
 
@@ -211,21 +190,22 @@ private:
     {
       const unsigned int p = corners.corner(cell, i);
       if (points[p].distance(points[vertex[p]]) > longest_move * tolerance)
-        polygons.refuse(cell, "has a chain of short sides at " +
-                                  text_of_point(points[p]) + ", each " +
-                                  advice);
+        polygons.refuse(DrawingFault::Kind::too_small_to_match, cell,
+                        "has a chain of short sides at " +
+                            text_of_point(points[p]) + ", each " + advice);
     }
     if (loop.size() < 3)
-      polygons.refuse(cell, "at " +
-                                text_of_point(points[corners.corner(cell, 0)]) +
-                                " has fewer than three vertices left of which "
-                                "no two are " +
-                                advice);
+      polygons.refuse(DrawingFault::Kind::too_small_to_match, cell,
+                      "at " + text_of_point(points[corners.corner(cell, 0)]) +
+                          " has fewer than three vertices left of which "
+                          "no two are " +
+                          advice);
     std::sort(loop.begin(), loop.end());
     const auto twice = std::adjacent_find(loop.begin(), loop.end());
     if (twice != loop.end())
-      polygons.refuse(cell, "touches itself at " +
-                                text_of_point(points[*twice]) + " " + advice);
+      polygons.refuse(DrawingFault::Kind::too_small_to_match, cell,
+                      "touches itself at " + text_of_point(points[*twice]) +
+                          " " + advice);
   }
 
   /** Refuse moves that change blocks, and tell of those that may matter. */
@@ -240,7 +220,7 @@ private:
       largest = std::max(largest, largest_move(c));
     if (largest.distance > largest_relative_move * size)
       polygons.refuse(
-          largest.cell,
+          DrawingFault::Kind::too_small_to_match, largest.cell,
           text("would be changed at ", text_of_point(largest.place), " by ",
                largest.distance,
                " in matching, more than a thousandth of the "
@@ -286,7 +266,7 @@ private:
     return largest;
   }
 
-  const PolygonList &polygons;
+  PolygonList &polygons;
   const double tolerance;
 
   const CellLoops corners;
@@ -297,7 +277,7 @@ private:
 };
 } // namespace
 
-CellLoops match_polygons(const PolygonList &polygons, const double tolerance)
+CellLoops match_polygons(PolygonList &polygons, const double tolerance)
 {
   return PolygonMatcher(polygons, tolerance).match();
 }

@@ -75,9 +75,19 @@ public:
   }
 
 private:
-  [[noreturn]] void refuse(const std::string &fault) const
+  using Kind = DrawingFault::Kind;
+
+  [[noreturn]] void refuse(const std::string &fault,
+                           const Kind kind = Kind::no_polygon) const
   {
-    list.refuse(list.polygons.size(), feature, fault);
+    throw list.fault(kind, list.polygons.size(), feature, fault);
+  }
+  /** Read a part of a feature; what has a fault counts as a cell, too. */
+  template <typename Read>
+  void try_to(const Read &read)
+  {
+    if (!list.passes(read))
+      list.polygons.push_back({{}, "", feature, true});
   }
   [[noreturn]] void refuse_file(const std::string &fault) const
   {
@@ -102,8 +112,12 @@ private:
                   ? ""
                   : next->GetFieldAsString(group_field);
       const OGRGeometry *geometry = next->GetGeometryRef();
+      try_to([&] {
+        if (geometry == nullptr)
+          refuse("has no geometry" + messages.error() + "; delete it.");
+      });
       if (geometry == nullptr)
-        refuse("has no geometry" + messages.error() + "; delete it.");
+        continue;
       has_z |= geometry->Is3D();
       if (geometry->hasCurveGeometry(true))
       {
@@ -125,18 +139,18 @@ private:
   {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (geometry.IsEmpty())
-      refuse("is empty; delete it.");
-    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
-        OGR_GT_IsSubClassOf(type, wkbMultiSurface))
+      try_to([&] { refuse("is empty; delete it."); });
+    else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
+             OGR_GT_IsSubClassOf(type, wkbMultiSurface))
       for (const OGRGeometry *part : *geometry.toGeometryCollection())
         read_geometry(*part);
     else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
       for (const OGRPolygon *part : *geometry.toPolyhedralSurface())
-        read_polygon(*part);
+        try_to([&] { read_polygon(*part); });
     else if (OGR_GT_IsSubClassOf(type, wkbPolygon))
-      read_polygon(*geometry.toPolygon());
+      try_to([&] { read_polygon(*geometry.toPolygon()); });
     else if (type == wkbLineString)
-      read_line(*geometry.toLineString());
+      try_to([&] { read_line(*geometry.toLineString()); });
     else if (n_left_out++ == 0)
       first_left_out =
           text("feature ", feature, ", a ", OGRGeometryTypeToName(type));
@@ -146,7 +160,8 @@ private:
   {
     if (polygon.getNumInteriorRings() > 0)
       refuse("has a hole; a cell is one loop, so cut it into cells without "
-             "holes.");
+             "holes.",
+             Kind::hole);
     add(*polygon.getExteriorRing());
   }
 
@@ -157,10 +172,11 @@ private:
       OGRPoint start, end;
       line.StartPoint(&start);
       line.EndPoint(&end);
-      refuse(
-          "is a line from " + text_of_point({start.getX(), start.getY()}) +
-          " to " + text_of_point({end.getX(), end.getY()}) +
-          " that is not closed; close it, or delete it if it bounds no cell.");
+      refuse("is a line from " + text_of_point({start.getX(), start.getY()}) +
+                 " to " + text_of_point({end.getX(), end.getY()}) +
+                 " that is not closed; close it, or delete it if it bounds no "
+                 "cell.",
+             Kind::not_closed);
     }
     add(line);
   }

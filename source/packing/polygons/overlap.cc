@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/convex_pieces.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Partition_traits_2.h>
-#include <CGAL/partition_2.h>
-
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace Voussoir
 {
@@ -21,49 +20,13 @@ using dealii::Point;
 using Ring = std::vector<Point<2>>;
 using Box = dealii::BoundingBox<2>;
 
-/**
- * The distance, relative to the lengths of the sides at a vertex, that the
- * vertex may lie inside its neighbours' chord by rounding alone.
- */
-constexpr double convexity_tolerance = 1e-12;
+/** The distance of vertices that are the same, over the size of a cell. */
+constexpr double same_within = 1e-3;
 
 /** Negative to the right of the line from @p a to @p b; length times length. */
 double left_of(const Point<2> &a, const Point<2> &b, const Point<2> &p)
 {
   return cross(b - a, p - a);
-}
-
-bool is_convex(const Ring &ring)
-{
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const Point<2> &a = ring[i], &b = ring[(i + 1) % n], &c = ring[(i + 2) % n];
-    const double longer = std::max(a.distance_square(b), b.distance_square(c));
-    if (left_of(a, b, c) < -convexity_tolerance * longer)
-      return false;
-  }
-  return true;
-}
-
-/** Cut a simple polygon into convex ones. */
-std::vector<Ring> convex_pieces(const Ring &ring)
-{
-  if (is_convex(ring))
-    return {ring};
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Traits = CGAL::Partition_traits_2<Kernel>;
-  std::vector<Kernel::Point_2> points;
-  for (const Point<2> &p : ring)
-    points.emplace_back(p[0], p[1]);
-  std::vector<Traits::Polygon_2> parts;
-  CGAL::approx_convex_partition_2(points.begin(), points.end(),
-                                  std::back_inserter(parts), Traits());
-  std::vector<Ring> pieces(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (const Kernel::Point_2 &p : parts[i])
-      pieces[i].emplace_back(p.x(), p.y());
-  return pieces;
 }
 
 /** The least distance that @p b reaches over a side of @p a. */
@@ -93,8 +56,8 @@ double depth(const Ring &a, const Ring &b, const double enough)
   return reach > enough ? std::min(reach, least_reach(b, a, enough)) : reach;
 }
 
-/** The middle of what two convex polygons have in common. */
-Point<2> place_of_overlap(Ring common, const Ring &other)
+/** What two convex polygons have in common. */
+Ring common_part(Ring common, const Ring &other)
 {
   for (std::size_t i = 0; i < other.size(); ++i)
   {
@@ -112,10 +75,21 @@ Point<2> place_of_overlap(Ring common, const Ring &other)
     if (!kept.empty()) // else rounding on a side that is the same in both
       common.swap(kept);
   }
-  Point<2> sum;
-  for (const Point<2> &p : common)
-    sum += p;
-  return sum / static_cast<double>(common.size());
+  return common;
+}
+
+/** True if each vertex of one is next to one of the other. */
+bool are_the_same(const Ring &one, const Ring &other)
+{
+  if (one.size() != other.size())
+    return false;
+  const auto [low, high] = Box(one).get_boundary_points();
+  const double next_to = same_within * low.distance(high);
+  return std::all_of(one.begin(), one.end(), [&](const Point<2> &p) {
+    return std::any_of(other.begin(), other.end(), [&](const Point<2> &q) {
+      return p.distance(q) <= next_to;
+    });
+  });
 }
 
 /** One convex piece of a cell. */
@@ -125,38 +99,57 @@ struct Piece
   Ring ring;
 };
 
-void refuse_overlap(const PolygonList &polygons,
-                    const Piece &a,
-                    const Piece &b,
-                    const double tolerance)
+/** Throw the fault of two pieces, if they overlap. */
+void check_overlap(const PolygonList &polygons,
+                   const Piece &a,
+                   const Piece &b,
+                   const double tolerance)
 {
   const double overlap = depth(a.ring, b.ring, tolerance);
   if (!(overlap > tolerance))
     return;
-  const PolygonList::Polygon &other = polygons.polygons[a.cell];
-  polygons.refuse(
-      b.cell, text("overlaps cell ", a.cell, " (", polygons.record_name, ' ',
-                   other.record, ") at ",
-                   text_of_point(place_of_overlap(a.ring, b.ring)), " by ",
-                   overlap, ", more than the matching tolerance ", tolerance,
-                   "; redraw one of them, or delete it if it is there "
-                   "twice."));
+  const PolygonList::Polygon &one = polygons.polygons[a.cell];
+  const PolygonList::Polygon &other = polygons.polygons[b.cell];
+  const Ring common = common_part(a.ring, b.ring);
+  Point<2> sum;
+  for (const Point<2> &p : common)
+    sum += p;
+  const std::string place =
+      text("cell ", a.cell, " (", polygons.record_name, ' ', one.record,
+           ") at ", text_of_point(sum / static_cast<double>(common.size())));
+  const bool same = are_the_same(one.ring, other.ring);
+  DrawingFault fault = polygons.fault(
+      same ? DrawingFault::Kind::duplicate : DrawingFault::Kind::overlap,
+      b.cell, other.record,
+      same ? "is the same as " + place + "; delete one of them."
+           : text("overlaps ", place, " by ", overlap,
+                  ", more than the matching tolerance ", tolerance,
+                  "; redraw one of them, or delete it if it is there twice."));
+  fault.cells.push_back(a.cell);
+  fault.size = overlap;
+  fault.outline = common;
+  throw fault;
 }
 } // namespace
 
-void refuse_overlaps(const PolygonList &polygons, const double tolerance)
+void check_overlaps(PolygonList &polygons, const double tolerance)
 {
   std::vector<Piece> pieces;
   std::vector<Box> boxes;
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
-    for (const Ring &ring : convex_pieces(polygons.polygons[c].ring))
-    {
-      pieces.push_back({c, ring});
-      boxes.emplace_back(ring);
-    }
+    if (!polygons.polygons[c].is_broken)
+      for (const auto &numbers : convex_pieces(polygons.polygons[c].ring))
+      {
+        Ring ring;
+        for (const unsigned int v : numbers)
+          ring.push_back(polygons.polygons[c].ring[v]);
+        pieces.push_back({c, ring});
+        boxes.emplace_back(ring);
+      }
 
   const auto tree = dealii::pack_rtree_of_indices(boxes);
   std::vector<std::size_t> near;
+  std::set<std::pair<unsigned int, unsigned int>> found;
   for (std::size_t b = 0; b < pieces.size(); ++b)
   {
     near.clear();
@@ -164,8 +157,14 @@ void refuse_overlaps(const PolygonList &polygons, const double tolerance)
                std::back_inserter(near));
     std::sort(near.begin(), near.end()); // so that messages do not depend on it
     for (const std::size_t a : near)
-      if (a < b && pieces[a].cell != pieces[b].cell)
-        refuse_overlap(polygons, pieces[a], pieces[b], tolerance);
+    {
+      const auto pair = std::make_pair(pieces[a].cell, pieces[b].cell);
+      if (a < b && pair.first != pair.second && found.count(pair) == 0 &&
+          !polygons.passes([&] {
+            check_overlap(polygons, pieces[a], pieces[b], tolerance);
+          }))
+        found.insert(pair);
+    }
   }
 }
 } // namespace Voussoir

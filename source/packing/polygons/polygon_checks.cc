@@ -25,6 +25,7 @@ namespace
 using dealii::Point;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Ring = std::vector<Point<2>>;
+using Kind = DrawingFault::Kind;
 
 /** The automatic matching tolerance relative to the mean size of a cell. */
 constexpr double relative_tolerance = 1e-10;
@@ -58,8 +59,9 @@ double largest_coordinate(const PolygonList &polygons)
 {
   double largest = 0.;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
-    for (const Point<2> &p : polygon.ring)
-      largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+    if (!polygon.is_broken)
+      for (const Point<2> &p : polygon.ring)
+        largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
   return largest;
 }
 
@@ -119,21 +121,25 @@ void check_vertices(const PolygonList &polygons, const unsigned int cell)
   const Ring &ring = polygons.polygons[cell].ring;
   for (const Point<2> &p : ring)
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
-      polygons.refuse(cell, "has the vertex (" + text_of_number(p[0]) + ", " +
-                                text_of_number(p[1]) +
-                                "); coordinates must be finite.");
+      polygons.refuse(Kind::bad_vertex, cell,
+                      "has the vertex (" + text_of_number(p[0]) + ", " +
+                          text_of_number(p[1]) +
+                          "); coordinates must be finite.");
   if (ring.size() < 3)
-    polygons.refuse(cell, text("has ", ring.size(),
-                               " different vertices; a polygon has at least "
-                               "three."));
+    polygons.refuse(Kind::bad_vertex, cell,
+                    text("has ", ring.size(),
+                         " different vertices; a polygon has at least "
+                         "three."));
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (ring[i] == ring[(i + 1) % ring.size()])
-      polygons.refuse(cell, "repeats the vertex " + text_of_point(ring[i]) +
-                                "; give each vertex once.");
+      polygons.refuse(Kind::bad_vertex, cell,
+                      "repeats the vertex " + text_of_point(ring[i]) +
+                          "; give each vertex once.");
   if (!std::isfinite(length_of(ring) * length_of(ring)))
-    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
-                              " is too large for its area to be a number; "
-                              "choose another unit of length.");
+    polygons.refuse(Kind::bad_vertex, cell,
+                    "at " + text_of_point(ring[0]) +
+                        " is too large for its area to be a number; "
+                        "choose another unit of length.");
 }
 
 /** True if all vertices lie on one line, to rounding. */
@@ -154,22 +160,46 @@ void check_shape(const PolygonList &polygons, const unsigned int cell)
 {
   const Ring &ring = polygons.polygons[cell].ring;
   if (is_flat(ring))
-    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
-                              " has no area: all its vertices lie on one line; "
-                              "delete or redraw it.");
+    polygons.refuse(Kind::no_area, cell,
+                    "at " + text_of_point(ring[0]) +
+                        " has no area: all its vertices lie on one line; "
+                        "delete or redraw it.");
   const std::vector<Kernel::Point_2> points = to_cgal(ring);
   if (!CGAL::is_simple_2(points.begin(), points.end(), Kernel()))
-    polygons.refuse(cell, "crosses or touches itself at " +
-                              text_of_point(place_of_crossing(points)) +
-                              "; a cell is one loop that does neither.");
+    polygons.refuse(Kind::self_crossing, cell,
+                    "crosses or touches itself at " +
+                        text_of_point(place_of_crossing(points)) +
+                        "; a cell is one loop that does neither.");
   const double length = length_of(ring);
   const double area = std::abs(signed_area(ring));
   if (area < sliver_ratio * length * length)
-    polygons.refuse(cell, "at " + text_of_point(ring[0]) +
-                              text(" is a sliver of length ", length,
-                                   " and mean thickness ", area / length,
-                                   "; delete it, or merge it with a "
-                                   "neighbour."));
+    polygons.refuse(Kind::sliver, cell,
+                    "at " + text_of_point(ring[0]) +
+                        text(" is a sliver of length ", length,
+                             " and mean thickness ", area / length,
+                             "; delete it, or merge it with a "
+                             "neighbour."));
+}
+
+/** Refuse a cell whose opposite sides matching could take for one another. */
+void check_thickness(const PolygonList &polygons,
+                     const unsigned int cell,
+                     const double tolerance,
+                     const double rounding)
+{
+  const Ring &ring = polygons.polygons[cell].ring;
+  const double thickness = std::abs(signed_area(ring)) / length_of(ring);
+  if (thickness < least_thickness * tolerance)
+    polygons.refuse(Kind::too_small_to_match, cell,
+                    "at " + text_of_point(ring[0]) +
+                        text(" has the mean thickness ", thickness,
+                             ", which is less than ", least_thickness,
+                             " times the matching tolerance ", tolerance,
+                             tolerance > rounding
+                                 ? "; lower the tolerance or delete the cell."
+                                 : ", which is the rounding of the "
+                                   "coordinates; choose an origin closer to "
+                                   "the cells."));
 }
 } // namespace
 
@@ -177,20 +207,30 @@ void check_and_orient(PolygonList &polygons)
 {
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
   {
-    check_vertices(polygons, c);
-    check_shape(polygons, c);
-    Ring &ring = polygons.polygons[c].ring;
-    if (signed_area(ring) < 0.)
-      std::reverse(ring.begin() + 1, ring.end()); // the same first vertex
+    PolygonList::Polygon &polygon = polygons.polygons[c];
+    polygon.is_broken |= !polygons.passes([&] {
+      if (polygon.is_broken)
+        return;
+      check_vertices(polygons, c);
+      check_shape(polygons, c);
+    });
+    if (!polygon.is_broken && signed_area(polygon.ring) < 0.)
+      std::reverse(polygon.ring.begin() + 1,
+                   polygon.ring.end()); // the same first vertex
   }
 }
 
 double mean_size(const PolygonList &polygons)
 {
   double area = 0.;
+  unsigned int n = 0;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
-    area += std::abs(signed_area(polygon.ring));
-  return std::sqrt(area / polygons.polygons.size());
+    if (!polygon.is_broken)
+    {
+      area += std::abs(signed_area(polygon.ring));
+      ++n;
+    }
+  return std::sqrt(area / std::max(n, 1u));
 }
 
 double automatic_tolerance(const PolygonList &polygons)
@@ -199,7 +239,7 @@ double automatic_tolerance(const PolygonList &polygons)
                   n_units_of_rounding * largest_coordinate(polygons));
 }
 
-void check_tolerance(const PolygonList &polygons, const double tolerance)
+void check_tolerance(PolygonList &polygons, const double tolerance)
 {
   const double rounding = n_units_of_rounding * largest_coordinate(polygons);
   if (!std::isfinite(tolerance) || tolerance < rounding)
@@ -208,20 +248,9 @@ void check_tolerance(const PolygonList &polygons, const double tolerance)
                           " of the coordinates of '", polygons.file.string(),
                           "'; give more, or 0 for an automatic value."));
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
-  {
-    const Ring &ring = polygons.polygons[c].ring;
-    const double thickness = std::abs(signed_area(ring)) / length_of(ring);
-    if (thickness < least_thickness * tolerance)
-      polygons.refuse(c, "at " + text_of_point(ring[0]) +
-                             text(" has the mean thickness ", thickness,
-                                  ", which is less than ", least_thickness,
-                                  " times the matching tolerance ", tolerance,
-                                  tolerance > rounding
-                                      ? "; lower the tolerance or delete the "
-                                        "cell."
-                                      : ", which is the rounding of the "
-                                        "coordinates; choose an origin closer "
-                                        "to the cells."));
-  }
+    polygons.passes([&] {
+      if (!polygons.polygons[c].is_broken)
+        check_thickness(polygons, c, tolerance, rounding);
+    });
 }
 } // namespace Voussoir

@@ -5,6 +5,7 @@
 #include <voussoir/packing/polygons/polygon_list.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -27,25 +28,75 @@ void name_groups(const PolygonList &polygons, CellLoops &cells)
     const std::string &name = unnamed(polygon) ? "block" : polygon.group;
     const auto entry = numbers.emplace(name, cells.group_names.size());
     if (entry.second)
-    {
-      const std::string fault = fault_of_group_name(name);
-      if (!fault.empty())
-        polygons.refuse(cells.group.size(),
-                        "belongs to the group " + quoted_group_name(name) +
-                            ", whose name " + fault + "; rename it.");
       cells.group_names.push_back(name);
-    }
     cells.group.push_back(entry.first->second);
   }
 }
 } // namespace
 
-void PolygonList::refuse(const unsigned int cell,
-                         const unsigned int record,
-                         const std::string &fault) const
+bool PolygonList::Polygon::is_drawable() const
 {
-  throw InputError(text("Cell ", cell, " (", record_name, ' ', record, " of '",
-                        file.string(), "') ", fault));
+  return ring.size() > 2 &&
+         std::all_of(ring.begin(), ring.end(), [](const dealii::Point<2> &p) {
+           return std::isfinite(p[0]) && std::isfinite(p[1]);
+         });
+}
+
+DrawingFault PolygonList::fault(const DrawingFault::Kind kind,
+                                const unsigned int cell,
+                                const unsigned int record,
+                                const std::string &fault) const
+{
+  return {kind,
+          {cell},
+          text("Cell ", cell, " (", record_name, ' ', record, " of '",
+               file.string(), "') ", fault)};
+}
+
+void PolygonList::refuse_faults() const
+{
+  if (faults.empty())
+    return;
+  DrawingCheck check;
+  for (const Polygon &polygon : polygons)
+    check.rings.push_back(polygon.is_drawable() ? polygon.ring
+                                                : decltype(polygon.ring)());
+  check.faults = faults;
+  throw DrawingRefused(file.string(), std::move(check));
+}
+
+CellLoops loops_of(const PolygonList &polygons)
+{
+  CellLoops loops;
+  std::map<std::pair<double, double>, unsigned int> numbers;
+  for (const PolygonList::Polygon &polygon : polygons.polygons)
+  {
+    std::vector<unsigned int> loop;
+    if (!polygon.is_broken)
+      for (const dealii::Point<2> &p : polygon.ring)
+      {
+        const auto [entry, is_new] =
+            numbers.emplace(std::make_pair(p[0], p[1]), loops.vertices.size());
+        if (is_new)
+          loops.vertices.push_back(p);
+        loop.push_back(entry->second);
+      }
+    loops.add(loop);
+  }
+  return loops;
+}
+
+void check_group_names(PolygonList &polygons)
+{
+  for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
+    polygons.passes([&] {
+      const std::string &name = polygons.polygons[c].group;
+      const std::string fault = name.empty() ? "" : fault_of_group_name(name);
+      if (!fault.empty())
+        polygons.refuse(DrawingFault::Kind::bad_group_name, c,
+                        "belongs to the group " + quoted_group_name(name) +
+                            ", whose name " + fault + "; rename it.");
+    });
 }
 
 void hand_on_records(const PolygonList &polygons, CellLoops &cells)

@@ -77,21 +77,27 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
                                      Terminal &) const
 {
-  if (file.empty())
+  if (file.empty() && !given)
     throw InputError("'Packing/Generator' is 'polygons', but 'Packing/polygons/"
                      "File' names no file.");
   if (!(scale > 0. && std::isfinite(scale)))
     throw InputError(text("'Packing/polygons/Scale' = '", scale,
                           "' must be a positive number: that which makes "
                           "lengths of the drawing those of the scene."));
-  PolygonList polygons = read_polygons((directory / file).lexically_normal());
+  PolygonList polygons =
+      given ? *given : read_polygons((directory / file).lexically_normal());
   for (PolygonList::Polygon &polygon : polygons.polygons)
     multiply(polygon.ring, scale);
   check_and_orient(polygons);
   const double used_tolerance =
       tolerance > 0. ? tolerance : automatic_tolerance(polygons);
+  const double touching = std::max(used_tolerance, joint_width);
   check_tolerance(polygons, used_tolerance);
-  refuse_overlaps(polygons, used_tolerance);
+  check_overlaps(polygons, used_tolerance);
+  check_group_names(polygons);
+  if (polygons.faults.size() > 1)
+    look_around(polygons, touching);
+  polygons.refuse_faults();
   CellLoops cells =
       joint_width > 0.
           ? join_facing_sides(
@@ -99,10 +105,9 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
                 {joint_width, joint_angle * radians_per_degree, used_tolerance})
           : match_polygons(polygons, used_tolerance);
   hand_on_records(polygons, cells);
-  const std::string gaps =
-      describe_narrow_gaps(cells, std::max(used_tolerance, joint_width));
-  if (!gaps.empty())
-    cells.notices.push_back(gaps);
+  cells.gaps = find_gaps(cells, limits_of_gaps(polygons, touching));
+  if (!cells.gaps.empty())
+    cells.notices.push_back(describe_gaps(cells.gaps));
   if (centres_file.empty())
     return cells;
   cells.centres =

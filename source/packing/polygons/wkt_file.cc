@@ -61,9 +61,15 @@ public:
       boost::trim_if(content, boost::is_any_of(white_space));
       if (content.empty() || content[0] == '#')
         continue;
-      const Feature feature = split(content);
-      for (const Polygon &polygon : parse(feature))
-        add(polygon, feature.group);
+      std::string group;
+      MultiPolygon polygons;
+      try_to([&] {
+        const Feature feature = split(content);
+        polygons = parse(feature);
+        group = feature.group;
+      });
+      for (const Polygon &polygon : polygons)
+        try_to([&] { add(polygon, group); });
     }
     if (list.polygons.empty())
       throw InputError("The file '" + list.file.string() +
@@ -72,9 +78,20 @@ public:
   }
 
 private:
-  [[noreturn]] void refuse_line(const std::string &fault) const
+  using Kind = DrawingFault::Kind;
+
+  [[noreturn]] void refuse_line(const std::string &fault,
+                                const Kind kind = Kind::no_polygon) const
   {
-    list.refuse(list.polygons.size(), line, fault);
+    throw list.fault(kind, list.polygons.size(), line, fault);
+  }
+
+  /** Read some of the line; what has a fault counts as a cell, too. */
+  template <typename Read>
+  void try_to(const Read &read)
+  {
+    if (!list.passes(read))
+      list.polygons.push_back({{}, "", line, true});
   }
 
   Feature split(const std::string &content) const
@@ -224,15 +241,18 @@ private:
     if (!polygon.inners().empty())
       refuse_line(
           "has a hole; a cell is one loop, so cut it into cells without "
-          "holes.");
+          "holes.",
+          Kind::hole);
     for (const dealii::Point<2> &p : ring)
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
         refuse_line("has the vertex " + text_of_point(p) +
-                    "; coordinates must be finite.");
+                        "; coordinates must be finite.",
+                    Kind::bad_vertex);
     if (ring.size() == 1 || !(ring.front() == ring.back()))
       refuse_line("is not closed: it ends at " + text_of_point(ring.back()) +
-                  "; repeat its first vertex " + text_of_point(ring.front()) +
-                  " at the end.");
+                      "; repeat its first vertex " +
+                      text_of_point(ring.front()) + " at the end.",
+                  Kind::not_closed);
     ring.pop_back();
     list.polygons.push_back({ring, group, line});
   }

@@ -37,8 +37,7 @@ struct FacingLimits
  * @throws InputError naming the cells and the place if a part of a side faces
  *   two other cells, one behind the other.
  */
-CellLoops join_facing_sides(const PolygonList &polygons,
-                            const FacingLimits &limits);
+CellLoops join_facing_sides(PolygonList &polygons, const FacingLimits &limits);
 } // namespace Voussoir
 
 #endif

@@ -28,7 +28,7 @@ namespace Voussoir
  *   narrow for the tolerance, or moves by more than a thousandth of the mean
  *   size of a cell.
  */
-CellLoops match_polygons(const PolygonList &polygons, double tolerance);
+CellLoops match_polygons(PolygonList &polygons, double tolerance);
 } // namespace Voussoir
 
 #endif

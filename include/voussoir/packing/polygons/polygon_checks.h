@@ -11,13 +11,13 @@ namespace Voussoir
  * Check that every ring is a simple polygon that could be a cell, by exact
  * predicates, and turn those that run clockwise.
  *
- * @throws InputError naming the cell, its record and the place if a vertex is
- *   not finite or repeated, there are fewer than three, the polygon has no
- *   area, crosses or touches itself, or is a sliver.
+ * A ring is at fault, and broken, if a vertex is not finite or repeated, there
+ * are fewer than three, or the polygon has no area, crosses or touches itself,
+ * or is a sliver.
  */
 void check_and_orient(PolygonList &polygons);
 
-/** The root of the mean area of a cell; a length. */
+/** The root of the mean area of a cell that is not broken; a length. */
 double mean_size(const PolygonList &polygons);
 
 /**
@@ -30,34 +30,54 @@ double automatic_tolerance(const PolygonList &polygons);
 
 /**
  * Check that the tolerance can be resolved by the coordinates, and that no cell
- * is so thin that its opposite sides could be taken for one another.
+ * is so thin that its opposite sides could be taken for one another: that is a
+ * fault.
  *
- * @throws InputError naming the tolerance or the cell.
+ * @throws InputError naming the tolerance if it cannot.
  */
-void check_tolerance(const PolygonList &polygons, double tolerance);
+void check_tolerance(PolygonList &polygons, double tolerance);
 
 /**
- * Check that no two polygons overlap more deeply than the tolerance, a length.
- * The depth of an overlap is the shortest displacement that ends it; between
- * convex polygons it is along the normal of a side of one of them (the theorem
- * of separating axes). Others are cut into convex ones first.
- *
- * @param polygons simple and counterclockwise.
- * @throws InputError naming both cells and the place.
+ * Find the pairs of polygons that overlap more deeply than the tolerance, a
+ * length, or are there twice. The depth of an overlap is the shortest
+ * displacement that ends it; between convex polygons it is along the normal of
+ * a side of one of them (the theorem of separating axes). Others are cut into
+ * convex ones first.
  */
-void refuse_overlaps(const PolygonList &polygons, double tolerance);
+void check_overlaps(PolygonList &polygons, double tolerance);
 
 /**
- * A sentence on cells that face each other across a gap so narrow that they
- * were probably meant to touch: a thousandth of the mean size of a cell, or ten
- * times the tolerance if that is more. Such a gap is an open joint that carries
- * nothing, which is easily mistaken for a fault of the load.
+ * Name the cells that float, and the gaps between the others: no faults by
+ * themselves, but what to look at beside the faults.
  *
- * @param tolerance the matching tolerance; a length.
- * @return the number of such pairs, the first with its place, and what to do;
- *   empty if there is none.
+ * @param touching the distance up to which cells touch; a length.
  */
-std::string describe_narrow_gaps(const CellLoops &cells, double tolerance);
+void look_around(PolygonList &polygons, double touching);
+
+/** What a drawing may leave open between two cells. */
+struct GapLimits
+{
+  /** The distance up to which sides that face each other touch; a length. */
+  double touching;
+  /** The widest gap; a length. */
+  double widest;
+};
+
+/**
+ * The gaps between sides that face each other, where nothing lies between and
+ * that no joint closes; one for each pair of cells, the widest. A gap is an
+ * open joint that carries nothing, which is easily mistaken for a fault of the
+ * load.
+ *
+ * @param cells before or after they are matched.
+ */
+std::vector<Gap> find_gaps(const CellLoops &cells, const GapLimits &limits);
+
+/** The gaps up to a twentieth of the mean size of a cell. */
+GapLimits limits_of_gaps(const PolygonList &polygons, double touching);
+
+/** A sentence on gaps, how wide they are and what closes them; or none. */
+std::string describe_gaps(const std::vector<Gap> &gaps);
 } // namespace Voussoir
 
 #endif

@@ -3,6 +3,7 @@
 #define voussoir_packing_polygons_polygon_list_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/packing/polygons/drawing_faults.h>
 
 #include <filesystem>
 #include <string>
@@ -22,6 +23,11 @@ struct PolygonList
     std::string group;
     /** The record of the file that it comes from, counted from one. */
     unsigned int record;
+    /** True if it has a fault that makes no cell of it. */
+    bool is_broken = false;
+
+    /** True if it has an area that can be shown. */
+    bool is_drawable() const;
   };
 
   /** The file that they were read from. */
@@ -32,27 +38,54 @@ struct PolygonList
   std::vector<Polygon> polygons;
   /** Notices to the user on how the file was understood. */
   std::vector<std::string> notices;
+  /** What is wrong, so that one run can tell of all of it. */
+  std::vector<DrawingFault> faults;
 
   /**
-   * Throw the InputError that @p cell, which is in @p record, has the @p fault,
-   * such as "Cell 2 (line 3 of 'wall.wkt') is not closed".
+   * That @p cell, which is in @p record, has the @p fault, such as "Cell 2
+   * (line 3 of 'wall.wkt') is not closed".
    */
-  [[noreturn]] void refuse(unsigned int cell,
-                           unsigned int record,
-                           const std::string &fault) const;
-  /** The same of a cell in the list. */
-  [[noreturn]] void refuse(const unsigned int cell,
-                           const std::string &fault) const
+  DrawingFault fault(DrawingFault::Kind kind,
+                     unsigned int cell,
+                     unsigned int record,
+                     const std::string &fault) const;
+  /** Throw the same of a cell in the list. */
+  [[noreturn]] void refuse(const DrawingFault::Kind kind,
+                           const unsigned int cell,
+                           const std::string &what) const
   {
-    refuse(cell, polygons[cell].record, fault);
+    throw fault(kind, cell, polygons[cell].record, what);
   }
+
+  /** Keep the fault that @p check throws; false if it does. */
+  template <typename Check>
+  bool passes(const Check &check)
+  {
+    try
+    {
+      check();
+    }
+    catch (const DrawingFault &found)
+    {
+      faults.push_back(found);
+      return false;
+    }
+    return true;
+  }
+
+  /** @throws DrawingRefused if there are faults. */
+  void refuse_faults() const;
 };
+
+/** The rings of all polygons that are not broken, each different point once. */
+CellLoops loops_of(const PolygonList &polygons);
+
+/** Find the names of groups that cannot be used. */
+void check_group_names(PolygonList &polygons);
 
 /**
  * Let cells, made of the polygons in their order, belong to the groups of these
  * and know the file and its records, and take over the notices.
- *
- * @throws InputError naming the cell if a group has an impossible name.
  */
 void hand_on_records(const PolygonList &polygons, CellLoops &cells);
 

@@ -5,6 +5,9 @@
 #include <voussoir/packing/generators/generator.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
+#include <optional>
+#include <utility>
+
 namespace Voussoir
 {
 /**
@@ -22,8 +25,11 @@ public:
                      Terminal &terminal) const override;
   std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const override;
+  /** Take @p polygons from now on, and no file. */
+  void give(PolygonList polygons) { given = std::move(polygons); }
 
 private:
+  std::optional<PolygonList> given;
   std::string file;
   std::string centres_file;
   double scale = 1.;

@@ -1,0 +1,125 @@
+# What `cmake --install` puts where, and the packages that CPack makes of it:
+# the program, what other programs need of it, and the module of Python.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(_packaging ${CMAKE_CURRENT_LIST_DIR})
+set(_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/Voussoir)
+
+set(VOUSSOIR_MAINTAINER "The Voussoir developers <voussoir@localhost>" CACHE
+  STRING "Who makes the packages, NAME <ADDRESS>")
+
+# Debian wants manual pages and the list of changes compressed.
+foreach(_file voussoir.1 changelog)
+  configure_file(${_packaging}/${_file} ${CMAKE_BINARY_DIR}/${_file} @ONLY)
+  execute_process(COMMAND gzip -9 -n -c ${CMAKE_BINARY_DIR}/${_file}
+    OUTPUT_FILE ${CMAKE_BINARY_DIR}/${_file}.gz)
+endforeach()
+
+# The program, with scenes and manual.
+install(TARGETS voussoir COMPONENT program
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir
+  COMPONENT program)
+install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
+  COMPONENT program PATTERN doxygen EXCLUDE)
+install(FILES README.md CHANGELOG.md CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES ${CMAKE_BINARY_DIR}/voussoir.1.gz
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${_packaging}/voussoir.bash RENAME voussoir
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  COMPONENT program)
+
+# The library.
+install(TARGETS libvoussoir EXPORT VoussoirTargets COMPONENT development
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY include/voussoir ${CMAKE_BINARY_DIR}/include/voussoir
+  DESTINATION include COMPONENT development
+  FILES_MATCHING PATTERN "*.h" PATTERN python EXCLUDE PATTERN precompiled.h EXCLUDE)
+# CPack strips programs only.
+install(CODE "if(CMAKE_INSTALL_DO_STRIP)
+  execute_process(COMMAND strip --strip-debug
+    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libvoussoir.a)
+endif()" COMPONENT development)
+install(EXPORT VoussoirTargets NAMESPACE Voussoir:: DESTINATION ${_cmake}
+  COMPONENT development)
+configure_package_config_file(${_packaging}/VoussoirConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/VoussoirConfig.cmake INSTALL_DESTINATION ${_cmake})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/VoussoirConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/VoussoirConfig.cmake
+  ${CMAKE_BINARY_DIR}/VoussoirConfigVersion.cmake
+  DESTINATION ${_cmake} COMPONENT development)
+
+if(VOUSSOIR_PYTHON)
+  set(VOUSSOIR_PYTHON_DIRECTORY lib/python3/dist-packages CACHE STRING
+    "Where the module of Python is installed, below the prefix")
+  install(TARGETS python_module COMPONENT python
+    LIBRARY DESTINATION ${VOUSSOIR_PYTHON_DIRECTORY})
+endif()
+
+# The packages of Debian, one for each component.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME voussoir)
+set(CPACK_PACKAGE_VENDOR "The Voussoir developers")
+set(CPACK_PACKAGE_CONTACT ${VOUSSOIR_MAINTAINER})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+  WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL program development)
+set(_names voussoir libvoussoir-dev)
+if(VOUSSOIR_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  list(APPEND _names python3-voussoir)
+endif()
+
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+  "contact forces and stresses in packings of rigid blocks
+Voussoir computes the contact forces between, and the stresses inside, the
+rigid polygonal blocks of brick walls, arches, vaults and packings of grains,
+with friction and without interpenetration: whether a load is carried, how
+much more, and how sure that is, each with a proof.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
+  "library of the program voussoir
+The static library, its headers, and a package of CMake with the target
+Voussoir::libvoussoir, for programs with formulations of their own.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+  "module of Python for packings of rigid blocks
+Scenes from files or arrays of polygons, and forces, stresses and mechanisms
+as arrays of numpy, found by the program voussoir's library.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME voussoir)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libvoussoir-dev)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-voussoir)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# Found through a directory of its own; see doc/developers.md.
+if(VOUSSOIR_OPENBLAS AND OPENBLAS_LIBRARY)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libopenblas0-pthread)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "libopenblas0-pthread, python3, python3-numpy")
+endif()
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "cmake, g++, coinor-libclp-dev, coinor-libipopt-dev, libboost-dev, libboost-program-options-dev, libcgal-dev, libdeal.ii-dev, libgdal-dev, liblz4-dev, libsuitesparse-dev, mpi-default-dev, nlohmann-json3-dev, zlib1g-dev")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "paraview, python3-voussoir")
+
+foreach(_name ${_names})
+  list(FIND _names ${_name} _place)
+  list(GET CPACK_COMPONENTS_ALL ${_place} _component)
+  install(FILES ${_packaging}/copyright DESTINATION share/doc/${_name}
+    COMPONENT ${_component})
+  install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION share/doc/${_name}
+    COMPONENT ${_component})
+  if(NOT _name STREQUAL "libvoussoir-dev")
+    install(FILES ${_packaging}/${_name}.lintian RENAME ${_name}
+      DESTINATION share/lintian/overrides COMPONENT ${_component})
+  endif()
+endforeach()
+include(CPack)

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_report_report_h
+#define voussoir_output_report_report_h
+
+#include <voussoir/output/report/details.h>
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace Voussoir
+{
+/** The name of the page. */
+inline const std::string report_html = "report.html";
+
+/** The largest number of cells of which a page shows all. */
+constexpr unsigned int most_cells_in_full = 20000;
+
+/** @{ */
+/**
+ * Write what was found as a page of HTML that needs no other file: the verdict,
+ * a picture with several views, the tables of the .csv files behind it, and the
+ * most important numbers. With more than most_cells_in_full cells it has
+ * neither these tables nor the forces and stresses of each joint and cell.
+ */
+void write_report(std::ostream &out,
+                  const Results &results,
+                  const ReportDetails &details);
+void write_report(std::ostream &out,
+                  const Collapse &collapse,
+                  const ReportDetails &details);
+/** @} */
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_report_views_h
+#define voussoir_output_report_views_h
+
+#include <voussoir/output/report/details.h>
+#include <voussoir/output/report/drawing.h>
+#include <voussoir/output/results.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** One way to look at the results, which the reader switches to. */
+struct View
+{
+  std::string id;     /**< for HTML, one word */
+  std::string name;   /**< for the switch */
+  std::string legend; /**< HTML */
+};
+
+/** The picture of a run, with all that any view shows. */
+struct Picture
+{
+  /** @param packing what is drawn. */
+  explicit Picture(const Packing &packing) : drawing(packing) {}
+
+  /** The elements of all layers, each with the views that show it. */
+  Drawing drawing;
+  /** In the order of the switch. */
+  std::vector<View> views;
+  /** Which layers and colours each view shows. */
+  std::string style;
+};
+
+/**
+ * Draw what was found; the first view is the one to begin with.
+ *
+ * @param names the units of legends.
+ * @param in_full also the resultant of each joint and the stress of each block,
+ *   and every block and joint as an element of its own.
+ */
+Picture
+picture_of(const Results &results, const UnitNames &names, bool in_full);
+/** The same of a collapse: the mechanism. */
+Picture
+picture_of(const Collapse &collapse, const UnitNames &names, bool in_full);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_repeated_run_h
+#define voussoir_repeated_run_h
+
+#include <voussoir/packing/packing.h>
+#include <voussoir/statics/status.h>
+
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What one of many runs found. */
+struct RunOutcome
+{
+  /** The values that were assigned. */
+  std::vector<std::string> values;
+  /** False if the solver failed. */
+  bool has_answer = false;
+  /** The answer. */
+  Status::Kind answer = Status::Kind::solved;
+  /** What summary.json has, without what belongs to the output. */
+  nlohmann::json summary;
+  /** The message of a solver that failed. */
+  std::string reason;
+  /** Wall clock time, in seconds. */
+  double seconds = 0.;
+};
+
+/**
+ * A scene that is run again and again with other values of some parameters, in
+ * any number of threads. The packing is made once, if no value changes it.
+ */
+class RepeatedRun
+{
+public:
+  /**
+   * @param file the .prm file.
+   * @param assignments as in --set, which come before the values.
+   * @param names of the parameters that change, as in "Friction/Strength".
+   */
+  RepeatedRun(std::filesystem::path file,
+              std::vector<std::string> assignments,
+              std::vector<std::string> names);
+
+  /** The entry `Output directory`. */
+  const std::string &output_directory() const { return directory; }
+
+  /**
+   * Run it with @p values, one for each name.
+   *
+   * @param results the directory in which the files of this run are put; empty
+   *   to write none.
+   * @throws InputError if a value is wrong; the message names it.
+   */
+  RunOutcome run(const std::vector<std::string> &values,
+                 const std::string &results);
+
+private:
+  const std::filesystem::path file;
+  const std::vector<std::string> assignments, names;
+  std::string directory;
+  /** True if the packing is the same in all runs. */
+  bool shares_packing;
+  std::mutex making_packing;
+  std::unique_ptr<const Packing> packing;
+};
+
+/** "Friction/Strength = 0.2, Rotations = true". */
+std::string words_of(const std::vector<std::string> &names,
+                     const std::vector<std::string> &values);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_sweep_files_h
+#define voussoir_sweep_files_h
+
+#include <voussoir/repeated_run.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** @{ */
+/** The names of the table of all runs, and of the page with its plots. */
+inline const std::string sweep_csv = "sweep.csv";
+inline const std::string sweep_html = "sweep.html";
+/** @} */
+
+/** The status of a run in one word. */
+std::string word_of(const RunOutcome &run);
+
+/** @{ */
+/**
+ * Write the table of all runs, or a page with it and with plots of its numbers
+ * if there is one parameter whose values are numbers.
+ *
+ * @param names of the parameters.
+ * @param results numbers of summary.json, as in "ground/reaction/1".
+ * @param runs in the order of the lines.
+ */
+void write_sweep_csv(std::ostream &out,
+                     const std::vector<std::string> &names,
+                     const std::vector<std::string> &results,
+                     const std::vector<RunOutcome> &runs);
+void write_sweep_html(std::ostream &out,
+                      const std::vector<std::string> &names,
+                      const std::vector<std::string> &results,
+                      const std::vector<RunOutcome> &runs);
+/** @} */
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/nearest_name.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace Voussoir
+{
+unsigned int edit_distance(const std::string &a, const std::string &b)
+{
+  const auto same = [](const char x, const char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  };
+  // Of the letters of a so far, to the beginning of b of each length.
+  std::vector<unsigned int> to(b.size() + 1);
+  std::iota(to.begin(), to.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    unsigned int replaced = to[0];
+    to[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const unsigned int kept = replaced + (same(a[i], b[j]) ? 0 : 1);
+      replaced = to[j + 1];
+      to[j + 1] = std::min({kept, replaced + 1, to[j] + 1});
+    }
+  }
+  return to.back();
+}
+
+std::vector<std::string> nearest_names(const std::string &name,
+                                       const std::vector<std::string> &paths,
+                                       const std::size_t n_most)
+{
+  // A third of the letters may be wrong, and two of a short name.
+  const unsigned int most = std::max<std::size_t>(2, name.size() / 3);
+  unsigned int least = most + 1;
+  std::vector<std::string> nearest;
+  for (const std::string &path : paths)
+  {
+    const unsigned int distance =
+        edit_distance(name, path.substr(path.rfind('/') + 1));
+    if (distance >= name.size())
+      continue;
+    if (distance < least)
+    {
+      nearest.clear();
+      least = distance;
+    }
+    if (distance == least && least <= most && nearest.size() < n_most)
+      nearest.push_back(path);
+  }
+  return nearest;
+}
+} // namespace Voussoir

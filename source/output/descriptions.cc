@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/descriptions.h>
+#include <voussoir/scene/jumps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+/** A jump, over the largest displacement of a support, that is one. */
+constexpr double least_jump = 1e-6;
+} // namespace
+
+CountOfRanges::CountOfRanges(const Ranges &ranges)
+{
+  for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
+  {
+    wanted += ranges.wanted[e];
+    determined += ranges.is_determined(e);
+    unbounded += ranges.is_unbounded(e);
+  }
+}
+
+CountOfJumps::CountOfJumps(const Scene &scene, const Settlement &settlement)
+{
+  const InterfaceJumps jumps = jumps_of(scene.packing, settlement.motion);
+  const double least = least_jump * settlement.largest_displacement;
+  for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
+  {
+    const bool at_start = jumps.openings[e][0] > least;
+    const bool at_end = jumps.openings[e][1] > least;
+    open += at_start && at_end;
+    hinges += at_start != at_end;
+    sliding += std::abs(jumps.sliding[e]) > least;
+  }
+}
+
+std::string description_of(const LoadFactor &factor)
+{
+  if (factor.passes.n > 0)
+    return text(text_to_copy(factor.carried),
+                " has a state without dilatancy; ", text_to_copy(factor.bound),
+                " collapses, with it or without");
+  if (factor.is_unbounded)
+    return text(text_to_copy(factor.carried),
+                " is carried, and so is any beyond it: the live loads balance "
+                "by pressure alone");
+  if (!std::isfinite(factor.bound))
+    return text_to_copy(factor.carried) +
+           " is carried; no mechanism was found that bounds it";
+  return text(text_to_copy(factor.carried), " is carried, ",
+              text_to_copy(factor.bound), " collapses; they differ by ",
+              factor.width(), " of it");
+}
+std::string description_of(const Scene &scene, const Settlement &settlement)
+{
+  const CountOfJumps count(scene, settlement);
+  return text("supports move by at most ", settlement.largest_displacement,
+              "; interfaces with a hinge: ", count.hinges,
+              ", open: ", count.open, ", sliding: ", count.sliding);
+}
+
+std::string description_of(const Ranges &ranges)
+{
+  const CountOfRanges count(ranges);
+  std::string words = text("forces of ", counted(count.wanted, "interface"),
+                           ": ", count.determined, " determined by statics");
+  if (count.unbounded > 0)
+    words += text(", ", count.unbounded, " without bound");
+  if (!ranges.reactions.empty())
+    words += text("; reactions of ",
+                  counted(ranges.reactions.size(), "straight support"));
+  return words;
+}
+
+std::string description_of(const StateSamples &samples)
+{
+  return text(samples.n, " of all states, a set of ",
+              counted(samples.dimension, "dimension"), "; mixing ",
+              samples.mixing);
+}
+
+std::string description_of_law(const Scene &scene)
+{
+  return scene.dilates
+             ? "Coulomb, associated: joints that slide open, too"
+             : "Coulomb, without dilatancy: this state carries the loads, but "
+               "no theorem says that the blocks stay in it";
+}
+} // namespace Voussoir

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/descriptions.h>
+#include <voussoir/output/ground_summary.h>
+#include <voussoir/output/messages.h>
+#include <voussoir/output/report/colour_scale.h>
+#include <voussoir/output/report/sections.h>
+#include <voussoir/output/versions.h>
+
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+/** A table under a heading. */
+class Table
+{
+public:
+  /** @param columns their titles; none for a table of names and values. */
+  Table(const std::string &id,
+        const std::string &heading,
+        const std::vector<std::string> &columns = {})
+      : html("<section id=\"" + id + "\">\n<h2>" + html_text(heading) +
+             "</h2>\n<table>\n")
+  {
+    if (columns.empty())
+      return;
+    html += "<tr>";
+    for (const std::string &column : columns)
+      html += "<th>" + html_text(column) + "</th>";
+    html += "</tr>\n";
+  }
+
+  /** Add a row of HTML. */
+  Table &row(const std::vector<std::string> &cells)
+  {
+    html += "<tr>";
+    for (const std::string &cell : cells)
+      html += "<td>" + cell + "</td>";
+    html += "</tr>\n";
+    return *this;
+  }
+
+  /** All of it. */
+  std::string close() const { return html + "</table>\n</section>\n"; }
+
+private:
+  std::string html;
+};
+
+/** Two numbers of a summary as a text. */
+std::string pair(const Json &json)
+{
+  return json.is_null() ? ""
+                        : text('(', json[0].get<double>(), ", ",
+                               json[1].get<double>(), ')');
+}
+
+/** The names and values of the run as a whole. */
+Table table_of_run(const RunRecord &run, const UnitNames &names)
+{
+  const Packing &packing = run.scene.packing;
+  const dealii::BoundingBox<2> box = packing.box();
+  Table table("run", "The run");
+  table.row(
+      {"Packing", text(counted(packing.n_cells(), "block"), ", ",
+                       counted(packing.interfaces().size(), "joint"), ", ",
+                       packing.n_supports(), " of them supports, on ",
+                       html_text(UnitNames::labelled(
+                           text(box.side_length(0), " x ", box.side_length(1)),
+                           names.length)))});
+  table.row({"Model", run.scene.turns() ? "blocks slide and turn"
+                                        : "blocks slide and do not turn"});
+  const Json loads = loads_summary(run.scene);
+  table.row({"Loads", html_text(UnitNames::labelled(
+                          pair(loads.at("total")) + " in all", names.force))});
+  return table;
+}
+
+std::string table_of_reactions(const Results &results, const UnitNames &names)
+{
+  const auto with = [](const std::string &name, const std::string &unit) {
+    return UnitNames::labelled(name, unit);
+  };
+  Table table("reactions", "Reactions of the supports, from left to right",
+              {with("from", names.length), with("to", names.length),
+               with("force on the packing", names.force),
+               with("at", names.length)});
+  const Json ground = ground_summary(results);
+  for (const Json &support : ground.at("supports"))
+    table.row({pair(support.at("from")), pair(support.at("to")),
+               pair(support.at("reaction")), pair(support.at("at"))});
+  table.row({"all", "", pair(ground.at("reaction")),
+             text("the loads to ", ground.at("imbalance").get<double>(),
+                  " of their sizes")});
+  return table.close();
+}
+
+std::string table_of_most_used(const Results &results, const UnitNames &names)
+{
+  Table table("most-used", "The joints of which most is used",
+              {"joint", "blocks", UnitNames::labelled("at", names.length),
+               "share of the strength"});
+  for (const Json &joint : most_used_summary(results))
+  {
+    const unsigned int e = joint.at("interface");
+    const int other = joint.at("cells")[1];
+    table.row(
+        {text("<a href=\"#view=utilisation&amp;joint=", e, "\">", e, "</a>"),
+         text(joint.at("cells")[0].get<int>(), " and ",
+              other < 0 ? "the ground" : text(other)),
+         pair(joint.at("at")),
+         joint.at("utilisation").is_null()
+             ? "without bound"
+             : text(joint.at("utilisation").get<double>())});
+  }
+  return table.close();
+}
+
+std::string certificate_of(const Results &results)
+{
+  const Certificate &of = results.certificate;
+  std::string words =
+      text("Computed from the forces alone: the forces on each block add up to "
+           "zero within ",
+           of.equilibrium_residual,
+           " of the largest load on a block, and no joint bears more than its "
+           "limits by more than ",
+           of.admissibility_violation, " of it.");
+  if (results.scene.turns())
+    words += text(" Their moments add up to zero within ", of.moment_residual,
+                  " of that load times the size of the block.");
+  else
+    words += text(" Blocks do not turn, and moments up to ", of.max_torque,
+                  " of that load times the size of the block remain.");
+  return words;
+}
+
+std::string certificate_of(const Collapse &collapse)
+{
+  const MechanismCertificate &of = collapse.proof;
+  return text(
+      "Computed from the motion alone: no joint closes by more than ",
+      of.closing_violation, " of the largest displacement, and the loads do ",
+      std::isfinite(of.work_over_dissipation)
+          ? text(of.work_over_dissipation, " times the work that the joints "
+                                           "can dissipate.")
+          : "work that the joints do not resist.");
+}
+
+std::string section(const std::string &id,
+                    const std::string &heading,
+                    const std::string &words)
+{
+  return "<section id=\"" + id + "\">\n<h2>" + heading + "</h2>\n<p>" +
+         html_text(words) + "</p>\n</section>\n";
+}
+
+/** What the user has set, and with what the results were made. */
+std::string closing_tables(const RunRecord &run, const ReportDetails &details)
+{
+  Table parameters("parameters", "Parameters that differ from their defaults");
+  for (const auto &[name, value] : details.parameters)
+    parameters.row({html_text(name), html_text(value)});
+  Table times("times", "Time", {"stage", "seconds"});
+  for (const auto &[stage, seconds] : run.timings)
+    times.row({html_text(stage), text(seconds)});
+  Table versions("versions", "Versions");
+  const Json of_libraries = library_versions();
+  for (const auto &[name, version] : of_libraries.items())
+    versions.row({html_text(name), html_text(version.get<std::string>())});
+  return parameters.close() + times.close() + versions.close();
+}
+} // namespace
+
+std::string verdict_of(const Results &results)
+{
+  if (results.load_factor)
+    return "Load factor: " + description_of(*results.load_factor) + ".";
+  if (results.status.kind == Status::Kind::carried_within)
+    return text("The loads are carried to within ", results.status.within,
+                " of the largest: whether they are carried exactly is open.");
+  return results.scene.packing.n_supports() == 0
+             ? "The loads are carried: forces within the limits of all joints "
+               "balance them."
+             : "The loads are carried: forces within the limits of all joints "
+               "and supports balance them.";
+}
+
+std::string verdict_of(const Collapse &collapse)
+{
+  return message_of(collapse, "");
+}
+
+std::string sections_of(const Results &results, const ReportDetails &details)
+{
+  Table run = table_of_run(results, details.units);
+  run.row({"Forces", html_text(results.selection)});
+  if (!results.scene.coefficient.empty())
+    run.row({"Friction", html_text(description_of_law(results.scene))});
+  if (results.settlement)
+    run.row({"Settlement",
+             html_text(description_of(results.scene, *results.settlement))});
+  if (results.ranges)
+    run.row({"Ranges", html_text(description_of(*results.ranges))});
+  if (results.samples)
+    run.row({"Samples", html_text(description_of(*results.samples))});
+  return run.close() +
+         (results.reactions.empty()
+              ? ""
+              : table_of_reactions(results, details.units)) +
+         table_of_most_used(results, details.units) +
+         section("certificate", "Certificate", certificate_of(results)) +
+         closing_tables(results, details);
+}
+
+std::string sections_of(const Collapse &collapse, const ReportDetails &details)
+{
+  Table parts("work", "The work of the loads along the mechanism",
+              {"loads", "share of the work that is put in"});
+  double all = 0.;
+  for (const LoadPart &part : collapse.parts)
+    all += std::max(0., part.work);
+  for (const LoadPart &part : collapse.parts)
+    parts.row({html_text(part.name), text(part.work / all)});
+  return table_of_run(collapse, details.units).close() + parts.close() +
+         section("certificate", "Certificate", certificate_of(collapse)) +
+         closing_tables(collapse, details);
+}
+} // namespace Voussoir

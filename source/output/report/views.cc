@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/report/colour_scale.h>
+#include <voussoir/output/report/layers.h>
+#include <voussoir/output/report/views.h>
+#include <voussoir/output/vtu_values.h>
+#include <voussoir/scene/jumps.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Tensor;
+
+/** Pale colours of groups, which those who see few colours can tell apart. */
+constexpr std::array<const char *, 7> group_colours = {
+    {"#e6d3b3", "#b8d4e8", "#c9e2c5", "#efc3a4", "#d9c7e6", "#f3e9a0",
+     "#c8c8c8"}};
+
+/** The largest displacement that is drawn, in cells. */
+constexpr double motion_in_cells = 0.5;
+
+/** A motion is drawn as it is if that is within this factor of readable. */
+constexpr double readable = 5.;
+
+/** A value for each cell or interface, as a class of a scale. */
+struct Layering
+{
+  ColourScale scale;
+  std::vector<double> values;
+};
+
+/** Puts views, layers and colours together. */
+class PictureMaker
+{
+public:
+  PictureMaker(const Scene &scene, const UnitNames &names)
+      : picture(scene.packing), overlays(scene.packing), scene(scene),
+        packing(scene.packing), names(names)
+  {}
+
+  void add_view(const std::string &id,
+                const std::string &name,
+                const std::string &legend)
+  {
+    picture.views.push_back({id, name, legend});
+    picture.style += of(id) + ".in-" + id + "{display:block}\n";
+  }
+
+  /** The beginning of a selector for what is in the view. */
+  static std::string of(const std::string &id)
+  {
+    return "#view-" + id + ":checked~.sheet ";
+  }
+
+  /** Colour the cells or the joints in the view @p id by @p values. */
+  void colour(std::vector<Layering> &layers,
+              const std::string &id,
+              const std::string &elements,
+              Layering layer)
+  {
+    picture.style += layer.scale.rules(of(id) + elements);
+    layers.push_back(std::move(layer));
+  }
+
+  /**
+   * Draw the blocks and the joints, and over them what views have drawn.
+   *
+   * @param in_full each as an element of its own, which the reader can point
+   *   at.
+   */
+  Picture finish(bool in_full);
+
+  Picture picture;
+  Drawing overlays;
+  const Scene &scene;
+  const Packing &packing;
+  const UnitNames &names;
+  std::vector<Layering> of_cells, of_joints;
+};
+
+std::string classes_of(const std::vector<Layering> &layers,
+                       const unsigned int k)
+{
+  std::string classes;
+  for (const Layering &layer : layers)
+    classes +=
+        (classes.empty() ? "" : " ") + layer.scale.class_of(layer.values[k]);
+  return classes;
+}
+
+Picture PictureMaker::finish(const bool in_full)
+{
+  Drawing &drawing = picture.drawing;
+  drawing.open("id=\"blocks\"");
+  std::vector<dealii::Point<2>> corners;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    corners.clear();
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      corners.push_back(packing.vertex(c, i));
+    const std::string of_views = classes_of(of_cells, c);
+    const std::string classes =
+        text('g', packing.group(c) % group_colours.size(),
+             of_views.empty() ? "" : " ", of_views);
+    if (in_full)
+      drawing.polygon(corners, classes);
+    else
+      drawing.add_to_path(corners, true, classes);
+  }
+  drawing.finish_paths();
+  drawing.close();
+  drawing.open("id=\"joints\"");
+  const auto &interfaces = packing.interfaces();
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+  {
+    const Packing::Interface &i = interfaces[e];
+    if (in_full)
+      drawing.line(i.start, i.end, classes_of(of_joints, e));
+    else
+      drawing.add_to_path({i.start, i.end}, false, classes_of(of_joints, e));
+  }
+  drawing.finish_paths();
+  drawing.close();
+  draw_supports(drawing, packing, "in-all");
+  drawing.append(overlays);
+  return std::move(picture);
+}
+
+/** The swatches of the groups, if there are several. */
+std::string legend_of_groups(const Packing &packing)
+{
+  const std::size_t n = packing.group_names().size() - 1; // without the ground
+  std::string html;
+  for (std::size_t g = 0; n > 1 && g < std::min(n, group_colours.size()); ++g)
+    html +=
+        text("<p><span class=\"swatch\" style=\"background:", group_colours[g],
+             "\"></span> ", html_text(packing.group_names()[g]), "</p>");
+  if (n > group_colours.size())
+    html += text("<p>and ", n - group_colours.size(),
+                 " more groups in the same colours</p>");
+  return html;
+}
+
+std::string swatch(const std::string &kind, const std::string &words)
+{
+  return "<p><span class=\"swatch line " + kind + "\"></span> " + words +
+         "</p>";
+}
+
+/** The structure with its supports and loads. */
+void add_structure(PictureMaker &maker)
+{
+  for (std::size_t g = 0; g < group_colours.size(); ++g)
+    maker.picture.style += text(maker.of("structure"), "#blocks .g", g,
+                                "{fill:", group_colours[g], "}\n");
+  Drawing &drawing = maker.overlays;
+  const double largest = draw_loads(drawing, maker.scene, "in-structure");
+  draw_gaps(drawing, maker.packing, "in-structure");
+  std::string legend = legend_of_groups(maker.packing);
+  if (maker.packing.n_supports() > 0)
+    legend += swatch("of-support", "support");
+  legend += largest > 0. ? swatch("of-load",
+                                  text("loads; the longest arrow is ",
+                                       html_text(UnitNames::labelled(
+                                           text(largest), maker.names.force))))
+                         : "<p>no loads</p>";
+  if (!maker.packing.gaps().empty())
+    legend += swatch("of-gap", "narrow gap that was left open");
+  maker.add_view("structure", "Structure", legend);
+}
+
+void add_forces(PictureMaker &maker, const InterfaceForces &forces)
+{
+  Drawing &drawing = maker.overlays;
+  const double largest =
+      draw_resultants(drawing, maker.scene, forces, "in-forces");
+  draw_line_of_thrust(drawing, maker.scene, forces, "in-forces");
+  maker.add_view(
+      "forces", "Forces",
+      swatch("of-resultant", text("resultants of the joints; the longest is ",
+                                  html_text(UnitNames::labelled(
+                                      text(largest), maker.names.force)))) +
+          (maker.scene.turns()
+               ? swatch("of-thrust", "line of thrust, where a block has two "
+                                     "joints that bear")
+               : "<p>Blocks do not turn in this run: forces are drawn at the "
+                 "middle of the joints.</p>"));
+}
+
+/** A view of one value of each joint. */
+void add_joint_view(PictureMaker &maker,
+                    const std::string &id,
+                    const std::string &name,
+                    const std::string &title,
+                    Layering layer)
+{
+  maker.add_view(id, name, layer.scale.legend(title));
+  maker.colour(maker.of_joints, id, "#joints", std::move(layer));
+}
+
+std::vector<double> for_each_joint(const Packing &packing,
+                                   const std::function<double(unsigned int)> &f)
+{
+  std::vector<double> values(packing.interfaces().size());
+  for (unsigned int e = 0; e < values.size(); ++e)
+    values[e] = f(e);
+  return values;
+}
+
+void add_joint_views(PictureMaker &maker, const Results &results)
+{
+  const auto &forces = results.forces;
+  add_joint_view(
+      maker, "normal", "Normal force",
+      UnitNames::labelled("normal force of the joints, negative in compression",
+                          maker.names.force),
+      {ColourScale("n", forces.normal), forces.normal});
+  const auto used = [&](const unsigned int e) {
+    return utilisation(results.scene, forces, e);
+  };
+  add_joint_view(maker, "utilisation", "Utilisation",
+                 "share of the strength that is used, 1 at the limit",
+                 {ColourScale("u", 1.), for_each_joint(maker.packing, used)});
+  if (!results.ranges)
+    return;
+  const auto width = [&](const unsigned int e) {
+    const Range &p = results.ranges->normal[e];
+    return results.ranges->wanted[e] ? p.greatest - p.least
+                                     : std::numeric_limits<double>::quiet_NaN();
+  };
+  std::vector<double> widths = for_each_joint(maker.packing, width);
+  add_joint_view(
+      maker, "ranges", "Ranges",
+      UnitNames::labelled("normal force of the joints: the greatest of all "
+                          "states less the least",
+                          maker.names.force),
+      {ColourScale("r", widths), widths});
+}
+
+void add_stress(PictureMaker &maker, const std::vector<Tensor<2, 2>> &stresses)
+{
+  std::vector<double> largest(stresses.size());
+  for (unsigned int c = 0; c < stresses.size(); ++c)
+  {
+    const VtuValues::StressInvariants of(stresses[c]);
+    largest[c] = std::abs(of.principal_1) > std::abs(of.principal_2)
+                     ? of.principal_1
+                     : of.principal_2;
+  }
+  Layering layer{ColourScale("s", largest), largest};
+  maker.add_view("stress", "Stress",
+                 layer.scale.legend(UnitNames::labelled(
+                     "mean stress of the blocks: the principal stress of the "
+                     "larger size, tension positive",
+                     maker.names.stress)) +
+                     swatch("of-cross", "principal stresses, pressure") +
+                     swatch("of-tension", "tension"));
+  maker.colour(maker.of_cells, "stress", "#blocks", std::move(layer));
+  draw_principal_stresses(maker.overlays, maker.packing, stresses, "in-stress");
+}
+
+/** @param name of the motion, as in "Mechanism". */
+void add_motion(PictureMaker &maker,
+                const Motion &motion,
+                const std::string &name,
+                const bool has_size)
+{
+  const double largest = jumps_of(maker.packing, motion).largest_displacement;
+  if (largest == 0.)
+    return;
+  double factor = motion_in_cells * typical_size(maker.packing) / largest;
+  if (has_size && factor < readable && factor > 1. / readable)
+    factor = 1.;
+  draw_motion(maker.overlays, maker.packing, motion, factor, "in-motion");
+  const std::string scale =
+      has_size
+          ? html_text(UnitNames::labelled(
+                text("largest displacement ", largest), maker.names.length)) +
+                (factor == 1. ? ", drawn as large as it is"
+                              : text(", drawn ", factor, " times as large"))
+          : "a mechanism has no size: it is drawn so that it can be seen";
+  maker.add_view("motion", name,
+                 "<p>" + scale + "</p>" +
+                     swatch("of-opens", "joint that opens") +
+                     swatch("of-slides", "joint that slides") +
+                     (maker.scene.turns()
+                          ? swatch("of-hinge", "hinge: open at the other end")
+                          : ""));
+}
+} // namespace
+
+Picture
+picture_of(const Results &results, const UnitNames &names, const bool in_full)
+{
+  PictureMaker maker(results.scene, names);
+  add_structure(maker);
+  if (in_full)
+    add_forces(maker, results.forces);
+  add_joint_views(maker, results);
+  if (in_full && !results.mean_stresses.empty())
+    add_stress(maker, results.mean_stresses);
+  if (results.settlement)
+    add_motion(maker, results.settlement->motion, "Settlement", true);
+  else if (!results.load_factor && in_full)
+    add_motion(maker, results.motion, "Displacement", true);
+  else if (results.load_factor && results.load_factor->has_mechanism())
+    add_motion(maker, results.load_factor->mechanism, "Mechanism", false);
+  return maker.finish(in_full);
+}
+
+Picture
+picture_of(const Collapse &collapse, const UnitNames &names, const bool in_full)
+{
+  PictureMaker maker(collapse.scene, names);
+  add_motion(maker, collapse.motion, "Mechanism", false);
+  add_structure(maker);
+  return maker.finish(in_full);
+}
+} // namespace Voussoir

@@ -1,0 +1,24 @@
+"""The drawings of prm/ are those that contrib/drawings makes.
+
+    drawings.py SOURCE_DIRECTORY
+"""
+import filecmp
+import os
+import subprocess
+import sys
+import tempfile
+
+SOURCE = sys.argv[1]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as directory:
+        subprocess.run([sys.executable, f"{SOURCE}/contrib/drawings", directory], check=True)
+        drawn = sorted(os.listdir(directory))
+        different = filecmp.cmpfiles(directory, f"{SOURCE}/prm", drawn, shallow=False)
+        if len(drawn) != 4 or different[0] != drawn:
+            sys.exit(f"not as in prm/: {different[1] + different[2]}; run contrib/drawings")
+
+
+if __name__ == "__main__":
+    main()

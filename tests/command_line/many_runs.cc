@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Sweeps and searches: every line of sweep.csv is the run of its values alone,
+// the search ends around a limit that is known, and what is wrong ends with a
+// message and no file.
+
+#include <voussoir/command_line.h>
+
+#include "own_directory.h"
+#include "table.h"
+#include "tests.h"
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+using namespace Voussoir;
+
+// A block of width 1 and height 2 on the ground, of weight 1 a unit of area,
+// pushed by H times its weight: it slides if H * 2 > s, and turns over if
+// H > 1/2.
+const char *scene = "set Formulation = least energy\n"
+                    "subsection Packing\n set Generator = wall\n"
+                    " subsection wall\n  set Courses = 1\n"
+                    "  set Bricks per course = 1\n"
+                    "  set Width = 1\n  set Height = 2\n"
+                    " end\nend\n"
+                    "subsection Supports\n set Where = y < 1e-9\nend\n"
+                    "subsection Loads\n set Body force = 0.25; -1\nend\n"
+                    "subsection Friction\n set Strength = 10\nend\n";
+
+std::string last_output;
+
+int run(std::vector<std::string> arguments, const bool shows_errors = true)
+{
+  std::ofstream("scene.prm") << scene;
+  arguments.insert(arguments.begin(), "scene.prm");
+  std::ostringstream out, error;
+  const int status = run_command_line(arguments, out, error);
+  last_output = out.str();
+  if (shows_errors)
+    std::cout << "status " << status << ' ' << error.str();
+  return status;
+}
+
+std::vector<std::string> lines_of(const std::string &file)
+{
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::size_t count(const std::string &text, const std::string &what)
+{
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; ++at)
+    ++n;
+  return n;
+}
+
+/** The page of a sweep has a point for each number that it plots. */
+void check_page(const unsigned int n_runs, const unsigned int n_collapsed)
+{
+  std::ifstream in("output/sweep.html");
+  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  check("the rows of the page", count(page, "<tr>") == n_runs + 1);
+  // Either a utilisation or the work, and the number of iterations.
+  check("its points", count(page, "<circle") == 2 * n_runs);
+  check("those that collapse",
+        count(page, "circle class=\"collapse\"") == 2 * n_collapsed);
+  check("a circle is where its title says",
+        count(page, "<title>Friction/Strength = 0.1: ") == 2);
+}
+
+/** A field of a line without quotation marks. */
+std::string
+field(const std::string &line, const std::string &name, const std::string &head)
+{
+  std::vector<std::string> names, words;
+  boost::split(names, head, boost::is_any_of(","));
+  boost::split(words, line, boost::is_any_of(","));
+  return words.at(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void check_sweep()
+{
+  const int status = run({"--sweep", "Friction/Strength=0.1:0.9:9", "--sweep",
+                          "Rotations=false | true", "--result",
+                          "ground/reaction/1", "--result", "loads/total/0"});
+  check("the status of a sweep", status == 0);
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  check("a line for each run", lines.size() == 1 + 9 * 2);
+  bool are_right = true, are_alike = true;
+  for (std::size_t k = 1; k < lines.size(); ++k)
+  {
+    const std::string strength = field(lines[k], "Friction/Strength", lines[0]);
+    const std::string turns = field(lines[k], "Rotations", lines[0]);
+    const bool carries = std::stod(strength) >= 0.5;
+    are_right = are_right && field(lines[k], "status", lines[0]) ==
+                                 (carries ? "solved" : "collapse");
+    are_right =
+        are_right && field(lines[k], "loads/total/0", lines[0]) == "0.5" &&
+        (!carries ||
+         std::abs(std::stod(field(lines[k], "ground/reaction/1", lines[0])) -
+                  2.) < 1e-9);
+    const int alone =
+        run({"--set", "Output directory=alone", "--set",
+             "Friction/Strength=" + strength, "--set", "Rotations=" + turns},
+            false);
+    are_alike = are_alike && alone == (carries ? 0 : 3);
+  }
+  check("each verdict and each number is known", are_right);
+  check("each run alone ends alike", are_alike);
+  check("ends are as given", lines[1].compare(0, 4, "0.1,") == 0 &&
+                                 lines.back().compare(0, 4, "0.9,") == 0);
+}
+
+void check_packings()
+{
+  // The packing is another one in each run.
+  run({"--sweep", "Packing/wall/Height=1:4:3:log", "--result", "packing/area"},
+      false);
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  bool are_right = lines.size() == 4;
+  for (unsigned int k = 1; are_right && k < 4; ++k)
+    are_right = std::abs(std::stod(field(lines[k], "packing/area", lines[0])) -
+                         (1 << (k - 1))) < 1e-12;
+  check("packings that change, in equal ratios", are_right);
+}
+
+void check_directories()
+{
+  fs::remove_all("output");
+  run({"--sweep", "Friction/Strength=0.1:0.9:9", "--result",
+       "solver/iterations"},
+      false);
+  check_page(9, 4);
+  fs::remove_all("output");
+  run({"--sweep", "Friction/Strength=0.1 | 10", "--directories"}, false);
+  check("a directory each", fs::exists("output/run_1/mechanism.csv") &&
+                                fs::exists("output/run_2/interfaces.csv") &&
+                                fs::exists("output/run_2/report.html") &&
+                                fs::exists("output/sweep.csv"));
+}
+
+void check_search(const std::vector<std::string> &with,
+                  const double limit,
+                  const std::string &carried,
+                  const std::string &collapses)
+{
+  std::vector<std::string> arguments = {"--find", with[0]};
+  for (std::size_t k = 1; k < with.size(); ++k)
+    arguments.insert(arguments.end(), {"--set", with[k]});
+  check("the status of a search", run(arguments, false) == 0);
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  double low = -1e9, high = 1e9;
+  for (std::size_t k = 1; k < lines.size(); ++k)
+  {
+    const double value = std::stod(lines[k]);
+    const std::string status = field(lines[k], "status", lines[0]);
+    if (status == carried)
+      low = std::max(low, value);
+    if (status == collapses)
+      high = std::min(high, value);
+  }
+  check("the limit is between them",
+        low <= limit * (1. + 1e-12) && limit * (1. - 1e-12) <= high);
+  check_error("width", (high - low) / std::abs(limit), 1e-6);
+  check("both are named",
+        last_output.find("is carried") != std::string::npos &&
+            last_output.find("collapses") != std::string::npos);
+}
+
+int main()
+{
+  work_in_own_directory();
+  check_sweep();
+  check_packings();
+  check_directories();
+  // From below collapses, then carries; from below carries, then collapses.
+  check_search({"Friction/Strength=0:10:1e-6"}, 0.5, "collapse", "solved");
+  check_search({"Packing/wall/Height=1:10", "Rotations=true"}, 4., "solved",
+               "collapse");
+
+  fs::remove_all("output");
+  run({"--find", "Friction/Strength=2:10"});
+  fs::remove_all("output");
+  for (const char *wrong :
+       {"Friction/Strength", "Friction/Strength=1:2", "Friction/Strength=1:2:1",
+        "Friction/Strength=1:2:x", "Friction/Strength=0:2:3:log", "=1 | 2"})
+    run({"--sweep", wrong});
+  for (const char *wrong : {"Friction/Strength=1", "Friction/Strength=2:1",
+                            "Friction/Strength=1:2:2"})
+    run({"--find", wrong});
+  run({"--sweep", "Friction/Strength=-1:-1:2"});
+  run({"--sweep", "Friction/Strenght=1 | 2"});
+  run({"--sweep", "Friction/Strength=1 | 2", "--find",
+       "Friction/Strength=1:2"});
+  run({"--sweep", "Friction/Strength=1 | 2", "--result", "/ground"});
+  run({"--result", "ground"});
+  run({"--directories"});
+  check("nothing is written", !fs::exists("output"));
+}

@@ -1,0 +1,149 @@
+"""The module of Python: its numbers, its memory, and its errors.
+
+    python3 check_module.py SOURCE_DIRECTORY PROGRAM
+"""
+import csv
+import gc
+import os
+import resource
+import subprocess
+import sys
+
+import numpy as np
+import voussoir
+
+SOURCE, PROGRAM = sys.argv[1:]
+SQUARES = [np.array([[0, k], [1, k], [1, k + 1], [0, k + 1]], float) for k in range(3)]
+STANDING = {"Supports/Where": "y < 1e-9", "Loads/Body force": "0; -1",
+            "Friction/Strength": 1, "Formulation": "least energy"}
+
+
+def expect(what, condition):
+    if not condition:
+        sys.exit(f"{what}: not as expected")
+
+
+def raised(kind, what, action):
+    """The message of the exception that @p action raises."""
+    try:
+        action()
+    except kind as error:
+        return str(error)
+    sys.exit(f"{what}: nothing was raised")
+
+
+def columns(file, *names):
+    with open(file, newline="") as lines:
+        rows = list(csv.DictReader(lines))
+    return [np.array([float(r[n]) for r in rows]) for n in names]
+
+
+def check_like_the_program():
+    """A scene has the numbers that the program writes."""
+    file = f"{SOURCE}/prm/semicircular_arch.prm"
+    subprocess.run([PROGRAM, file, "--quiet", "--set", "Output directory=arch",
+                    "--set", "Output/Files=csv"], check=True)
+    found = voussoir.Scene(file).solve()
+    expect("status", found.status == "solved")
+    for name, of in (("normal_force", found.normal_force),
+                     ("tangential_force", found.tangential_force),
+                     ("utilisation", found.utilisation),
+                     ("eccentricity", found.eccentricity),
+                     ("normal_force_0", found.end_forces[:, 0]),
+                     ("x0", found.starts[:, 0]), ("y1", found.ends[:, 1]),
+                     ("nx", found.normals[:, 0]), ("length", found.lengths),
+                     ("cell_minus", found.cell_minus), ("cell_plus", found.cell_plus),
+                     ("strength", found.strength)):
+        expect(name, np.array_equal(columns("arch/interfaces.csv", name)[0], of))
+    for name, of in (("sxy", found.stress[:, 0, 1]), ("syy", found.stress[:, 1, 1]),
+                     ("load_y", found.loads[:, 1]), ("area", found.areas),
+                     ("x", found.centres[:, 0]), ("torque", found.torque),
+                     ("ux", found.displacement[:, 0]), ("rotation", found.rotation)):
+        expect(name, np.array_equal(columns("arch/cells.csv", name)[0], of))
+    expect("summary", found.summary["certificate"]["equilibrium_residual"] < 1e-9)
+
+
+def check_polygons():
+    """A column of squares of weight one, drawn by arrays."""
+    scene = voussoir.Scene(polygons=SQUARES, settings=STANDING)
+    found = scene.solve()
+    # Between the squares, then on the ground.
+    expect("forces", np.allclose(found.normal_force, [-2, -1, -3], atol=1e-12))
+    expect("corners", all(np.array_equal(a, b) for a, b in zip(found.polygons, SQUARES)))
+    expect("areas", np.allclose(scene.areas, 1) and len(scene.groups) == 3)
+    expect("an entry", scene["Friction/Strength"] == "1")
+    scene["Loads/Body force"] = "0; -2"
+    expect("other loads", np.allclose(scene.solve().normal_force, 2 * found.normal_force))
+    scene.set("Loads/Body force", "1.5; -1")
+    pushed = scene.solve()
+    expect("collapse", pushed.status == "collapse" and
+           pushed.summary["mechanism"]["work_over_dissipation"] > 1)
+    expect("mechanism", np.abs(pushed.displacement).max() > 0)
+    message = raised(AttributeError, "no forces", lambda: pushed.normal_force)
+    expect(message, "not carried" in message)
+    scene["Analysis"] = "load factor"
+    scene["Loads/Body force"] = "0; -1"
+    scene["Live loads/Body force"] = "1; 0"
+    factor = scene.solve().summary["load_factor"]
+    expect("load factor", abs(factor["carried"] - 1 / 3) < 1e-7)
+    # The packing is made again if it has to be.
+    scene["Analysis"] = "state"
+    scene["Supports/Where"] = "y > 3 - 1e-9"
+    expect("hanging", scene.solve().status == "collapse")
+
+
+def check_errors():
+    """The messages are those of the program."""
+    message = raised(voussoir.InputError, "a name",
+                     lambda: voussoir.Scene(settings={"Friction/Strenght": 1}))
+    expect(message, "did you mean 'Friction/Strength'?" in message)
+    expect("InputError is a ValueError", issubclass(voussoir.InputError, ValueError))
+    overlapping = [SQUARES[0], SQUARES[0] + 0.5]
+    message = raised(voussoir.InputError, "an overlap",
+                     lambda: voussoir.Scene(polygons=overlapping).solve())
+    expect(message, "polygon 2" in message and "the arrays" in message)
+    raised(ValueError, "a shape", lambda: voussoir.Scene(polygons=[np.zeros((4, 3))]))
+    raised(KeyError, "an entry", lambda: voussoir.Scene()["Friction/None"])
+    # A scene can be used after an error.
+    scene = voussoir.Scene(polygons=SQUARES, settings=STANDING)
+    scene["Friction/Strength"] = "-1"
+    raised(voussoir.InputError, "a strength", scene.solve)
+    scene["Friction/Strength"] = 1
+    expect("after an error", scene.solve().status == "solved")
+
+
+def check_views():
+    """Arrays show the memory of the results, and keep it."""
+    found = voussoir.Scene(polygons=SQUARES, settings=STANDING).solve()
+    force, stress, starts = found.normal_force, found.stress, found.starts
+    expect("no copy", force.ctypes.data == found.normal_force.ctypes.data)
+    raised(ValueError, "not to be written to", lambda: force.__setitem__(0, 1.0))
+    before = force.copy(), stress.copy(), starts.copy()
+    del found
+    gc.collect()
+    expect("kept", all(np.array_equal(a, b) for a, b in zip((force, stress, starts), before)))
+
+
+def check_memory():
+    """Nothing is left behind by many solves."""
+    scene = voussoir.Scene(polygons=SQUARES, settings=STANDING)
+
+    def solve(n):
+        for k in range(n):
+            scene["Loads/Body force"] = f"0; {-1 - k % 7}"
+            scene.solve().normal_force
+        gc.collect()
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # kB
+
+    solve(1000)
+    before = solve(1000)
+    after = solve(10000)
+    expect(f"memory, {before} and {after} kB", after - before < 2000)
+
+
+check_like_the_program()
+check_polygons()
+check_errors()
+check_views()
+check_memory()
+print("OK")
