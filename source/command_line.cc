@@ -40,6 +40,7 @@ struct Arguments
   bool print_parameters = false;
   bool print_reference = false;
   bool quiet = false;
+  std::string verbosity;
   bool help = false;
   bool version = false;
 };
@@ -69,6 +70,9 @@ po::options_description visible_options(Arguments &arguments)
       "print the manual's page on all parameters, as Markdown")(
       "quiet", po::bool_switch(&arguments.quiet),
       "print warnings and errors only")(
+      "verbosity", po::value(&arguments.verbosity)->value_name("N"),
+      "the same as --set Output/Verbosity=N: 0 the closing summary, 1 also "
+      "the stages, 2 also iterations and the joints most used")(
       "help", po::bool_switch(&arguments.help), "print this help")(
       "version", po::bool_switch(&arguments.version), "print the version");
   return options;
@@ -106,6 +110,8 @@ Arguments parse(const std::vector<std::string> &words)
                      files[1] + "' are given. See 'voussoir --help'.");
   if (!files.empty())
     arguments.file = files[0];
+  if (!arguments.verbosity.empty())
+    arguments.assignments.push_back("Output/Verbosity=" + arguments.verbosity);
   return arguments;
 }
 

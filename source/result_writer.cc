@@ -36,7 +36,8 @@ FilesOfRuns all_files()
   return {{interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
            stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
            mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
-           results_pvd, report_html, parameters_prm, summary_json},
+           results_pvd, report_html, drawing_check_html, parameters_prm,
+           summary_json},
           {packing_wkt, packing_off, packing_centres},
           is_stress_piece};
 }
@@ -89,7 +90,7 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
       "Verbosity", shown,
       "0: the closing summary alone; 1: also the stages and, on a "
       "screen, the progress of long ones; 2: also the iterations "
-      "of the solver.",
+      "of the solver and the joints of which the most is used.",
       dealii::Patterns::Integer(0, 2));
   add_choice<ResultFiles>(
       prm, "Files", result_files,
@@ -150,15 +151,25 @@ ResultDirectory ResultWriter::open(const std::string &forces_from)
 }
 
 std::string ResultWriter::show_faults(ResultDirectory &files,
-                                      const DrawingCheck &check)
+                                      const DrawingRefused &refused)
 {
   // The message of one fault shows where it is.
-  if (!writes(ResultFiles::vtu) || check.faults.size() < 2)
+  if (!writes(ResultFiles::vtu) || refused.check.faults.size() < 2)
     return {};
-  files.write(drawing_check_vtu,
-              [&](std::ostream &out) { write_drawing_check_vtu(out, check); });
+  const bool has_page = report != Report::never;
+  files.write(drawing_check_vtu, [&](std::ostream &out) {
+    write_drawing_check_vtu(out, refused.check);
+  });
+  if (has_page)
+    files.write(drawing_check_html,
+                [&](std::ostream &out) { write_report(out, refused); });
   files.publish_beside();
-  return (std::filesystem::path(output_directory) / drawing_check_vtu).string();
+  const std::filesystem::path directory = output_directory;
+  return text(
+      "All are in '", (directory / drawing_check_vtu).string(),
+      "'; open it in ParaView",
+      has_page ? ", or " + drawing_check_html + " beside it in a browser" : "",
+      ".");
 }
 
 bool ResultWriter::writes(const ResultFiles kind) const

@@ -26,7 +26,7 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
 Packing SceneParameters::read_packing(const std::filesystem::path &directory,
                                       Terminal &terminal) const
 {
-  Packing blocks = packing.make_packing(directory, terminal);
+  Packing blocks = packing.make_packing(directory, blocks_turn, terminal);
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);

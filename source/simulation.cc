@@ -59,11 +59,10 @@ Packing Simulation::read_packing(ResultDirectory &files,
   }
   catch (const DrawingRefused &refused)
   {
-    const std::string file = writer.show_faults(files, refused.check);
-    if (file.empty())
+    const std::string where = writer.show_faults(files, refused);
+    if (where.empty())
       throw;
-    throw InputError(text(refused.what(), "\nAll are in '", file,
-                          "'; open it in ParaView."));
+    throw InputError(refused.what() + ('\n' + where));
   }
 }
 } // namespace Voussoir

@@ -5,7 +5,7 @@ _voussoir() {
   case $current in
     -*)
       options="--set --sweep --find --result --directories --print-parameters \
-        --print-reference --quiet --help --version"
+        --print-reference --quiet --verbosity --help --version"
       mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
       ;;
     *)

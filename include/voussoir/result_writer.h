@@ -47,9 +47,10 @@ public:
    * Write what shows the faults of a drawing beside earlier results, if that is
    * more than a message can.
    *
-   * @return the path of the file, or nothing.
+   * @return a sentence on where that is, or nothing.
    */
-  std::string show_faults(ResultDirectory &files, const DrawingCheck &check);
+  std::string show_faults(ResultDirectory &files,
+                          const DrawingRefused &refused);
 
   /** @{ */
   /**

@@ -15,7 +15,7 @@ using dealii::Tensor;
 using Json = nlohmann::ordered_json;
 
 /** The largest number of supports that the terminal shows. */
-constexpr unsigned int n_shown_supports = 4;
+constexpr std::size_t n_shown_supports = 8;
 
 /** The number of most used interfaces in files, and on the terminal. */
 constexpr std::size_t n_most_used = 10, n_shown_most_used = 5;
@@ -169,8 +169,7 @@ void show_reactions(Terminal &terminal, const Results &results)
       text(words(balance_on_ground(results.scene, results.reactions).reaction),
            " on ", counted(n, "straight support"), ", mean normal stress ",
            mean_normal_stress(results)));
-  for (std::size_t k = 0;
-       n > 1 && k < std::min<std::size_t>(n, n_shown_supports); ++k)
+  for (std::size_t k = 0; k < std::min(n, n_shown_supports); ++k)
   {
     const Reaction &of = results.reactions[k];
     terminal.summary("Reaction",

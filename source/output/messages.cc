@@ -153,12 +153,14 @@ std::string message_of(const Collapse &collapse, const std::string &files)
         << "; these would have to be at least that many times as large, and "
            "perhaps more";
   message << '.';
-  // Where blocks turn hardly anything slides, so that ratios are large.
   if (std::isfinite(collapse.proof.work_over_dissipation) &&
-      collapse.proof.work_over_dissipation > ratio_of_units &&
-      !collapse.scene.turns())
-    message << " So large a ratio may come of units: see that lengths, loads "
-               "and strengths have the same.";
+      collapse.proof.work_over_dissipation > ratio_of_units)
+    message << " So large a ratio may come of units"
+            << (collapse.scene.turns()
+                    ? ", or of blocks that turn about hinges, where hardly "
+                      "anything slides"
+                    : "")
+            << ": see that lengths, loads and strengths have the same.";
   if (!collapse.parts.empty())
     message << " Most is done by " << collapse.parts.front().name << ", "
             << std::lround(100. * share_of_first(collapse.parts))

@@ -22,7 +22,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /** The largest number of supports that are named on the terminal. */
-constexpr unsigned int n_shown_supports = 4;
+constexpr unsigned int n_shown_supports = 8;
 
 /** The beginning of every summary. */
 Json summary_of(const RunRecord &run, const Status &status)

@@ -6,6 +6,7 @@
 #include <voussoir/packing/generators/perturbed_grid.h>
 #include <voussoir/packing/generators/wall.h>
 #include <voussoir/packing/packing_parameters.h>
+#include <voussoir/packing/polygons/corner_contacts.h>
 #include <voussoir/packing/polygons/polygons.h>
 #include <voussoir/packing/voronoi/voronoi.h>
 
@@ -54,9 +55,12 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
 }
 
 Packing PackingParameters::make_packing(const std::filesystem::path &directory,
+                                        const bool joins_corners,
                                         Terminal &terminal) const
 {
   CellLoops cells = generators[chosen]->generate(directory, terminal);
+  if (joins_corners && generators[chosen].get() == polygons)
+    join_corners(cells);
   terminal.progress("looking for interfaces");
   Packing packing(std::move(cells));
   assign_groups(packing, groups);

@@ -86,7 +86,8 @@ std::string describe_nearest(const Packing &packing,
       text(packing.describe(found->cell), " at ", text_of_point(found->place));
   if (found->distance <= touches * std::sqrt(packing.area(of)))
     return text(" Cell ", of, " meets ", place,
-                " in a point only, which carries nothing.");
+                " in a point only, which carries nothing; with 'Rotations = "
+                "true' a corner on a side does.");
   return text(" The nearest to it is ", place, ", where cell ", of, " is ",
               found->distance, " away",
               found->distance > widest_joint * std::sqrt(packing.area(of))

@@ -86,7 +86,8 @@ void run(const std::string &content, const std::string &settings)
   std::ostringstream out, error;
   const int status = run_command_line({"drawing.prm", "--quiet"}, out, error);
   std::cout << "status " << status << '\n' << error.str();
-  for (const char *file : {"drawing_check.vtu", "cells.csv", "summary.json"})
+  for (const char *file :
+       {"drawing_check.vtu", "drawing_check.html", "cells.csv", "summary.json"})
     if (fs::exists(fs::path("results") / file))
       std::cout << file << std::endl;
 }

@@ -3,7 +3,8 @@
 // Joints of some width: blocks keep their shapes, forces act midway between
 // them, and moments are balanced with the width in them. The factors of walls
 // do not feel the width where their statics agree; a stack that is cut with a
-// kerf has the forces of one that is cut without, wherever it stands.
+// kerf has the forces of one that is cut without, wherever it stands; and so
+// have random stones apart from each other.
 
 #include <voussoir/base/geometry.h>
 #include <voussoir/packing/polygons/facing_sides.h>
@@ -15,6 +16,7 @@
 #include <boost/random/uniform_real_distribution.hpp>
 
 #include "tests.h"
+#include <map>
 #include <numeric>
 
 using namespace Voussoir;
@@ -232,6 +234,40 @@ struct Stack
   std::vector<Tensor<1, 2>> forces;
 };
 
+/** A drawing that is turned, scaled and in another order. */
+struct Placed
+{
+  Placed(const std::vector<Ring> &drawn,
+         const double angle,
+         const double scale,
+         const unsigned int shuffle)
+      : turn(tensor(std::cos(angle),
+                    -std::sin(angle),
+                    std::sin(angle),
+                    std::cos(angle))),
+        order(drawn.size())
+  {
+    std::iota(order.begin(), order.end(), 0);
+    boost::random::mt19937 generator(shuffle);
+    for (unsigned int k = order.size(); k > 1; --k)
+      std::swap(order[k - 1], order[generator() % k]);
+    for (const unsigned int k : order)
+    {
+      Ring ring;
+      for (const Point<2> &p : drawn[k])
+        ring.push_back(Point<2>(scale * (turn * p)));
+      std::rotate(ring.begin(), ring.begin() + generator() % ring.size(),
+                  ring.end());
+      rings.push_back(ring);
+    }
+  }
+
+  Tensor<2, 2> turn;
+  /** For each stone its number in the drawing. */
+  std::vector<unsigned int> order;
+  std::vector<Ring> rings;
+};
+
 /** The force through each bed, on the stone above it, from below upwards. */
 std::vector<Tensor<1, 2>> forces_on_beds(const Stack &stack,
                                          const double kerf,
@@ -239,24 +275,10 @@ std::vector<Tensor<1, 2>> forces_on_beds(const Stack &stack,
                                          const double scale,
                                          const unsigned int shuffle)
 {
-  const Tensor<2, 2> turn = tensor(std::cos(angle), -std::sin(angle),
-                                   std::sin(angle), std::cos(angle));
-  std::vector<unsigned int> order(stack.rings.size());
-  std::iota(order.begin(), order.end(), 0);
-  boost::random::mt19937 generator(shuffle);
-  for (unsigned int k = order.size(); k > 1; --k)
-    std::swap(order[k - 1], order[generator() % k]);
-  std::vector<Ring> rings;
-  for (const unsigned int k : order)
-  {
-    Ring ring;
-    for (const Point<2> &p : stack.rings[k])
-      ring.push_back(Point<2>(scale * (turn * p)));
-    std::rotate(ring.begin(), ring.begin() + generator() % ring.size(),
-                ring.end());
-    rings.push_back(ring);
-  }
-  Packing packing = joined(rings, 1.001 * scale * kerf, 1e-9 * scale);
+  const Placed placed(stack.rings, angle, scale, shuffle);
+  const Tensor<2, 2> &turn = placed.turn;
+  const std::vector<unsigned int> &order = placed.order;
+  Packing packing = joined(placed.rings, 1.001 * scale * kerf, 1e-9 * scale);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(std::abs((transpose(turn) * edge.midpoint())[1]) <
@@ -303,6 +325,82 @@ void test_drawings()
   check_error("the same forces", largest, 1e-9);
 }
 
+/** Random stones that shrank to their centres, so that all joints are open. */
+std::vector<Ring> shrunk_stones(const unsigned int seed)
+{
+  const Packing packing = random_packing(10 + seed % 20, seed + 1);
+  std::vector<Ring> rings(packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      rings[c].push_back(packing.centre(c) +
+                         0.999 * (packing.vertex(c, i) - packing.centre(c)));
+  return rings;
+}
+
+/** The forces between stones, on the one that comes first in @p rings. */
+std::map<std::pair<unsigned int, unsigned int>, Tensor<1, 2>>
+forces_between(const std::vector<Ring> &rings,
+               const double angle,
+               const double scale,
+               const unsigned int shuffle)
+{
+  const Placed placed(rings, angle, scale, shuffle);
+  Packing packing = joined(placed.rings, 1e-3 * scale, 1e-9 * scale);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back((transpose(placed.turn) * edge.normal)[1] < -1. + 1e-9);
+  packing.support(rests);
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, placed.turn * Tensor<1, 2>({0.01, -1.}));
+  const unsigned int n = packing.interfaces().size();
+  const Scene scene(std::move(packing), std::vector<double>(n, 1e3 / scale),
+                    loads);
+  const InterfaceForces forces = Solver(least_energy, 1e-12).forces(scene);
+  std::map<std::pair<unsigned int, unsigned int>, Tensor<1, 2>> between;
+  for (unsigned int e = 0; e < n; ++e)
+  {
+    const auto &i = scene.packing.interfaces()[e];
+    const unsigned int minus = placed.order[i.cell_minus];
+    const unsigned int plus = i.cell_plus == scene.packing.ground()
+                                  ? rings.size()
+                                  : placed.order[i.cell_plus];
+    between[std::minmax(minus, plus)] +=
+        transpose(placed.turn) *
+        ((minus < plus ? 1. : -1.) * forces.on_cell_minus(i, e));
+  }
+  return between;
+}
+
+void test_random_stones()
+{
+  std::cout << "200 drawings of random stones, turned, scaled and shuffled"
+            << std::endl;
+  double largest = 0.;
+  bool same_joints = true;
+  for (unsigned int seed = 0; seed < 200; ++seed)
+  {
+    const std::vector<Ring> rings = shrunk_stones(seed);
+    const auto original = forces_between(rings, 0., 1., 0);
+    const auto found =
+        forces_between(rings, 0.1 * seed, std::pow(10., seed % 7 - 3.), seed);
+    double size = 0.;
+    for (const auto &[pair, force] : original)
+      size = std::max(size, force.norm());
+    same_joints &= original.size() == found.size();
+    for (const auto &[pair, force] : original)
+    {
+      const auto other = found.find(pair);
+      same_joints &= other != found.end();
+      if (other != found.end())
+        largest = std::max(largest, (force - other->second).norm() / size);
+    }
+  }
+  check("the same joints", same_joints);
+  check_error("the same forces", largest, 1e-9);
+}
+
 void test_moments()
 {
   std::cout << "A wall with joints of 0.1, pushed, whose blocks turn"
@@ -345,5 +443,6 @@ int main()
   test_walls();
   test_columns();
   test_drawings();
+  test_random_stones();
   test_moments();
 }

@@ -35,11 +35,13 @@ public:
    * `Groups`, and without supports.
    *
    * @param directory the start of relative paths among the parameters.
+   * @param joins_corners see join_corners(); for blocks that turn.
    * @param terminal see PackingGenerator::generate().
    * @throws InputError if the parameters describe no packing: as
    *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.
    */
   Packing make_packing(const std::filesystem::path &directory,
+                       bool joins_corners,
                        Terminal &terminal) const;
 
 private:

@@ -20,8 +20,10 @@ constexpr double margin = 60.;
 constexpr int n_digits = 2;
 } // namespace
 
-Drawing::Drawing(const Packing &packing)
-    : box(packing.box()), size(std::max(box.side_length(0), box.side_length(1)))
+Drawing::Drawing(const Packing &packing) : Drawing(packing.box()) {}
+
+Drawing::Drawing(const dealii::BoundingBox<2> &box)
+    : box(box), size(std::max(box.side_length(0), box.side_length(1)))
 {}
 
 std::string Drawing::view_box() const

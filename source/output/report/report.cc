@@ -65,12 +65,12 @@ std::string table(const Writer &writer)
 }
 
 void write_page(std::ostream &out,
-                const RunRecord &run,
+                const std::string &title,
                 const Picture &picture,
                 const ReportDetails &details,
                 Parts parts)
 {
-  parts["title"] = html_text(run.title.empty() ? "Voussoir" : run.title);
+  parts["title"] = html_text(title.empty() ? "Voussoir" : title);
   parts["version"] = VOUSSOIR_VERSION;
   parts["css"] = page_css;
   parts["js"] = page_js;
@@ -118,8 +118,9 @@ void write_report(std::ostream &out,
       results.status.kind == Status::Kind::solved ? "carried" : "within";
   parts["verdict"] = html_text(verdict_of(results));
   parts["sections"] = sections_of(results, details);
-  write_page(out, results, picture_of(results, details.units, in_full(results)),
-             details, std::move(parts));
+  write_page(out, results.title,
+             picture_of(results, details.units, in_full(results)), details,
+             std::move(parts));
 }
 
 void write_report(std::ostream &out,
@@ -138,8 +139,25 @@ void write_report(std::ostream &out,
   parts["kind"] = "collapse";
   parts["verdict"] = html_text(verdict_of(collapse));
   parts["sections"] = sections_of(collapse, details);
-  write_page(out, collapse,
+  write_page(out, collapse.title,
              picture_of(collapse, details.units, in_full(collapse)), details,
+             std::move(parts));
+}
+
+void write_report(std::ostream &out, const DrawingRefused &refused)
+{
+  const std::string message = refused.what();
+  const std::size_t first_line = message.find('\n');
+  Parts parts = {{"blocks", ""}, {"joints", ""}, {"hint", ""}};
+  parts["kind"] = "collapse";
+  parts["verdict"] = html_text(message.substr(0, first_line));
+  if (first_line != message.npos)
+    parts["sections"] = "<section><h2>Faults</h2>\n<pre class=\"faults\">" +
+                        html_text(message.substr(first_line + 1)) +
+                        "</pre></section>";
+  else
+    parts["sections"] = "";
+  write_page(out, "Check of a drawing", picture_of(refused.check), {},
              std::move(parts));
 }
 } // namespace Voussoir

@@ -99,8 +99,36 @@ struct Piece
   Ring ring;
 };
 
+/** The pieces of a cell, in a list that is sorted by cells. */
+auto pieces_of(const std::vector<Piece> &pieces, const unsigned int cell)
+{
+  const auto first = std::partition_point(
+      pieces.begin(), pieces.end(),
+      [cell](const Piece &piece) { return piece.cell < cell; });
+  return std::make_pair(
+      first, std::find_if(first, pieces.end(), [cell](const Piece &piece) {
+        return piece.cell != cell;
+      }));
+}
+
+/** The area that two cells have in common, of all their pieces; L^2. */
+double common_area(const std::vector<Piece> &pieces,
+                   const unsigned int one,
+                   const unsigned int other)
+{
+  double area = 0.;
+  const auto [first_a, end_a] = pieces_of(pieces, one);
+  const auto [first_b, end_b] = pieces_of(pieces, other);
+  for (auto a = first_a; a != end_a; ++a)
+    for (auto b = first_b; b != end_b; ++b)
+      if (depth(a->ring, b->ring, 0.) > 0.)
+        area += signed_area(common_part(a->ring, b->ring));
+  return area;
+}
+
 /** Throw the fault of two pieces, if they overlap. */
 void check_overlap(const PolygonList &polygons,
+                   const std::vector<Piece> &pieces,
                    const Piece &a,
                    const Piece &b,
                    const double tolerance)
@@ -122,7 +150,8 @@ void check_overlap(const PolygonList &polygons,
       same ? DrawingFault::Kind::duplicate : DrawingFault::Kind::overlap,
       b.cell, other.record,
       same ? "is the same as " + place + "; delete one of them."
-           : text("overlaps ", place, " by ", overlap,
+           : text("overlaps ", place, " by ", overlap, " on an area of ",
+                  common_area(pieces, a.cell, b.cell),
                   ", more than the matching tolerance ", tolerance,
                   "; redraw one of them, or delete it if it is there twice."));
   fault.cells.push_back(a.cell);
@@ -161,7 +190,7 @@ void check_overlaps(PolygonList &polygons, const double tolerance)
       const auto pair = std::make_pair(pieces[a].cell, pieces[b].cell);
       if (a < b && pair.first != pair.second && found.count(pair) == 0 &&
           !polygons.passes([&] {
-            check_overlap(polygons, pieces[a], pieces[b], tolerance);
+            check_overlap(polygons, pieces, pieces[a], pieces[b], tolerance);
           }))
         found.insert(pair);
     }

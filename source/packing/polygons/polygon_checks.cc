@@ -169,7 +169,8 @@ void check_shape(const PolygonList &polygons, const unsigned int cell)
     polygons.refuse(Kind::self_crossing, cell,
                     "crosses or touches itself at " +
                         text_of_point(place_of_crossing(points)) +
-                        "; a cell is one loop that does neither.");
+                        "; redraw it as one loop that does neither, or as "
+                        "several cells.");
   const double length = length_of(ring);
   const double area = std::abs(signed_area(ring));
   if (area < sliver_ratio * length * length)

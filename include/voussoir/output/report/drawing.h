@@ -22,6 +22,8 @@ class Drawing
 public:
   /** @param packing lies in it with a margin. */
   explicit Drawing(const Packing &packing);
+  /** @param box of what is drawn. */
+  explicit Drawing(const dealii::BoundingBox<2> &box);
 
   /** The attribute viewBox of the picture: "x y width height". */
   std::string view_box() const;

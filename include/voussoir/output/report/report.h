@@ -4,6 +4,7 @@
 
 #include <voussoir/output/report/details.h>
 #include <voussoir/output/results.h>
+#include <voussoir/packing/polygons/drawing_faults.h>
 
 #include <iosfwd>
 #include <string>
@@ -12,6 +13,8 @@ namespace Voussoir
 {
 /** The name of the page. */
 inline const std::string report_html = "report.html";
+/** The name of that of a drawing that is refused. */
+inline const std::string drawing_check_html = "drawing_check.html";
 
 /** The largest number of cells of which a page shows all. */
 constexpr unsigned int most_cells_in_full = 20000;
@@ -30,6 +33,9 @@ void write_report(std::ostream &out,
                   const Collapse &collapse,
                   const ReportDetails &details);
 /** @} */
+
+/** Write a page of a drawing that is refused: a picture with its faults. */
+void write_report(std::ostream &out, const DrawingRefused &refused);
 } // namespace Voussoir
 
 #endif

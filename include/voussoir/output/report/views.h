@@ -5,6 +5,7 @@
 #include <voussoir/output/report/details.h>
 #include <voussoir/output/report/drawing.h>
 #include <voussoir/output/results.h>
+#include <voussoir/packing/polygons/drawing_faults.h>
 
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct Picture
 {
   /** @param packing what is drawn. */
   explicit Picture(const Packing &packing) : drawing(packing) {}
+  /** @param box of what is drawn. */
+  explicit Picture(const dealii::BoundingBox<2> &box) : drawing(box) {}
 
   /** The elements of all layers, each with the views that show it. */
   Drawing drawing;
@@ -45,6 +48,8 @@ picture_of(const Results &results, const UnitNames &names, bool in_full);
 /** The same of a collapse: the mechanism. */
 Picture
 picture_of(const Collapse &collapse, const UnitNames &names, bool in_full);
+/** A drawing: its cells, those with faults in colour, and what faults cover. */
+Picture picture_of(const DrawingCheck &check);
 } // namespace Voussoir
 
 #endif
