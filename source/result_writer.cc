@@ -214,11 +214,10 @@ void ResultWriter::write(ResultDirectory &files,
   }
   if (writes(ResultFiles::vtu))
   {
-    // In the order of display, later grids over earlier ones.
     std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
     add(blocks_vtu, write_blocks_vtu);
     if (stress.reconstruct())
-      grids.insert(grids.begin() + 1, write_stress(files, results, own_part));
+      grids.insert(grids.begin(), write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
     if (motion)
       grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});

@@ -85,6 +85,8 @@ Findings Study::find_state(Given given, std::optional<EarlierRun> earlier)
   auto owned =
       std::make_unique<const Scene>(of_scene.scene_of(std::move(given)));
   const Scene &scene = *owned;
+  if (ranges.samples())
+    check_can_be_sampled(scene);
   show_loads(terminal, scene);
   RunRecord record = record_of(scene);
   Answer answer =

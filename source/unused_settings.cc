@@ -58,7 +58,7 @@ struct Search
     return all.at(Json::json_pointer(path));
   }
 
-  const Json all;
+  const Json &all;
   std::set<std::string> unused_sections;
   /** Found, those on whole sections first, by the outermost section. */
   std::multimap<std::pair<bool, std::string>, std::string> sentences;
@@ -134,7 +134,12 @@ void add_changed(const Json &section,
 
 std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm)
 {
-  Search search{tree_of(prm), {}, {}};
+  return unused_settings(tree_of(prm));
+}
+
+std::vector<std::string> unused_settings(const Json &tree)
+{
+  Search search{tree, {}, {}};
   search.look_into("");
   Names sentences;
   for (const auto &[place, sentence] : search.sentences)

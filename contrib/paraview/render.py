@@ -15,8 +15,8 @@ from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from figure import Figure, write_png
-from voussoir_views import (COMPRESSION, GROUPS, ROUNDING, TENSION, VIEWS, NotThere,
-                            Results, block_size, interpolate)
+from voussoir_views import (COMPRESSION, DARK, GROUPS, RED, ROUNDING, TENSION, VIEWS,
+                            NotThere, Results, block_size, interpolate, scale_of)
 
 FRAMES = 24
 
@@ -83,7 +83,7 @@ def check_picture(view, file):
 
 
 def number(value):
-    text = f"{value:.3g}"
+    text = f"{value + 0.0:.3g}"  # no minus before zero
     return f"{value:.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
@@ -113,6 +113,15 @@ class Picture:
             if largest <= ROUNDING * reference:
                 largest, self.low, self.high = reference, 0.0, 0.0
         self.limit = self.options.limit or largest or 1.0
+        # Panels beside each other have the same colours.
+        self.options.colours = scale_of(self.low, self.high)
+
+    def bar(self):
+        """The colours of the bar, and the value at 1."""
+        if self.view.scale:
+            return self.view.scale, self.limit
+        scale, sign = self.options.colours
+        return scale, sign * self.limit
 
     def panels(self):
         return [self.view.panel(r, self.limit, self.options) for r in self.results]
@@ -126,6 +135,10 @@ class Picture:
             return f"normal forces; the widest line: {limit}"
         if self.name == "thrust":
             return f"resultants through the joints; the widest line: {limit}"
+        if self.name == "resultants":
+            return f"resultant forces of the joints; the longest line: {limit}"
+        if self.name == "loads":
+            return f"loads and supports; the longest arrow: {limit}"
         if self.name == "eccentricity":
             return ("where the resultant passes through a joint; blue: in its middle "
                     "third")
@@ -158,6 +171,10 @@ class Picture:
             return [(COMPRESSION, "compression")]
         if self.view.legend == "thrust":
             return [(COMPRESSION, "line of thrust")]
+        if self.view.legend == "resultants":
+            return [(COMPRESSION, "resultant")]
+        if self.view.legend == "loads":
+            return [(RED, "load"), (DARK, "support")]
         return [(COMPRESSION, "compression"), (TENSION, "tension")]
 
 
@@ -195,13 +212,14 @@ class Layout:
 def draw_bar(figure, picture, x, y, layout):
     """The colours between the ends, with the values below them."""
     font, width = layout.font, layout.size[0] * 0.45
-    low = picture.view.scale[0][0]
+    scale, end = picture.bar()
+    low = scale[0][0]
     edges = np.linspace(0, 1, 257) * width + x - width / 2
     values = np.linspace(low, 1, 256)
     figure.rectangles(edges[:-1], edges[1:], y + 1.25 * font, y + 1.95 * font,
-                      interpolate(picture.view.scale, values))
+                      interpolate(scale, values))
     labels = picture.view.labels or [
-        number(picture.limit * value)
+        number(end * value)
         for value in np.linspace(low, 1, 5 if width > 20 * font else 3)]
     for part, words in zip(np.linspace(0, 1, len(labels)), labels):
         figure.text(x + (part - 0.5) * width, y, words, 0.9 * font,
@@ -228,9 +246,9 @@ def draw(picture, options, bounds=None):
     for i, panel in enumerate(panels):
         middle, scale = layout.place(i)
         low, high = layout.bounds[i]
-        pixels = scale * np.sqrt(np.prod(high - low) / panel.n_blocks())
+        pixels = scale * np.sqrt(np.prod(high - low) / panel.n_blocks)
         line = float(np.clip(0.05 * pixels, 0.25, 1.5)) * max(1, options.width / 800)
-        for layer in panel.layers():
+        for layer in panel.layers:
             figure.add((layer.points - (low + high) / 2) * scale + middle,
                        layer.offsets, layer.corners, layer.colours,
                        line * layer.line_width)

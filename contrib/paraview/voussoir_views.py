@@ -15,6 +15,9 @@ from macro import DIVERGING, Grid, chains, crosses, resultants, ribbons, thrust
 
 # From 0 to 1, for what is not negative: utilisation, displacement, von_mises.
 SEQUENTIAL = [(0, 0.80, 0.84, 0.88), (0.5, 0.96, 0.68, 0.25), (1, 0.55, 0.03, 0.18)]
+# From 0 to 1, for the sizes of stresses that all have one sign.
+ONE_SIGN = [(0, 0.98, 0.95, 0.80), (0.35, 0.91, 0.66, 0.30), (0.7, 0.64, 0.22, 0.30),
+            (1, 0.20, 0.07, 0.28)]
 # Of |eccentricity| times 2: blue in the middle third of a joint, warm outside it.
 MIDDLE_THIRD = [(0, 0.72, 0.83, 0.93), (1 / 3, 0.30, 0.55, 0.80),
                 (1 / 3 + 1e-6, 0.99, 0.80, 0.40), (1, 0.66, 0.07, 0.12)]
@@ -23,6 +26,7 @@ GROUPS = np.array([(0.85, 0.72, 0.55), (0.58, 0.71, 0.78), (0.72, 0.52, 0.47),
                    (0.67, 0.76, 0.55), (0.76, 0.66, 0.80), (0.93, 0.86, 0.58)])
 COMPRESSION, TENSION = DIVERGING[0][1:], DIVERGING[-1][1:]
 PALE, GREY, DARK = (0.96, 0.96, 0.96), (0.55, 0.55, 0.55), (0.15, 0.15, 0.15)
+RED = (0.75, 0.16, 0.08)
 # Less than this part of the largest stress or force of a result is rounding.
 ROUNDING = 1e-9
 # At a hinge one end of a joint opens, by more than this part of the largest opening,
@@ -122,24 +126,16 @@ class Layer:
     line_width: float = 0
 
 
-@dataclass
 class Panel:
-    """A result in a view: polygons, the outlines of the blocks, and what is on top."""
-    polygons: Layer
-    outlines: Layer
-    top: Layer = None
-    dots: Layer = None
+    """A result in a view: its layers, from the lowest to the topmost, that of the
+    blocks among them."""
 
-    def layers(self):
-        return [layer for layer in (self.polygons, self.outlines, self.top, self.dots)
-                if layer]
-
-    def n_blocks(self):
-        return len(self.outlines.offsets) - 1
+    def __init__(self, blocks, *layers):
+        self.n_blocks, self.layers = blocks.size, layers
 
     def bounds(self):
         """The lower left and the upper right corner."""
-        points = np.concatenate([layer.points for layer in self.layers()])
+        points = np.concatenate([layer.points for layer in self.layers])
         return points.min(axis=0), points.max(axis=0)
 
 
@@ -160,6 +156,20 @@ def marks(begin, end, width, colours):
     corners = np.arange(4 * len(begin))
     return Layer(ribbons(begin, end, width), np.arange(0, len(corners) + 1, 4),
                  corners, colours)
+
+
+def arrows(begin, end, head, colour):
+    """Shafts and heads, whose sizes are a number for each arrow."""
+    along = end - begin
+    length = np.hypot(*along.T)
+    along /= np.where(length > 0, length, 1)[:, None]
+    across = np.column_stack((-along[:, 1], along[:, 0]))
+    neck = end - head[:, None] * along
+    side = 0.4 * head[:, None] * across
+    corners = np.stack((end, neck + side, neck - side), axis=1).reshape(-1, 2)
+    return (marks(begin, neck, 0.2 * head, colour),
+            Layer(corners, np.arange(0, len(corners) + 1, 3), np.arange(len(corners)),
+                  colour))
 
 
 def discs(middles, radius, colour):
@@ -219,15 +229,19 @@ def block_size(grid):
     return np.sqrt(np.abs(grid.areas_and_centroids()[0]).mean())
 
 
-def scale_of(name):
-    return SEQUENTIAL if name == "von_mises" else DIVERGING
+def scale_of(low, high):
+    """The colours of stresses between two values, and what these have to be divided
+    by besides the limit: -1 where all are compression."""
+    if min(-low, high) >= ROUNDING * max(-low, high):
+        return DIVERGING, 1
+    return ONE_SIGN, 1 if high > -low else -1
 
 
 def stress_panel(name, results, limit, options):
-    grid = results.stress()
-    values = component(name, grid) / limit
-    return Panel(fill(grid, interpolate(scale_of(name), values)),
-                 outline(results.blocks()))
+    grid, blocks = results.stress(), results.blocks()
+    scale, sign = options.colours
+    values = component(name, grid) / (sign * limit)
+    return Panel(blocks, fill(grid, interpolate(scale, values)), outline(blocks))
 
 
 def mark_colours(value):
@@ -237,29 +251,89 @@ def mark_colours(value):
 def principal_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = crosses(principal_grid(results, options), limit)
-    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY),
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY),
                  marks(*lines, mark_colours(value)))
 
 
 def chain_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = chains(blocks, results.interfaces(), limit)
-    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY),
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY),
                  marks(*lines, mark_colours(value)))
 
 
 def thrust_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = thrust(blocks, results.interfaces(), limit)
-    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
                  marks(*lines, COMPRESSION))
+
+
+def resultant_values(results, options=None):
+    return np.hypot(*results.interfaces().of_cells["force"][:, :2].T)
+
+
+def resultant_panel(results, limit, options):
+    """On each joint, where the resultant acts, a line along it."""
+    blocks, interfaces = results.blocks(), results.interfaces()
+    ends = interfaces.points[interfaces.corners.reshape(-1, 2)]
+    along = ends[:, 1] - ends[:, 0]
+    place = interfaces.of_cells.get("eccentricity", np.zeros(interfaces.size))
+    at = ends.mean(axis=1) + place[:, None] * along
+    force = interfaces.of_cells["force"][:, :2] / limit
+    size = block_size(blocks)
+    share = resultant_values(results) / limit
+    half = 0.5 * size * force / np.maximum(share, 1)[:, None]
+    width = np.where(share > ROUNDING, size * 0.07, 0)
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+                 marks(at - half, at + half, width, COMPRESSION))
+
+
+def applied_forces(results):
+    """Where forces act, and what they are: of free sides at their middles, the rest
+    of each block's at its centroid. Forces that are rounding are left out."""
+    blocks = results.blocks()
+    at, force = blocks.areas_and_centroids()[1], blocks.of_cells["load"][:, :2].copy()
+    if results.has("boundary.csv"):
+        with open(os.path.join(results.directory, "boundary.csv")) as file:
+            sides = list(csv.DictReader(file))
+
+        def columns(*names):
+            return np.array([[float(side[name]) for name in names]
+                             for side in sides]).reshape(-1, len(names))
+        of_sides = columns("force_x", "force_y")
+        np.subtract.at(force, columns("cell")[:, 0].astype(int), of_sides)
+        at = np.concatenate((at, (columns("x0", "y0") + columns("x1", "y1")) / 2))
+        force = np.concatenate((force, of_sides))
+    size = np.hypot(*force.T)
+    drawn = size > ROUNDING * size.max(initial=0)
+    return at[drawn], force[drawn]
+
+
+def load_values(results, options=None):
+    return np.hypot(*applied_forces(results)[1].T)
+
+
+def load_panel(results, limit, options):
+    """Arrows that end where the forces act, and the joints with the ground."""
+    blocks, interfaces = results.blocks(), results.interfaces()
+    at, force = applied_forces(results)
+    size = block_size(blocks)
+    # The smallest can still be seen.
+    length = size * (0.15 + 0.85 * np.minimum(1, np.hypot(*force.T) / limit))
+    begin = at - (length / np.hypot(*force.T))[:, None] * force
+    ends = interfaces.points[interfaces.corners.reshape(-1, 2)]
+    ends = ends[interfaces.of_cells["cell_plus"] < 0]
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+                 marks(ends[:, 0], ends[:, 1], np.full(len(ends), 0.12 * size), DARK),
+                 *arrows(begin, at, 0.1 * size + 0.25 * length, RED))
 
 
 def joint_panel(blocks, interfaces, value, width, scale):
     """Joints in colours, those of the largest value on top."""
     order = np.argsort(value, kind="stable")
     begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
-    return Panel(fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
                  marks(begin, end, block_size(blocks) * width[order],
                        interpolate(scale, value[order])))
 
@@ -299,15 +373,17 @@ def range_panel(results, limit, options):
 
 def group_panel(results, limit, options):
     blocks = results.blocks()
-    return Panel(fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
+    return Panel(blocks, fill(blocks, GROUPS[blocks.of_cells["group"] % len(GROUPS)]),
                  outline(blocks))
 
 
-def moved_panel(grid, factor, limit):
+def moved_panel(grid, factor, limit, top=lambda points: ()):
+    """Blocks where they have gone to, over their outlines at rest; @p top are layers
+    on the moved points."""
     moved = grid.points + factor * grid.of_points["displacement"][:, :2]
     colours = interpolate(SEQUENTIAL, magnitude(grid) / limit)
-    return Panel(fill(grid, colours, moved), outline(grid, moved),
-                 outline(grid, colour=GREY, width=0.7))
+    return Panel(grid, outline(grid, colour=GREY, width=0.7),
+                 fill(grid, colours, moved), outline(grid, moved), *top(moved))
 
 
 def displacement_panel(results, limit, options):
@@ -317,16 +393,17 @@ def displacement_panel(results, limit, options):
 
 def mechanism_panel(results, limit, options):
     grid, factor = results.mechanism(), getattr(options, "swing", 1.0)
-    panel, hinges = moved_panel(grid, factor, limit), results.hinges()
     radius = min(0.3 * block_size(grid), 0.01 * np.hypot(*np.ptp(grid.points, 0)))
-    panel.dots = discs(panel.polygons.points[hinges], radius, COMPRESSION)
-    return panel
+    return moved_panel(grid, factor, limit, lambda points: [
+        discs(points[results.hinges()], radius, COMPRESSION)])
 
 
 @dataclass
 class View:
     """values: what the scale is for; reference: what makes small values rounding;
-    turning: only of blocks that turn; ranges: only with those of the forces; labels: words below a bar, for its numbers."""
+    scale: the colours of a bar, None for those of stresses; turning: only of blocks
+    that turn; ranges: only with those of the forces; shows: what a result may have
+    none of; labels: words below a bar, for its numbers."""
     file: str
     panel: Callable
     values: Callable = None
@@ -335,6 +412,7 @@ class View:
     legend: str = "bar"
     turning: bool = False
     ranges: bool = False
+    shows: str = ""
     labels: tuple = None
 
     def missing(self, results):
@@ -348,14 +426,16 @@ class View:
         if self.ranges and "p_max" not in results.grid(self.file).of_cells:
             return ("needs ranges of forces, as of Ranges/Where = 1, and "
                     f"'{results.directory}' has none")
+        if self.shows and not len(self.values(results, None)):
+            return (f"shows {self.shows}, and '{results.directory}' has none but "
+                    "rounding")
         return None
 
 
 def stress_view(name):
     return View("blocks.vtu", partial(stress_panel, name),
                 lambda results, options: component(name, results.stress()),
-                lambda results: results.stress().of_cells["stress"],
-                scale_of(name))
+                lambda results: results.stress().of_cells["stress"])
 
 
 def principal_values(results, options):
@@ -380,9 +460,13 @@ VIEWS = {
                       lambda results: results.blocks().of_cells["stress"],
                       legend="principal"),
     "chains": View("interfaces.vtu", chain_panel, chain_values, forces,
-                   legend="chains"),
+                   legend="chains", shows="normal forces"),
     "thrust": View("interfaces.vtu", thrust_panel, thrust_values, legend="thrust",
-                   turning=True),
+                   turning=True, shows="pressed joints"),
+    "resultants": View("interfaces.vtu", resultant_panel, resultant_values,
+                       legend="resultants"),
+    "loads": View("blocks.vtu", load_panel, load_values, legend="loads",
+                  shows="loads"),
     "eccentricity": View("interfaces.vtu", eccentricity_panel, scale=MIDDLE_THIRD,
                          turning=True, labels=("middle", "1/6", "1/3", "end")),
     "utilisation": View("interfaces.vtu", utilisation_panel, scale=SEQUENTIAL),

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +18,9 @@ namespace Voussoir
  * accuracy: one sentence for each section.
  */
 std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm);
+
+/** The same of all sections and entries, as tree_of() gives them. */
+std::vector<std::string> unused_settings(const nlohmann::ordered_json &tree);
 
 /** Names, as in "Friction/Strength", and their values. */
 using NamesAndValues = std::vector<std::pair<std::string, std::string>>;

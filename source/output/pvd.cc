@@ -9,10 +9,10 @@ void write_pvd(std::ostream &out, const std::vector<std::string> &files)
 {
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-  unsigned int part = 0;
+  unsigned int step = 0;
   for (const std::string &file : files)
-    out << "<DataSet timestep=\"0\" part=\"" << part++ << "\" name=\""
-        << file.substr(0, file.find('.')) << "\" file=\"" << file << "\"/>\n";
+    out << "<DataSet timestep=\"" << step++ << "\" part=\"0\" file=\"" << file
+        << "\"/>\n";
   out << "</Collection>\n</VTKFile>\n";
 }
 } // namespace Voussoir

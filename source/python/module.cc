@@ -25,6 +25,7 @@ namespace Voussoir
 namespace
 {
 namespace py = pybind11;
+using Json = nlohmann::ordered_json;
 
 /** MPI, which Trilinos needs even on one process, unless others have begun it.
  */
@@ -148,12 +149,19 @@ public:
     }
     for (const std::string &assignment : assignments)
       assign_parameter(prm, assignment);
+    tree = tree_of(prm);
   }
 
   /** Change an entry. */
   void set(const std::string &name, const py::handle &value)
   {
     assign_parameter(prm, name + '=' + text_of(value));
+    std::vector<std::string> sections =
+        dealii::Utilities::split_string_list(name, '/');
+    const std::string entry = sections.back();
+    sections.pop_back();
+    tree.at(Json::json_pointer('/' + name)).at("value") =
+        prm.get(sections, entry);
     for (const char *section : {"Packing", "Supports"})
       if (name.compare(0, std::string(section).size(), section) == 0)
         packing.reset();
@@ -161,8 +169,7 @@ public:
 
   std::string get(const std::string &name) const
   {
-    const nlohmann::ordered_json tree = tree_of(prm);
-    const nlohmann::ordered_json::json_pointer place('/' + name);
+    const Json::json_pointer place('/' + name);
     if (!tree.contains(place) || !is_entry(tree.at(place)))
       throw py::key_error("there is no entry '" + name + "'");
     return tree.at(place).at("value");
@@ -188,7 +195,7 @@ public:
       results->mean_stresses =
           cell_mean_stresses(*found.scene, results->forces);
     }
-    std::vector<std::string> warnings = unused_settings(prm);
+    std::vector<std::string> warnings = unused_settings(tree);
     for (std::string &warning : terminal.take_warnings())
       warnings.push_back(std::move(warning));
     output.str("");
@@ -200,6 +207,8 @@ public:
   const Team alone;
   dealii::TimerOutput timer;
   dealii::ParameterHandler prm;
+  /** The same as JSON, which takes longer to make than small scenes to solve. */
+  Json tree;
   Study study;
   ResultWriter writer;
   std::filesystem::path directory = ".";

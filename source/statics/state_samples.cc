@@ -435,15 +435,20 @@ unsigned int dimension_of(const Rows &rows, const Vector &spread)
 }
 } // namespace
 
-StateSamples draw_samples(const Scene &scene,
-                          const SamplesWanted &wanted,
-                          Terminal &terminal)
+void check_can_be_sampled(const Scene &scene)
 {
   if (!scene.tensile_strength.empty() || !scene.compressive_strength.empty())
     throw InputError("'Ranges/Samples' draws states of interfaces that neither "
                      "bear tension nor crush, and 'Contact' gives them "
                      "strengths; set 'Ranges/Samples = 0', or leave these "
                      "out.");
+}
+
+StateSamples draw_samples(const Scene &scene,
+                          const SamplesWanted &wanted,
+                          Terminal &terminal)
+{
+  check_can_be_sampled(scene);
   const Rows rows(scene);
   const Extremes extremes(scene, rows, wanted.seed);
   const unsigned int dimension = dimension_of(rows, extremes.spread);

@@ -20,14 +20,19 @@ sys.path.insert(0, f"{SOURCE}/contrib/paraview")
 import pictures  # noqa: E402
 import render  # noqa: E402
 from macro import chains  # noqa: E402
-from voussoir_views import MIDDLE_THIRD, Results, interpolate  # noqa: E402
+from voussoir_views import MIDDLE_THIRD, ONE_SIGN, Results, interpolate  # noqa: E402
 
 WIDTH = 240
 BLUE, RED = (23, 71, 153), (168, 18, 31)  # the ends of the colours
-HALF_BLUE, WHITE = (115, 168, 217), (247, 247, 247)
+WHITE = (247, 247, 247)
+DARKEST = (51, 18, 71)  # the largest stress where all have one sign
+HALF = tuple(np.round(255 * interpolate(ONE_SIGN, [0.5])[0]))
 MOST = (140, 8, 46)  # utilisation or displacement at its largest
+LOAD = (191, 41, 20)
 STRESSES = {"sigma_xx", "sigma_xy", "sigma_yy", "von_mises"}
-SOLVED = STRESSES | {"principal", "chains", "utilisation", "blocks", "displacement"}
+SOLVED = STRESSES | {"principal", "chains", "resultants", "loads", "utilisation",
+                     "blocks", "displacement"}
+PURE_SHEAR = SOLVED - {"chains"}
 # Scenes with Rotations = true.
 TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
@@ -137,14 +142,14 @@ def check_scenes():
         scene = os.path.splitext(os.path.basename(file))[0]
         few = (["Packing/Voronoi/Number of points=100"]
                if scene == "million_cells" else [])
-        views = set(SOLVED)
+        views = set(PURE_SHEAR if scene == "shear_wall" else SOLVED)
         if scene in TURNING | FACTORS:
             views |= {"thrust", "eccentricity"}
         if scene in FACTORS | MOVED:
             views |= {"mechanism", "animation"}
         expect_views(run(scene, scene, *few), views)
     ranges = run("shear_wall", "ranges", "Ranges/Where=1")
-    expect_views(ranges, set(SOLVED) | {"ranges"})
+    expect_views(ranges, PURE_SHEAR | {"ranges"})
     collapse = run("arch", "collapse", "Friction/Strength=12.9", status=3)
     expect_views(collapse, {"mechanism", "animation"})
     expect("frames", os.path.getsize(
@@ -159,24 +164,27 @@ def check_scenes():
 def check_colours():
     uniform = "pictures/verification_1"
     image = view("sigma_xx", uniform, options=["--limit", "1"])
-    expect("-1 of 1 is the end of the blue", share(image, BLUE) > 0.6)
-    expect("red is in the bar alone", share(image, RED) < 0.01)
+    expect("-1 of 1 is the end of the colours", share(image, DARKEST) > 0.6)
+    expect("one sign has no colours of two",
+           share(image, BLUE) + share(image, RED) == 0)
     image = view("sigma_xx", uniform, options=["--limit", "2"])
-    expect("-1 of 2 is half of it", share(image, HALF_BLUE) > 0.6)
+    expect("-1 of 2 is half of it", share(image, HALF) > 0.6)
     image = view("sigma_xx", uniform, uniform, width=500, options=["--limit", "2"])
     expect("panels are beside each other", image.shape[0] < 350 and
-           min(share(half, HALF_BLUE) for half in np.split(image, 2, axis=1)) > 0.5)
+           min(share(half, HALF) for half in np.split(image, 2, axis=1)) > 0.5)
     image = view("von_mises", uniform)
     expect("what is not negative ends in the darkest, and has no blue",
-           share(image, MOST) > 0.6 and share(image, BLUE) + share(image, RED) == 0)
+           share(image, DARKEST) > 0.6 and
+           share(image, BLUE) + share(image, RED) == 0)
+    both = view("sigma_xx", uniform, "pictures/arch", width=500)
+    expect("panels of both signs have the colours of two", share(both, BLUE) > 0.001 and
+           share(both, DARKEST) == 0)
     image = view("sigma_xy", "pictures/homogeneous_compression")
     expect("rounding is white", share(image, WHITE) > 0.3 and
            share(image, BLUE) + share(image, RED) < 0.01)
     image = view("principal", "pictures/homogeneous_compression", width=600)
     expect("pressure has blue crosses", share(image, BLUE) > 0.05 and
            share(image, RED) < 0.005)
-    expect("no chains without normal forces",
-           share(view("chains", "pictures/shear_wall"), BLUE) < 0.02)
     image = view("chains", "pictures/arch", width=600)
     expect("chains of the arch", share(image[:240], BLUE) > 0.01)
     image = view("utilisation", "pictures/arch", width=600)
@@ -219,6 +227,26 @@ def check_thrust():
     for left, bottom, right, top in ((0.75, 0, 1.75, 2), (2.5, 0.8, 3.5, 1.6)):
         expect("they stay inside the blocks", not (
             (left < x) & (x < right) & (bottom < y) & (y < top)).any())
+
+
+def check_forces():
+    """Of the column, in whose joints the resultants are those of its thrust, and
+    whose loads act at the centroids of its blocks, downwards and to the right."""
+    column = "pictures/rocking_column"
+    x, y = places_of(BLUE, "resultants", column).T
+    for k in range(1, 10):
+        at = np.abs(y - 0.25 * k) < 0.004
+        off = x[at].mean() - 0.25 - 0.099 * (2.5 - 0.25 * k)
+        expect(f"the resultant in joint {k}, off by {off}", abs(off) < 0.005)
+    x, y = places_of(LOAD, "loads", column).T
+    for k in range(10):
+        head = (np.abs(x - 0.25) < 0.01) & (y > 0.25 * k + 0.1) & (y < 0.25 * k + 0.2)
+        off = y[head].min() - 0.25 * k - 0.125
+        expect(f"the load of block {k} ends off by {off}", abs(off) < 0.01)
+    expect("and comes from the left", x.min() < 0.2 and x.max() < 0.3)
+    wall = "pictures/wall_with_openings"
+    x, y = places_of(LOAD, "loads", wall).T
+    expect("the traction on top ends there", (y > 3.02).any() and y.max() < 3.6)
 
 
 def check_hinges():
@@ -278,7 +306,7 @@ def check_extremes():
     """Sizes of one block and of any unit look alike; a draft has its blocks."""
     one = run("shear_wall", "one", "Packing/wall/Courses=1",
               "Packing/wall/Bricks per course=1")
-    expect_views(one, SOLVED)
+    expect_views(one, PURE_SHEAR)
     usual = view("sigma_xy", "pictures/shear_wall")
     for size in ("1e-6", "1e6"):
         other = run("shear_wall", size, f"Packing/wall/Width={size}",
@@ -287,7 +315,7 @@ def check_extremes():
         expect(f"lengths of {size}, {difference}", difference < 1)
     draft = run("verification_1", "draft", "Accuracy=draft")
     expect("draft", not os.path.exists(f"{draft}/stress.vtu"))
-    expect("the means of a draft", share(view("sigma_xx", draft), BLUE) > 0.6)
+    expect("the means of a draft", share(view("sigma_xx", draft), DARKEST) > 0.6)
 
 
 def check_refusals():
@@ -311,6 +339,9 @@ def check_refusals():
             ([["thrust", to, arch]],
              f"The view 'thrust' needs results with Rotations = true, and those in "
              f"'{arch}' are without."),
+            ([["chains", to, "pictures/shear_wall"]],
+             "The view 'chains' shows normal forces, and 'pictures/shear_wall' has none "
+             "but rounding."),
             ([["eccentricity", to, "pictures/hinges"]],
              "The view 'eccentricity' needs interfaces.vtu, which 'pictures/hinges' "
              "does not have; its status is 'collapse'."),
@@ -410,7 +441,7 @@ def check_documentation():
 
 shutil.rmtree("pictures", ignore_errors=True)
 os.makedirs("pictures")
-for check in (check_scenes, check_colours, check_thrust, check_hinges,
+for check in (check_scenes, check_colours, check_thrust, check_forces, check_hinges,
               check_extremes, check_refusals, check_macro, check_documentation):
     check()
 print("The pictures are as they should be")

@@ -170,13 +170,15 @@ expect_equal("displacement of blocks",
              grid.point_fields["displacement"][:, :2],
              columns("cells.csv", "ux", "uy")[grid.owner()])
 
-# All of it at once, in the order in which one covers the other.
+# One after the other, the stress first.
 together_reader = PVDReader(FileName=f"{directory}/results.pvd")
-parts = Fetch(together_reader)
-expect("parts of results.pvd",
-       [parts.GetMetaData(i).Get(parts.NAME())
-        for i in range(parts.GetNumberOfBlocks())],
-       ["blocks", "stress", "interfaces"])
+together_reader.UpdatePipelineInformation()
+steps = list(together_reader.TimestepValues)
+expect("steps of results.pvd", steps, [0, 1, 2])
+for step, array in zip(steps, ("reconstructed", "load", "utilisation")):
+    together_reader.UpdatePipeline(step)
+    expect(f"step {step} of results.pvd",
+           together_reader.CellData.GetArray(array) is not None, True)
 
 stress = read("stress.vtu")
 expect("fields of stress.vtu", components(stress.CellData),

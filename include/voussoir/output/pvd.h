@@ -12,9 +12,8 @@ namespace Voussoir
 inline const std::string results_pvd = "results.pvd";
 
 /**
- * The .pvd that makes one data set of @p files beside it, for ParaView, each
- * named as its file is up to the dot. Later files cover earlier ones in the
- * same place, so that lines go last.
+ * The .pvd that makes one data set of @p files beside it, for ParaView, which
+ * shows one at a time: each is a time step, the first is what is seen first.
  */
 void write_pvd(std::ostream &out, const std::vector<std::string> &files);
 } // namespace Voussoir

@@ -58,6 +58,13 @@ struct StateSamples
 constexpr double largest_mixing = 1.1;
 
 /**
+ * Whether states of a scene can be drawn, known before any is found.
+ *
+ * @throws InputError if interfaces bear tension or crush.
+ */
+void check_can_be_sampled(const Scene &scene);
+
+/**
  * Draw them by hit-and-run (Smith, *Operations Research* 32 (1984) 1296): from
  * a state go a random way along a random direction that changes no balance. The
  * directions are scaled by the spread of each force among some extreme states.
@@ -66,8 +73,8 @@ constexpr double largest_mixing = 1.1;
  * @param scene whose loads are carried.
  * @param wanted how many.
  * @param terminal sees the progress.
- * @throws InputError if forces have no bound, so that there is no such measure,
- *   or interfaces bear tension or crush.
+ * @throws InputError as check_can_be_sampled() does, and if forces have no
+ *   bound, so that there is no such measure.
  * @throws SolverError as AllStates does, or if friction is at its limit in all
  *   states.
  */
