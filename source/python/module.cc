@@ -207,7 +207,8 @@ public:
   const Team alone;
   dealii::TimerOutput timer;
   dealii::ParameterHandler prm;
-  /** The same as JSON, which takes longer to make than small scenes to solve. */
+  /** The same as JSON, which takes longer to make than small scenes to solve.
+   */
   Json tree;
   Study study;
   ResultWriter writer;
