@@ -24,6 +24,19 @@ bool started_by_mpirun()
   return false;
 }
 
+/**
+ * Let MPI begin quickly in a program that is alone: Open MPI then starts no
+ * process beside it and looks for no network, which would take as long as all
+ * the rest of a small run. What the user has set stays.
+ */
+void expect_no_other_process()
+{
+  constexpr bool overwrite = false;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrite);
+  setenv("OMPI_MCA_pml", "ob1", overwrite);
+  setenv("OMPI_MCA_btl", "self", overwrite);
+}
+
 int main(int argc, char **argv)
 {
   using namespace dealii;
@@ -31,8 +44,11 @@ int main(int argc, char **argv)
   Voussoir::Interruption interruption;
   Voussoir::Screens screens;
   if (!started_by_mpirun()) // asked before MPI sets these variables itself
+  {
     screens = {Voussoir::screen_behind(STDOUT_FILENO),
                Voussoir::screen_behind(STDERR_FILENO)};
+    expect_no_other_process();
+  }
   // Trilinos needs MPI even on one process.
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv);
   Voussoir::prepare_blas();
