@@ -20,6 +20,11 @@ namespace Voussoir
  * where y are the normal jumps and x the tangential one, and Huber's function
  * is k_e x^2 / 2 up to the slope s_e |e| and continues with that slope. The
  * forces are admissible for any jump.
+ *
+ * The second derivative of a joint that slides is zero. With a secant share it
+ * has instead this share of s_e |e| / |x|, with which the quadratic of a step
+ * lies above the energy if the share is one (Weiszfeld, *Tohoku Mathematical
+ * Journal* 43 (1937) 355): steps are safer and converge more slowly.
  */
 class ElasticJoint : public JointLaw
 {
@@ -34,8 +39,14 @@ public:
                                const double *jumps,
                                double *second) const override;
 
+  /** Set the secant share, from 0 (Newton's own steps) to 1. */
+  void set_secant_share(const double share) { secant_share = share; }
+  /** True if a joint slides with these jumps. */
+  bool slides(unsigned int e, const double *jumps) const;
+
 private:
   const Structure &structure;
+  double secant_share = 0.;
 };
 
 /** The controls of minimise_elastic(); plain data. */
