@@ -19,7 +19,7 @@ namespace
  * all unknowns. Below, Cholesky's factorisation is faster; its time and
  * memory grow faster.
  */
-constexpr unsigned int n_bodies_for_multigrid = 1000000;
+constexpr unsigned int n_bodies_for_multigrid = 4000000;
 
 /** The same for one component, whose factors CHOLMOD could not count. */
 constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
