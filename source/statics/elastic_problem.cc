@@ -26,11 +26,12 @@ constexpr unsigned int n_before_doubt = 20;
 constexpr double imbalance_without_doubt = 1e-4;
 
 /**
- * The steps of blocks that turn after which an interior point goes the rest of
- * the way. Near the limit Newton's steps walk from hinge to hinge (measured, 24
- * random packings: up to 300, and with this 58).
+ * The steps after which an interior point goes the rest of the way. Near the
+ * limit Newton's steps walk from hinge to hinge, or from one joint that slides
+ * to the next (measured, random packings: up to 300, and with this 34 in the
+ * mean).
  */
-constexpr unsigned int n_before_interior_point = 18;
+constexpr unsigned int n_before_interior_point = 30;
 
 /** The shortest cut of Newton's own steps with which they are still good. */
 constexpr double shortest_good_step = 0.01;
@@ -224,7 +225,6 @@ Solution minimise_elastic(const SharedProblem &problem,
   std::optional<ProximalSteps> proximal(newton);
   SecantShare secant(structure, law);
   unsigned int n_of_interior_point = 0;
-  const bool blocks_turn = structure.kinematics().n_rigid_motions() > 2;
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
     if (newton.n_iterations() == n_before_doubt &&
@@ -232,7 +232,8 @@ Solution minimise_elastic(const SharedProblem &problem,
       mechanism = find_collapse_by_barrier(problem, terminal);
     if (mechanism)
       return mechanism;
-    if (blocks_turn && newton.n_iterations() == n_before_interior_point)
+    if (newton.n_iterations() == n_before_interior_point &&
+        newton.imbalance() > imbalance_without_doubt)
     {
       newton.restart(problem.displacement([&](const DiscreteProblem &whole) {
         return approach_minimum(whole, elastic_costs(whole), order.tolerance,
