@@ -27,12 +27,15 @@ bool started_by_mpirun()
 /**
  * Let MPI begin quickly in a program that is alone: Open MPI then starts no
  * process beside it and looks for no network, which would take as long as all
- * the rest of a small run. What the user has set stays.
+ * the rest of a small run. All programs that are alone would share one
+ * directory for their session, which one may remove while another begins: there
+ * is none. What the user has set stays.
  */
 void expect_no_other_process()
 {
   constexpr bool overwrite = false;
   setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrite);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", overwrite);
   setenv("OMPI_MCA_pml", "ob1", overwrite);
   setenv("OMPI_MCA_btl", "self", overwrite);
 }

@@ -21,8 +21,6 @@ if child == 0:
     space = int(float(sys.argv[2]) * 2**30)
     resource.setrlimit(resource.RLIMIT_AS, (space, space))
     os.dup2(2, 1)
-    # Open MPI would start a daemon beside the program.
-    os.environ["OMPI_MCA_ess_singleton_isolated"] = "1"
     os.execvp(sys.argv[3], sys.argv[3:])
 _, status, usage = os.wait4(child, 0)
 print(os.waitstatus_to_exitcode(status), time.perf_counter() - start,

@@ -2,7 +2,6 @@
 import csv
 import dataclasses
 import json
-import os
 import pathlib
 import subprocess
 
@@ -12,8 +11,6 @@ from judging.joints import Joints
 from judging.packing import Packing
 
 SOLVED, COLLAPSE, NO_ANSWER = 0, 3, 4
-# Open MPI then starts no helper for a process that is alone.
-ENVIRONMENT = {**os.environ, "OMPI_MCA_ess_singleton_isolated": "1"}
 
 
 @dataclasses.dataclass
@@ -76,8 +73,7 @@ class Program:
             done = subprocess.run(
                 [self.path, prm, "--quiet", "--set",
                  f"Output directory={results}"],
-                capture_output=True, text=True, env=ENVIRONMENT,
-                timeout=self.seconds)
+                capture_output=True, text=True, timeout=self.seconds)
         except subprocess.TimeoutExpired:
             return Run(prm, results, None, "not done in time", {})
         summary = {}

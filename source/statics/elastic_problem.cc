@@ -82,6 +82,8 @@ public:
       serves = share_that_slides(newton) > many_slide;
       share = serves ? first_secant_share : 0.;
     }
+    else if (newton.imbalance() <= imbalance_without_doubt)
+      share = 0.; // the end is Newton's
     else if (serves && length >= bad_step)
     {
       share *= smaller_secant_share;

@@ -153,7 +153,7 @@ Interruption::Interruption()
 Interruption::~Interruption()
 {
   for (std::size_t i = 0; i < n_signals; ++i)
-    sigaction(signals[i].first, &previous[i], nullptr);
+    std::signal(signals[i].first, SIG_IGN);
   wake(no_signal);
   waiting.join();
   close(read_end);

@@ -35,7 +35,10 @@ public:
    * @throws std::system_error if the system has no pipe or thread left.
    */
   Interruption();
-  /** From here on the signals do what they did before. */
+  /**
+   * From here on the signals are ignored: all is done and said, and they could
+   * interrupt only the libraries' way out.
+   */
   ~Interruption();
   Interruption(const Interruption &) = delete;
   Interruption &operator=(const Interruption &) = delete;
