@@ -8,6 +8,7 @@ import argparse
 import os
 import re
 import sys
+from copy import copy
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkObject
@@ -19,6 +20,11 @@ from voussoir_views import (COMPRESSION, DARK, GROUPS, RED, ROUNDING, TENSION, V
                             NotThere, Results, block_size, interpolate, scale_of)
 
 FRAMES = 24
+SWATCHES = {"chains": [(COMPRESSION, "compression")],
+            "thrust": [(COMPRESSION, "line of thrust")],
+            "resultants": [(COMPRESSION, "resultant")],
+            "loads": [(RED, "load"), (DARK, "support")],
+            "principal": [(COMPRESSION, "compression"), (TENSION, "tension")]}
 
 
 class Parser(argparse.ArgumentParser):
@@ -92,7 +98,7 @@ class Picture:
 
     def __init__(self, name, results, options):
         self.name, self.view, self.results = name, VIEWS[name], results
-        self.options = options
+        self.options = copy(options)
         for result in results:
             missing = self.view.missing(result)
             if missing:
@@ -167,15 +173,8 @@ class Picture:
                 found = np.unique(result.blocks().of_cells["group"])
                 names.update((i, result.groups()[i]) for i in found)
             return [(GROUPS[i % len(GROUPS)], name) for i, name in sorted(names.items())]
-        if self.view.legend == "chains":
-            return [(COMPRESSION, "compression")]
-        if self.view.legend == "thrust":
-            return [(COMPRESSION, "line of thrust")]
-        if self.view.legend == "resultants":
-            return [(COMPRESSION, "resultant")]
-        if self.view.legend == "loads":
-            return [(RED, "load"), (DARK, "support")]
-        return [(COMPRESSION, "compression"), (TENSION, "tension")]
+        pulls = self.view.legend == "chains" and self.high > 0
+        return SWATCHES["principal" if pulls else self.view.legend]
 
 
 class Layout:
@@ -267,10 +266,10 @@ def draw(picture, options, bounds=None):
 
 def swing(picture, options):
     """The images of one swing, from rest to the mechanism and back."""
-    options.swing = 1.0
+    picture.options.swing = 1.0
     bounds = [panel.bounds() for panel in picture.panels()]
     for i in range(FRAMES):
-        options.swing = (1 - np.cos(2 * np.pi * i / FRAMES)) / 2
+        picture.options.swing = (1 - np.cos(2 * np.pi * i / FRAMES)) / 2
         yield draw(picture, options, bounds)
 
 

@@ -244,6 +244,16 @@ def stress_panel(name, results, limit, options):
     return Panel(blocks, fill(grid, interpolate(scale, values)), outline(blocks))
 
 
+def on_pale_blocks(blocks, *layers, width=0.7):
+    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=width),
+                 *layers)
+
+
+def ends_of(interfaces):
+    """The start and the end of each, (n, 2, 2)."""
+    return interfaces.points[interfaces.corners.reshape(-1, 2)]
+
+
 def mark_colours(value):
     return np.where(value[:, None] < 0, COMPRESSION, TENSION)
 
@@ -251,22 +261,19 @@ def mark_colours(value):
 def principal_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = crosses(principal_grid(results, options), limit)
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY),
-                 marks(*lines, mark_colours(value)))
+    return on_pale_blocks(blocks, marks(*lines, mark_colours(value)), width=1)
 
 
 def chain_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = chains(blocks, results.interfaces(), limit)
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY),
-                 marks(*lines, mark_colours(value)))
+    return on_pale_blocks(blocks, marks(*lines, mark_colours(value)), width=1)
 
 
 def thrust_panel(results, limit, options):
     blocks = results.blocks()
     *lines, value = thrust(blocks, results.interfaces(), limit)
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-                 marks(*lines, COMPRESSION))
+    return on_pale_blocks(blocks, marks(*lines, COMPRESSION))
 
 
 def resultant_values(results, options=None):
@@ -276,7 +283,7 @@ def resultant_values(results, options=None):
 def resultant_panel(results, limit, options):
     """On each joint, where the resultant acts, a line along it."""
     blocks, interfaces = results.blocks(), results.interfaces()
-    ends = interfaces.points[interfaces.corners.reshape(-1, 2)]
+    ends = ends_of(interfaces)
     along = ends[:, 1] - ends[:, 0]
     place = interfaces.of_cells.get("eccentricity", np.zeros(interfaces.size))
     at = ends.mean(axis=1) + place[:, None] * along
@@ -285,10 +292,10 @@ def resultant_panel(results, limit, options):
     share = resultant_values(results) / limit
     half = 0.5 * size * force / np.maximum(share, 1)[:, None]
     width = np.where(share > ROUNDING, size * 0.07, 0)
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-                 marks(at - half, at + half, width, COMPRESSION))
+    return on_pale_blocks(blocks, marks(at - half, at + half, width, COMPRESSION))
 
 
+@lru_cache(maxsize=None)
 def applied_forces(results):
     """Where forces act, and what they are: of free sides at their middles, the rest
     of each block's at its centroid. Forces that are rounding are left out."""
@@ -318,24 +325,22 @@ def load_panel(results, limit, options):
     """Arrows that end where the forces act, and the joints with the ground."""
     blocks, interfaces = results.blocks(), results.interfaces()
     at, force = applied_forces(results)
-    size = block_size(blocks)
+    size, value = block_size(blocks), load_values(results)
     # The smallest can still be seen.
-    length = size * (0.15 + 0.85 * np.minimum(1, np.hypot(*force.T) / limit))
-    begin = at - (length / np.hypot(*force.T))[:, None] * force
-    ends = interfaces.points[interfaces.corners.reshape(-1, 2)]
-    ends = ends[interfaces.of_cells["cell_plus"] < 0]
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-                 marks(ends[:, 0], ends[:, 1], np.full(len(ends), 0.12 * size), DARK),
-                 *arrows(begin, at, 0.1 * size + 0.25 * length, RED))
+    length = size * (0.15 + 0.85 * np.minimum(1, value / limit))
+    begin = at - (length / value)[:, None] * force
+    ends = ends_of(interfaces)[interfaces.of_cells["cell_plus"] < 0]
+    return on_pale_blocks(
+        blocks, marks(ends[:, 0], ends[:, 1], np.full(len(ends), 0.12 * size), DARK),
+        *arrows(begin, at, 0.1 * size + 0.25 * length, RED))
 
 
 def joint_panel(blocks, interfaces, value, width, scale):
     """Joints in colours, those of the largest value on top."""
     order = np.argsort(value, kind="stable")
-    begin, end = (interfaces.points[interfaces.corners[i::2]][order] for i in (0, 1))
-    return Panel(blocks, fill(blocks, PALE), outline(blocks, colour=GREY, width=0.7),
-                 marks(begin, end, block_size(blocks) * width[order],
-                       interpolate(scale, value[order])))
+    begin, end = ends_of(interfaces)[order].swapaxes(0, 1)
+    return on_pale_blocks(blocks, marks(begin, end, block_size(blocks) * width[order],
+                                        interpolate(scale, value[order])))
 
 
 def utilisation_panel(results, limit, options):

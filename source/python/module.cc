@@ -156,12 +156,14 @@ public:
   void set(const std::string &name, const py::handle &value)
   {
     assign_parameter(prm, name + '=' + text_of(value));
-    std::vector<std::string> sections =
+    Json::json_pointer place;
+    std::vector<std::string> path =
         dealii::Utilities::split_string_list(name, '/');
-    const std::string entry = sections.back();
-    sections.pop_back();
-    tree.at(Json::json_pointer('/' + name)).at("value") =
-        prm.get(sections, entry);
+    for (const std::string &part : path)
+      place /= part;
+    const std::string entry = path.back();
+    path.pop_back();
+    tree.at(place).at("value") = prm.get(path, entry);
     for (const char *section : {"Packing", "Supports"})
       if (name.compare(0, std::string(section).size(), section) == 0)
         packing.reset();

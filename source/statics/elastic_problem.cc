@@ -53,9 +53,8 @@ constexpr unsigned int n_easy = 5, n_hard = 20, n_patience = 4;
 
 /** The part of the joints that slide after the first step that is much. */
 constexpr double many_slide = 0.25;
-/** The secant share then, the factor for it after a good step, and its end. */
-constexpr double first_secant_share = 0.35, smaller_secant_share = 0.35,
-                 least_secant_share = 0.01;
+/** The factor for the secant share after a good step, and its end. */
+constexpr double smaller_secant_share = 0.35, least_secant_share = 0.01;
 /** The length of a bad step, the factor for the share then, and a new share. */
 constexpr double bad_step = 0.3, larger_secant_share = 5.,
                  new_secant_share = 0.1;
@@ -78,21 +77,16 @@ public:
   void adapt(const Newton &newton, const double length)
   {
     if (newton.n_iterations() == 1)
-    {
       serves = share_that_slides(newton) > many_slide;
-      share = serves ? first_secant_share : 0.;
-    }
-    else if (newton.imbalance() <= imbalance_without_doubt)
-      share = 0.; // the end is Newton's
-    else if (serves && length >= bad_step)
-    {
-      share *= smaller_secant_share;
-      if (share < least_secant_share)
-        share = 0.;
-    }
-    else if (serves)
+    if (length < bad_step)
       share = share > 0. ? std::min(1., larger_secant_share * share)
                          : new_secant_share;
+    else
+      share *= smaller_secant_share;
+    // The end is Newton's.
+    if (!serves || share < least_secant_share ||
+        newton.imbalance() <= imbalance_without_doubt)
+      share = 0.;
     law.set_secant_share(share);
   }
 
@@ -111,7 +105,7 @@ private:
   const Structure &structure;
   ElasticJoint &law;
   bool serves = false;
-  double share = 0.;
+  double share = 1.;
 };
 
 /**
