@@ -38,11 +38,6 @@ install(TARGETS libvoussoir EXPORT VoussoirTargets COMPONENT development
 install(DIRECTORY include/voussoir ${CMAKE_BINARY_DIR}/include/voussoir
   DESTINATION include COMPONENT development
   FILES_MATCHING PATTERN "*.h" PATTERN python EXCLUDE PATTERN precompiled.h EXCLUDE)
-# CPack strips programs only.
-install(CODE "if(CMAKE_INSTALL_DO_STRIP)
-  execute_process(COMMAND strip --strip-debug
-    \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libvoussoir.a)
-endif()" COMPONENT development)
 install(EXPORT VoussoirTargets NAMESPACE Voussoir:: DESTINATION ${_cmake}
   COMPONENT development)
 configure_package_config_file(${_packaging}/VoussoirConfig.cmake.in
