@@ -57,8 +57,7 @@ FactorSearch search_strength(const Given &given,
 {
   const Scene scene = parameters.scene_at(given, 1.);
   check_strength_factor(scene, controls);
-  if (scene.coefficient.empty() && scene.tensile_strength.empty() &&
-      scene.compressive_strength.empty())
+  if (scene.coefficient.empty() && !scene.has_normal_limits())
     return as_factor_of_loads(given, parameters, controls, terminal);
   FactorSearch found = {find_strength_factor(scene, controls, terminal), scene};
   if (found.answer.factor)
@@ -83,7 +82,7 @@ FactorSearch search_factor(Given given,
   LoadFactorAnswer answer =
       dead.dilates
           ? find_load_factor(dead, live, controls, terminal)
-          : find_factor_without_dilatancy(dead, live, solver.least_energy(),
+          : find_factor_without_dilatancy(dead, live, solver.coulomb_for(dead),
                                           solver.controls(), controls,
                                           terminal);
   const double factor = answer.factor ? answer.factor->carried : 0.;

@@ -88,11 +88,5 @@ void ContactParameters::add_strengths(const Packing &packing,
         strengths.warnings);
   if (is_none(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();
-  if (!strengths.dilate &&
-      !(strengths.tensile.empty() && strengths.compressive.empty()))
-    throw InputError("'Contact' gives a strength against tension or crushing, "
-                     "and 'Friction/Law' is 'Coulomb'; set the law to "
-                     "'Tresca' or 'associated Coulomb', or leave these "
-                     "strengths out.");
 }
 } // namespace Voussoir

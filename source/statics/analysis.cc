@@ -2,7 +2,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/analysis.h>
+#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
+#include <voussoir/statics/decide_by_factor.h>
 
 #include <algorithm>
 #include <limits>
@@ -78,6 +80,25 @@ void check_certificate(const Scene &scene,
   throw SolverError(
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
+
+Solution solve(const Scene &scene,
+               const DiscreteProblem &problem,
+               const Formulation &formulation,
+               const SolverControls &controls,
+               Terminal &terminal)
+{
+  try
+  {
+    return formulation.solve(problem, controls, terminal);
+  }
+  catch (const Undecided &)
+  {
+    if (std::optional<Solution> decided = decide_by_factor(
+            scene, problem, controls.n_max_iterations, terminal))
+      return std::move(*decided);
+    throw;
+  }
+}
 } // namespace
 
 NotCarried prove(const Scene &scene, Motion motion)
@@ -135,7 +156,7 @@ Answer analyse(const Scene &scene,
   timer.enter_subsection("statics");
   terminal.begin("Statics");
   const DiscreteProblem problem(scene);
-  Solution solution = formulation.solve(problem, controls, terminal);
+  Solution solution = solve(scene, problem, formulation, controls, terminal);
   record.formulation = formulation.name();
   record.selection = formulation.selection();
   record.outcome = solution.stop.words();

@@ -180,7 +180,7 @@ Solution AnyState::select(const DiscreteProblem &problem,
   Solution found =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   if (!found.converged() && !found.mechanism)
-    throw SolverError(
+    throw Undecided(
         text("Neither forces that carry the loads nor a mechanism were found "
              "after ",
              counted(found.n_iterations, "iteration"),

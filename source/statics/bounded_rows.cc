@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/bounded_rows.h>
 
 #include <algorithm>
@@ -162,7 +163,9 @@ BoundedRows::BoundedRows(const DiscreteProblem &problem, const Strips &strips)
     else
       add_contacts_or_strips(e);
   }
-  own.loads.assign(n_unknowns() * own.centres.size(), 0.);
+  own.loads = problem.loads();
+  own.loads.resize(n_unknowns() * own.centres.size(), 0.);
+  Voussoir::add(own.loads, 1., offset());
 }
 
 bool BoundedRows::has_strips() const
@@ -174,6 +177,16 @@ bool BoundedRows::crushes(const unsigned int e) const
 {
   return !problem.normal_limits().empty() &&
          std::isfinite(problem.normal_limits()[e].crushing);
+}
+
+double BoundedRows::share(const unsigned int e, const unsigned int r) const
+{
+  if (!crushes(e))
+    return r < problem.n_contacts() ? 1. / problem.n_contacts() : 0.;
+  if (r >= strips.n_strips())
+    return 0.;
+  const double *places = strips.of(e);
+  return places[r + 1] - places[r];
 }
 
 double BoundedRows::middle(const unsigned int e, const unsigned int strip) const

@@ -82,7 +82,7 @@ void FixedPoint::polish(const std::vector<double> &limits)
   solve(limits);
 }
 
-/** c_e |e| + mu_e p_e in the present state. */
+/** c_e |e| + mu_e p_e in the present state; tension takes from cohesion. */
 std::vector<double> FixedPoint::own_limits() const
 {
   std::vector<double> limits;
@@ -93,7 +93,7 @@ std::vector<double> FixedPoint::own_limits() const
     for (unsigned int k = 0; k < problem.n_contacts(); ++k)
       normal += *force++;
     ++force;
-    limits.push_back(joint.strength - joint.coefficient * std::min(normal, 0.));
+    limits.push_back(std::max(joint.strength - joint.coefficient * normal, 0.));
   }
   return limits;
 }
@@ -105,7 +105,8 @@ std::optional<Solution> FixedPoint::find()
     reason = "joints that do not slide carry nothing";
     return {};
   }
-  std::vector<double> limits = own_limits(), last;
+  std::vector<double> limits = own_limits(), last, best_limits;
+  Solution best_state;
   double least = std::numeric_limits<double>::infinity(), before = least;
   unsigned int best = 0, n_retreats = 0;
   for (unsigned int n = 1; n <= n_max_passes; ++n)
@@ -134,11 +135,14 @@ std::optional<Solution> FixedPoint::find()
     {
       least = change;
       best = n;
+      best_limits = limits;
+      best_state = state;
     }
     const bool is_stalled = n > best + n_patience;
-    if (change <= small_change || (is_stalled && change <= acceptable_change))
+    if (change <= small_change || (is_stalled && least <= acceptable_change))
     {
-      polish(limits);
+      state = std::move(best_state);
+      polish(best_limits);
       state.passes = {n, before > 0. ? change / before : 0.};
       state.n_iterations = iterations;
       return std::move(state);
@@ -156,11 +160,10 @@ std::optional<Solution> FixedPoint::find()
 }
 } // namespace
 
-std::optional<Solution> find_coulomb_state(const DiscreteProblem &problem,
-                                           const Formulation &of_passes,
+std::optional<Solution> CoulombState::find(const DiscreteProblem &problem,
                                            const SolverControls &controls,
                                            std::string &failure,
-                                           Terminal &terminal)
+                                           Terminal &terminal) const
 {
   FixedPoint passes(problem, of_passes, controls, terminal);
   std::optional<Solution> found = passes.find();
@@ -174,7 +177,7 @@ Solution CoulombState::select(const DiscreteProblem &problem,
 {
   std::string failure;
   if (std::optional<Solution> found =
-          find_coulomb_state(problem, of_passes, controls, failure, terminal))
+          find(problem, controls, failure, terminal))
     return std::move(*found);
   // Forces that are admitted are so whether blocks dilate or not: if there are
   // none, the mechanism of those that do is a proof.

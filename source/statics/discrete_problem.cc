@@ -112,7 +112,7 @@ void DiscreteProblem::add_interface(const Scene &scene,
              scene.strength[interface] / stress_unit * length,
              scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
             frame);
-  if (scene.tensile_strength.empty() && scene.compressive_strength.empty())
+  if (!scene.has_normal_limits())
     return;
   const JointLimits limits = scene.limits(interface);
   const double force_unit = stress_unit * length_unit;

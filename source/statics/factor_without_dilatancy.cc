@@ -2,7 +2,6 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 
 #include <cmath>
@@ -23,7 +22,7 @@ class StatesAtFactors
 public:
   StatesAtFactors(const Scene &dead,
                   const Scene &live,
-                  const Formulation &formulation,
+                  const CoulombState &formulation,
                   const SolverControls &controls,
                   Terminal &terminal)
       : problem(dead.is_loaded() ? dead : live), dead(problem.loads_of(dead)),
@@ -40,7 +39,7 @@ public:
     controls.start = found ? &found->motion : nullptr;
     std::string failure;
     std::optional<Solution> state =
-        find_coulomb_state(at_factor, formulation, controls, failure, terminal);
+        formulation.find(at_factor, controls, failure, terminal);
     terminal.iteration("Load factor",
                        text("factor ", factor, ": ",
                             state ? text(state->passes.n, " passes")
@@ -59,7 +58,7 @@ public:
 
 private:
   const std::vector<double> dead, live;
-  const Formulation &formulation;
+  const CoulombState &formulation;
   SolverControls controls;
   Terminal &terminal;
 };
@@ -68,7 +67,7 @@ private:
 LoadFactorAnswer
 find_factor_without_dilatancy(const Scene &dead,
                               const Scene &live,
-                              const Formulation &of_passes,
+                              const CoulombState &formulation,
                               const SolverControls &controls,
                               const LoadFactorControls &factor_controls,
                               Terminal &terminal)
@@ -79,7 +78,7 @@ find_factor_without_dilatancy(const Scene &dead,
   if (!answer.factor || answer.factor->is_unbounded)
     return answer;
   LoadFactor &factor = *answer.factor;
-  StatesAtFactors states(dead, live, of_passes, controls, terminal);
+  StatesAtFactors states(dead, live, formulation, controls, terminal);
   double carried = 0., beyond = factor.carried;
   if (!states.has_state(carried))
     throw SolverError("The load factor was not found: the loads in 'Loads' "

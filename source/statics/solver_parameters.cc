@@ -23,7 +23,8 @@ std::vector<std::unique_ptr<Formulation>> all_formulations()
 } // namespace
 
 SolverParameters::SolverParameters(const Team &team)
-    : formulations(all_formulations()), coulomb_state(least_energy())
+    : formulations(all_formulations()), coulomb_state(*formulations.back()),
+      coulomb_state_with_limits(limited_least_energy)
 {
   common.team = team;
 }
@@ -31,11 +32,14 @@ SolverParameters::SolverParameters(const Team &team)
 const Formulation &SolverParameters::formulation_for(const Scene &scene) const
 {
   if (!scene.dilates)
-    return coulomb_state;
-  const bool is_served = scene.coefficient.empty() &&
-                         scene.tensile_strength.empty() &&
-                         scene.compressive_strength.empty();
-  return is_served ? formulation() : any_state;
+    return coulomb_for(scene);
+  return scene.coefficient.empty() && !scene.has_normal_limits() ? formulation()
+                                                                 : any_state;
+}
+
+const CoulombState &SolverParameters::coulomb_for(const Scene &scene) const
+{
+  return scene.has_normal_limits() ? coulomb_state_with_limits : coulomb_state;
 }
 
 void SolverParameters::add_parameters(dealii::ParameterHandler &prm)

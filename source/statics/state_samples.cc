@@ -437,7 +437,7 @@ unsigned int dimension_of(const Rows &rows, const Vector &spread)
 
 void check_can_be_sampled(const Scene &scene)
 {
-  if (!scene.tensile_strength.empty() || !scene.compressive_strength.empty())
+  if (scene.has_normal_limits())
     throw InputError("'Ranges/Samples' draws states of interfaces that neither "
                      "bear tension nor crush, and 'Contact' gives them "
                      "strengths; set 'Ranges/Samples = 0', or leave these "

@@ -148,7 +148,4 @@ int main()
   run_with("subsection Contact\n set Tensile strength = 0.1\nend\n"
            "subsection Friction\n set Law = associated Coulomb\n"
            " set Cohesion = 0.05\nend\n");
-  run_with("subsection Contact\n set Tensile strength = 0.1\nend\n"
-           "subsection Friction\n set Law = Coulomb\n"
-           " set Cohesion = 1\nend\n");
 }

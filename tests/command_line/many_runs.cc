@@ -144,6 +144,21 @@ void check_directories()
                                 fs::exists("output/sweep.csv"));
 }
 
+/** Both ends of the factors that are carried: it slides, or is lifted. */
+void check_both_ends()
+{
+  run({"--sweep", "Load factor/Direction=greatest | least", "--set",
+       "Analysis=load factor", "--set", "Load factor/Factor=all loads"},
+      false);
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  const auto factor = [&](const unsigned int k) {
+    return std::stod(field(lines[k], "load_factor", lines[0]));
+  };
+  check("both ends", lines.size() == 3 &&
+                         std::abs(factor(1) / 20. - 1.) < 1e-8 &&
+                         std::abs(factor(2)) < 1e-8);
+}
+
 void check_search(const std::vector<std::string> &with,
                   const double limit,
                   const std::string &carried,
@@ -178,6 +193,7 @@ int main()
   check_sweep();
   check_packings();
   check_directories();
+  check_both_ends();
   // From below collapses, then carries; from below carries, then collapses.
   check_search({"Friction/Strength=0:10:1e-6"}, 0.5, "collapse", "solved");
   check_search({"Packing/wall/Height=1:10", "Rotations=true"}, 4., "solved",

@@ -52,6 +52,14 @@ Scene without_dilatancy(Scene scene)
   return scene;
 }
 
+/** The fixed point of states of least energy. */
+const CoulombState &fixed_point()
+{
+  static const LeastEnergy least;
+  static const CoulombState state(least);
+  return state;
+}
+
 void states()
 {
   for (const double push : {0.1, 0.3, 0.5})
@@ -60,8 +68,8 @@ void states()
     scene.dilates = false;
     const DiscreteProblem problem(scene);
     std::string failure;
-    const auto found = find_coulomb_state(problem, LeastEnergy(), {}, failure,
-                                          Terminal::silent());
+    const auto found =
+        fixed_point().find(problem, {}, failure, Terminal::silent());
     check("a state is found", found.has_value());
     if (!found)
       continue;
@@ -85,9 +93,8 @@ void states()
   }
   Scene steep = wall_under(6, 5, 8., -10., 0.65, 0.);
   steep.dilates = false;
-  const LeastEnergy least;
   const Solution collapse =
-      CoulombState(least).solve(DiscreteProblem(steep), {}, Terminal::silent());
+      fixed_point().solve(DiscreteProblem(steep), {}, Terminal::silent());
   check("too steep: a mechanism that opens as it slides",
         collapse.mechanism && proves_collapse(certify_mechanism(
                                   steep, collapse.mechanism->motion)));
@@ -101,7 +108,7 @@ void factors()
       find_load_factor(dead, live, {}, Terminal::silent());
   dead.dilates = live.dilates = false;
   const LoadFactorAnswer found = find_factor_without_dilatancy(
-      dead, live, LeastEnergy(), {}, {}, Terminal::silent());
+      dead, live, fixed_point(), {}, {}, Terminal::silent());
   check("found", associated.factor && found.factor);
   check("the bound is that of friction with dilatancy",
         found.factor->bound == associated.factor->bound);
@@ -115,14 +122,14 @@ void factors()
   // Without dead loads: cohesion, and what friction adds to it.
   const LoadFactorAnswer cohesive = find_factor_without_dilatancy(
       without_dilatancy(wall_under(1, 1, 0., 0., 0.3, 1.)),
-      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 1.)), LeastEnergy(),
+      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 1.)), fixed_point(),
       {}, {}, Terminal::silent());
   // a W = c L + mu a W with W = 10 * 0.07, L = 0.4
   check_error("all loads",
               std::abs(cohesive.factor->carried / (0.4 / 0.49) - 1.), 3e-6);
   const LoadFactorAnswer dry = find_factor_without_dilatancy(
       without_dilatancy(wall_under(1, 1, 0., 0., 0.3, 0.)),
-      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 0.)), LeastEnergy(),
+      without_dilatancy(wall_under(1, 1, 10., -10., 0.3, 0.)), fixed_point(),
       {}, {}, Terminal::silent());
   check("dry, none of them", dry.factor->carried == 0.);
 
@@ -131,7 +138,7 @@ void factors()
   live = wall_under(1, 1, 10., 0., 0.3, 0.);
   dead.dilates = live.dilates = false;
   const LoadFactorAnswer block = find_factor_without_dilatancy(
-      dead, live, LeastEnergy(), {}, {}, Terminal::silent());
+      dead, live, fixed_point(), {}, {}, Terminal::silent());
   check_error("a block", std::abs(block.factor->carried / 0.3 - 1.), 3e-6);
 }
 

@@ -3,8 +3,14 @@
 // Joints that bear tension and crush: the closed forms of columns under
 // eccentric loads and of blocks that hang, with both laws of friction; and the
 // resistance of a joint against the largest work of forces that are admitted,
-// found by trying.
+// found by trying. States of least energy with such joints, on which states
+// without dilatancy are built.
 
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/factor_without_dilatancy.h>
+#include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/limited_least_energy.h>
 #include <voussoir/statics/load_factor.h>
 
 #include "tests.h"
@@ -130,6 +136,133 @@ void hanging()
   compare("pulled and sheared", column, oblique, 0.4 / 1.1, 1e-8);
 }
 
+/** A block or a column, where the law of friction changes nothing. */
+void without_dilatancy()
+{
+  const LimitedLeastEnergy least;
+  const CoulombState state(least);
+  const auto factor = [&](const Column &column, const auto &live_traction) {
+    Scene dead = column.scene([](const double) { return vector(0., 0.); });
+    Scene live = column.scene(live_traction);
+    dead.dilates = live.dilates = false;
+    const LoadFactorAnswer answer = find_factor_without_dilatancy(
+        dead, live, state, {}, {}, Terminal::silent());
+    const double carried = answer.factor->carried;
+    const Scene at = column.scene(
+        [&](const double x) { return carried * live_traction(x); });
+    check_error("  its state", certify(at, answer.factor->forces).error(),
+                1e-9);
+    return carried;
+  };
+  const auto oblique = [](const double) { return vector(0.8, 0.6); };
+  Column column;
+  column.tension = 0.3;
+  column.strength = 0.4;
+  column.mu = 0.5;
+  column.kinematics = &translations();
+  check_error("pulled and sheared, without dilatancy",
+              std::abs(factor(column, oblique) / (0.4 / 1.1) - 1.), 2e-6);
+  // Strips that are not cut for the load carry a little less.
+  Column crushing;
+  crushing.crushing = 2.;
+  crushing.strength = 1.;
+  crushing.mu = 0.6;
+  check_error("crushing, without dilatancy",
+              std::abs(factor(crushing, eccentric(0.3)) / 0.8 - 1.), 1e-3);
+}
+
+/** A wall under loads that push and lift its bricks, with joints of all limits.
+ */
+Scene wall_with_limits(const double lift,
+                       const double tension,
+                       const double crushing,
+                       const Kinematics &kinematics)
+{
+  const Packing packing = on_ground(wall(6, 5, 2., 1.05));
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c,
+                   packing.area(c) * vector(2. * std::sin(7. * c),
+                                            -4. + lift * std::cos(5. * c)));
+  const std::size_t n = packing.interfaces().size();
+  Scene scene(packing, std::vector<double>(n, 4.), loads, kinematics);
+  if (tension > 0.)
+    scene.tensile_strength.assign(n, tension);
+  if (std::isfinite(crushing))
+    scene.compressive_strength.assign(n, crushing);
+  return scene;
+}
+
+/** The energy of the forces of a problem of blocks that do not turn. */
+double energy(const DiscreteProblem &problem, const std::vector<double> &forces)
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    sum += 0.5 * forces[k] * forces[k] / problem.joints()[k / 2].stiffness();
+  return sum;
+}
+
+void states_of_least_energy()
+{
+  const double none = std::numeric_limits<double>::infinity();
+  for (const auto *kinematics : {&translations(), &rotations()})
+  {
+    // Limits that nothing reaches.
+    const DiscreteProblem wide(wall_with_limits(
+        3., 0., kinematics == &translations() ? 1e3 : none, *kinematics)),
+        without(wall_with_limits(3., 0., none, *kinematics));
+    const Solution found =
+                       LimitedLeastEnergy().solve(wide, {}, Terminal::silent()),
+                   expected =
+                       LeastEnergy().solve(without, {}, Terminal::silent());
+    double difference = 0.;
+    for (std::size_t k = 0; k < found.forces.size(); ++k)
+      difference =
+          std::max(difference, std::abs(found.forces[k] - expected.forces[k]));
+    check("of " + kinematics->name(),
+          found.converged() && expected.converged());
+    check_error("  without limits",
+                difference / largest_component(expected.forces), 1e-8);
+  }
+
+  // Towards other states that are admitted the energy does not decrease.
+  const Scene scene = wall_with_limits(12., 0.4, 5., translations());
+  const DiscreteProblem problem(scene);
+  const Solution least =
+      LimitedLeastEnergy().solve(problem, {}, Terminal::silent());
+  check("with limits", least.converged());
+  const InterfaceForces forces = dimensional_forces(problem, least);
+  check_error("  state", certify(scene, forces).error(), 1e-9);
+  double most = 0., most_crushed = 0.;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const double stress =
+        forces.normal[e] / scene.packing.interfaces()[e].length;
+    most = std::max(most, stress / 0.4);
+    most_crushed = std::max(most_crushed, -stress / 5.);
+  }
+  check("  joints yield in tension and by crushing",
+        most > 0.999999 && most_crushed > 0.999999);
+  for (const double share : {1., 0.97, 0.94})
+  {
+    const DiscreteProblem tighter(
+        wall_with_limits(12., 0.4 * share, 5. * share, translations()));
+    const Solution other = AnyState().solve(share < 1. ? tighter : problem, {},
+                                            Terminal::silent());
+    check("  another state", other.converged());
+    if (!other.converged())
+      continue;
+    double slope = 0.;
+    for (std::size_t k = 0; k < least.forces.size(); ++k)
+      slope += least.forces[k] * (other.forces[k] - least.forces[k]) /
+               problem.joints()[k / 2].stiffness();
+    check("  has no less energy",
+          slope > -1e-9 &&
+              energy(problem, other.forces) >= energy(problem, least.forces));
+  }
+}
+
 /** The most work of admissible forces, by trying many. */
 void resistances()
 {
@@ -178,5 +311,7 @@ int main()
 {
   columns();
   hanging();
+  without_dilatancy();
+  states_of_least_energy();
   resistances();
 }

@@ -69,6 +69,11 @@ struct Scene
       of.crushing = compressive_strength[e] * length;
     return of;
   }
+  /** True if interfaces bear tension, or crush. */
+  bool has_normal_limits() const
+  {
+    return !tensile_strength.empty() || !compressive_strength.empty();
+  }
   /** True if any load acts on a cell. */
   bool is_loaded() const
   {

@@ -2,6 +2,7 @@
 #ifndef voussoir_statics_any_state_h
 #define voussoir_statics_any_state_h
 
+#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/bounded_rows.h>
 #include <voussoir/statics/factor_bounds.h>
 #include <voussoir/statics/formulation.h>
@@ -89,6 +90,13 @@ AnyForces find_any_forces(RowProblem &problem,
 Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 unsigned int n_max_iterations,
                                 Terminal &terminal);
+
+/** AnyState found neither forces nor a mechanism; see decide_by_factor(). */
+class Undecided : public SolverError
+{
+public:
+  using SolverError::SolverError;
+};
 
 /**
  * The formulation of joints whose friction grows with the pressure, or that

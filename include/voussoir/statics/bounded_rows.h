@@ -76,8 +76,9 @@ public:
   };
 
   /**
-   * @param problem has the joints; it must outlive this object, and its loads
-   *   are left out.
+   * The loads are those of the problem and offset().
+   *
+   * @param problem has the joints; it must outlive this object.
    * @param strips of joints that crush; it must outlive this object.
    */
   BoundedRows(const DiscreteProblem &problem, const Strips &strips);
@@ -99,6 +100,11 @@ public:
    * numbers, to be added to the loads.
    */
   std::vector<double> offset() const;
+  /**
+   * The share of row @p r in the normal stiffness of joint @p e, and in its
+   * tensile strength, of a problem with Tresca's friction.
+   */
+  double share(unsigned int e, unsigned int r) const;
   /** True if joints are cut into several strips, so that others may serve. */
   bool has_strips() const;
   /** The strips with cuts where @p u neither opens nor closes joints. */

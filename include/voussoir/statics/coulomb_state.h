@@ -10,7 +10,7 @@
 namespace Voussoir
 {
 /**
- * Find the fixed point
+ * The fixed point
  *
  *     s_e |e|  <-  c_e |e| + mu_e p_e
  *
@@ -20,21 +20,7 @@ namespace Voussoir
  * lift. There may be none, or several: the limits depend on the state itself,
  * and no theorem of limit analysis holds. It starts from joints that do not
  * slide.
- *
- * @param problem with coefficients of friction.
- * @param of_passes the formulation.
- * @param controls of each pass.
- * @param failure says why there is none.
- * @param terminal sees the passes.
- * @return the state, if it was found.
  */
-std::optional<Solution> find_coulomb_state(const DiscreteProblem &problem,
-                                           const Formulation &of_passes,
-                                           const SolverControls &controls,
-                                           std::string &failure,
-                                           Terminal &terminal);
-
-/** The formulation of find_coulomb_state(), or the proof of collapse. */
 class CoulombState : public Formulation
 {
 public:
@@ -54,7 +40,22 @@ public:
            of_passes.selection();
   }
 
+  /**
+   * Find the state.
+   *
+   * @param problem with coefficients of friction.
+   * @param controls of each pass.
+   * @param failure says why there is none.
+   * @param terminal sees the passes.
+   * @return the state, if it was found.
+   */
+  std::optional<Solution> find(const DiscreteProblem &problem,
+                               const SolverControls &controls,
+                               std::string &failure,
+                               Terminal &terminal) const;
+
 private:
+  /** The state, or the proof of collapse. */
   Solution select(const DiscreteProblem &problem,
                   const SolverControls &controls,
                   Terminal &terminal) const override;

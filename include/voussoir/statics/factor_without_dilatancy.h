@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_factor_without_dilatancy_h
 #define voussoir_statics_factor_without_dilatancy_h
 
-#include <voussoir/statics/formulation.h>
+#include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/load_factor.h>
 
 namespace Voussoir
@@ -17,7 +17,7 @@ namespace Voussoir
  *
  * @param dead the scene with the dead loads, with a coefficient of friction.
  * @param live the same scene with the live loads instead.
- * @param of_passes selects the states.
+ * @param formulation selects the states.
  * @param controls of both methods.
  * @param factor_controls of the search for the bound.
  * @param terminal sees the iterations.
@@ -28,7 +28,7 @@ namespace Voussoir
 LoadFactorAnswer
 find_factor_without_dilatancy(const Scene &dead,
                               const Scene &live,
-                              const Formulation &of_passes,
+                              const CoulombState &formulation,
                               const SolverControls &controls,
                               const LoadFactorControls &factor_controls,
                               Terminal &terminal);

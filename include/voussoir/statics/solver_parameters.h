@@ -4,6 +4,7 @@
 
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/coulomb_state.h>
+#include <voussoir/statics/limited_least_energy.h>
 
 #include <memory>
 #include <vector>
@@ -25,8 +26,11 @@ public:
   /** The same, or AnyState or CoulombState if the joints of @p scene need it.
    */
   const Formulation &formulation_for(const Scene &scene) const;
-  /** LeastEnergy, with its parameters. */
-  const Formulation &least_energy() const { return *formulations.back(); }
+  /**
+   * The CoulombState for @p scene: of LeastEnergy, with its parameters, or of
+   * LimitedLeastEnergy where joints bear tension or crush.
+   */
+  const CoulombState &coulomb_for(const Scene &scene) const;
 
   /** The controls that all formulations share. */
   const SolverControls &controls() const { return common; }
@@ -35,7 +39,8 @@ private:
   std::vector<std::unique_ptr<Formulation>> formulations;
   unsigned int chosen = 0;
   AnyState any_state;
-  CoulombState coulomb_state;
+  LimitedLeastEnergy limited_least_energy;
+  CoulombState coulomb_state, coulomb_state_with_limits;
   SolverControls common;
 };
 } // namespace Voussoir
