@@ -80,11 +80,10 @@ FactorSearch search_factor(Given given,
   const Scene dead = parameters.scene_of(given);
   const Scene live = parameters.live_scene_of(given);
   LoadFactorAnswer answer =
-      dead.dilates
-          ? find_load_factor(dead, live, controls, terminal)
-          : find_factor_without_dilatancy(dead, live, solver.coulomb_for(dead),
-                                          solver.controls(), controls,
-                                          terminal);
+      dead.dilates ? find_load_factor(dead, live, controls, terminal)
+                   : find_factor_without_dilatancy(dead, live, solver.coulomb(),
+                                                   solver.controls(), controls,
+                                                   terminal);
   const double factor = answer.factor ? answer.factor->carried : 0.;
   return {std::move(answer), parameters.scene_at(std::move(given), factor)};
 }

@@ -158,7 +158,8 @@ Answer analyse(const Scene &scene,
   const DiscreteProblem problem(scene);
   Solution solution = solve(scene, problem, formulation, controls, terminal);
   record.formulation = formulation.name();
-  record.selection = formulation.selection();
+  record.selection =
+      solution.selection.empty() ? formulation.selection() : solution.selection;
   record.outcome = solution.stop.words();
   record.n_iterations = solution.n_iterations;
   record.n_evaluations = solution.n_evaluations;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -49,6 +50,7 @@ public:
 
 private:
   bool solve(const std::vector<double> &limits);
+  void iterate();
   void polish(const std::vector<double> &limits);
   std::vector<double> own_limits() const;
 
@@ -57,9 +59,19 @@ private:
   SolverControls controls;
   Terminal &terminal;
   Anderson anderson;
+  /** The pass with the least change of a strength, over the largest force. */
+  struct Best
+  {
+    double change = std::numeric_limits<double>::infinity();
+    Passes passes;
+    std::vector<double> limits;
+    Solution state;
+  };
+
   Solution state;
+  Best best;
   std::string reason;
-  unsigned int iterations = 0;
+  unsigned int iterations = 0, evaluations = 0;
 };
 
 bool FixedPoint::solve(const std::vector<double> &limits)
@@ -69,6 +81,7 @@ bool FixedPoint::solve(const std::vector<double> &limits)
   Solution found =
       formulation.solve(problem.with_tresca(limits), controls, terminal);
   iterations += found.n_iterations;
+  evaluations += found.n_evaluations;
   if (found.mechanism || !found.converged())
     return false;
   state = std::move(found);
@@ -98,17 +111,12 @@ std::vector<double> FixedPoint::own_limits() const
   return limits;
 }
 
-std::optional<Solution> FixedPoint::find()
+/** Repeat until the strengths are those of their own state. */
+void FixedPoint::iterate()
 {
-  if (!solve(std::vector<double>(problem.joints().size(), ample_strength)))
-  {
-    reason = "joints that do not slide carry nothing";
-    return {};
-  }
-  std::vector<double> limits = own_limits(), last, best_limits;
-  Solution best_state;
-  double least = std::numeric_limits<double>::infinity(), before = least;
-  unsigned int best = 0, n_retreats = 0;
+  std::vector<double> limits = own_limits(), last;
+  double before = best.change;
+  unsigned int n_retreats = 0;
   for (unsigned int n = 1; n <= n_max_passes; ++n)
   {
     if (!solve(limits))
@@ -116,7 +124,7 @@ std::optional<Solution> FixedPoint::find()
       if (last.empty() || ++n_retreats > n_max_retreats)
       {
         reason = text("the strengths of pass ", n, " carry nothing");
-        return {};
+        return;
       }
       for (std::size_t e = 0; e < limits.size(); ++e)
         limits[e] = 0.5 * (limits[e] + last[e]);
@@ -131,32 +139,35 @@ std::optional<Solution> FixedPoint::find()
     if (const double largest = largest_component(state.forces); largest > 0.)
       change /= largest;
     terminal.iteration("Fixed point", text("pass ", n, ", change ", change));
-    if (change < least)
-    {
-      least = change;
-      best = n;
-      best_limits = limits;
-      best_state = state;
-    }
-    const bool is_stalled = n > best + n_patience;
-    if (change <= small_change || (is_stalled && least <= acceptable_change))
-    {
-      state = std::move(best_state);
-      polish(best_limits);
-      state.passes = {n, before > 0. ? change / before : 0.};
-      state.n_iterations = iterations;
-      return std::move(state);
-    }
-    if (is_stalled)
+    if (change < best.change)
+      best = {change, {n, before > 0. ? change / before : 0.}, limits, state};
+    if (change <= small_change || n > best.passes.n + n_patience)
       break;
     before = change;
     limits = anderson.next(limits, own);
     for (std::size_t e = 0; e < limits.size(); ++e)
       limits[e] = std::max(limits[e], 0.);
   }
-  reason =
-      text("its strengths still change by ", least, " of the largest force");
-  return {};
+  reason = text("its strengths still change by ", best.change,
+                " of the largest force");
+}
+
+std::optional<Solution> FixedPoint::find()
+{
+  if (!solve(std::vector<double>(problem.joints().size(), ample_strength)))
+  {
+    reason = "joints that do not slide carry nothing";
+    return {};
+  }
+  iterate();
+  if (!(best.change <= acceptable_change))
+    return {};
+  state = std::move(best.state);
+  polish(best.limits);
+  state.passes = best.passes;
+  state.n_iterations = iterations;
+  state.n_evaluations = evaluations;
+  return std::move(state);
 }
 } // namespace
 
@@ -178,7 +189,11 @@ Solution CoulombState::select(const DiscreteProblem &problem,
   std::string failure;
   if (std::optional<Solution> found =
           find(problem, controls, failure, terminal))
+  {
+    if (!found->selection.empty())
+      found->selection = selection_with(found->selection);
     return std::move(*found);
+  }
   // Forces that are admitted are so whether blocks dilate or not: if there are
   // none, the mechanism of those that do is a proof.
   Solution any =

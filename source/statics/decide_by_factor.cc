@@ -13,18 +13,35 @@ namespace
 /** That of the two bounds, between which nothing is decided. */
 constexpr double distance_of_bounds = 1e-10;
 
-/** The scene without its loads. */
-Scene without_loads(const Scene &scene)
+/** What find_load_factor() finds, if anything. */
+std::optional<LoadFactor> factor_of_all_loads(const Scene &scene,
+                                              const unsigned int n_iterations,
+                                              Terminal &terminal)
 {
-  Loads none;
-  none.traction.resize(scene.packing.boundary_edges().size());
-  Scene bare(scene.packing, scene.strength, none, *scene.kinematics);
-  bare.coefficient = scene.coefficient;
-  bare.dilates = scene.dilates;
-  bare.tensile_strength = scene.tensile_strength;
-  bare.compressive_strength = scene.compressive_strength;
-  bare.friction = scene.friction;
-  return bare;
+  Scene bare = scene;
+  for (unsigned int c = 0; c < bare.packing.n_cells(); ++c)
+  {
+    bare.load[c] = {};
+    bare.load_size[c] = 0.;
+    if (bare.turns())
+      bare.load_torque[c] = 0.;
+  }
+  LoadFactorControls controls;
+  controls.tolerance = distance_of_bounds;
+  controls.n_max_iterations = n_iterations;
+  try
+  {
+    return find_load_factor(bare, scene, controls, terminal).factor;
+  }
+  catch (const SolverError &)
+  {
+    return {};
+  }
+}
+
+bool carry(const Scene &scene, const InterfaceForces &forces)
+{
+  return certify(scene, forces).error() <= largest_accepted_error;
 }
 } // namespace
 
@@ -33,34 +50,28 @@ std::optional<Solution> decide_by_factor(const Scene &scene,
                                          const unsigned int n_max_iterations,
                                          Terminal &terminal)
 {
-  LoadFactorControls controls;
-  controls.tolerance = distance_of_bounds;
-  controls.n_max_iterations = n_max_iterations;
-  LoadFactor found;
-  try
-  {
-    found = *find_load_factor(without_loads(scene), scene, controls, terminal)
-                 .factor;
-  }
-  catch (const SolverError &)
-  {
+  std::optional<LoadFactor> found =
+      factor_of_all_loads(scene, n_max_iterations, terminal);
+  if (!found)
     return {};
-  }
   Solution solution;
-  solution.n_iterations = solution.n_evaluations = found.n_iterations;
-  if (found.carried >= 1.)
+  solution.n_iterations = solution.n_evaluations = found->n_iterations;
+  if (found->is_unbounded || found->carried >= 1.)
   {
     solution.stop = Stop::Reason::converged;
-    solution.forces = nondimensional_forces(problem, found.forces);
+    solution.forces = nondimensional_forces(problem, found->forces);
     for (double &force : solution.forces)
-      force /= found.carried;
+      force /= found->carried;
+    if (!carry(scene, dimensional_forces(problem, solution)))
+      return {};
     solution.motion = Motion(problem.n_cells(), problem.kinematics());
     return solution;
   }
-  if (!found.has_mechanism() || found.bound >= 1.)
+  if (!found->has_mechanism() ||
+      !proves_collapse(certify_mechanism(scene, found->mechanism)))
     return {};
   solution.stop = Stop::Reason::collapse;
-  solution.mechanism = Mechanism{std::move(found.mechanism), 1., found.bound};
+  solution.mechanism = Mechanism{std::move(found->mechanism), 1., found->bound};
   return solution;
 }
 } // namespace Voussoir

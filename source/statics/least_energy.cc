@@ -4,9 +4,11 @@
 #include <voussoir/statics/elastic_problem.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/settle.h>
+#include <voussoir/statics/yielding_joints.h>
 
 #include <deal.II/base/timer.h>
 
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -64,13 +66,18 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                               controls.n_max_iterations};
   const double displacement_unit =
       problem.stress_scale() * problem.length_scale() / modulus;
+  std::vector<double> start;
+  if (controls.start)
+    start = problem.unknowns_of(*controls.start, displacement_unit);
+  if (!problem.normal_limits().empty())
+    return minimise_yielding(problem, order, displacement_unit,
+                             std::move(start), terminal);
   const bool is_shared =
       problem.n_cells() >= least_cells_per_process * controls.team.size();
   const Team team = is_shared ? controls.team : Team();
   team.call(least_energy_task);
-  std::vector<double> start;
-  if (controls.start && team.size() == 1)
-    start = problem.unknowns_of(*controls.start, displacement_unit);
+  if (team.size() > 1)
+    start.clear();
   const Solution solution = minimise_together(
       &problem, order, displacement_unit, start, team, terminal);
   return settle(problem, elastic_costs(problem), controls, displacement_unit,

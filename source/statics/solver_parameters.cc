@@ -23,8 +23,7 @@ std::vector<std::unique_ptr<Formulation>> all_formulations()
 } // namespace
 
 SolverParameters::SolverParameters(const Team &team)
-    : formulations(all_formulations()), coulomb_state(*formulations.back()),
-      coulomb_state_with_limits(limited_least_energy)
+    : formulations(all_formulations()), coulomb_state(*formulations.back())
 {
   common.team = team;
 }
@@ -32,14 +31,9 @@ SolverParameters::SolverParameters(const Team &team)
 const Formulation &SolverParameters::formulation_for(const Scene &scene) const
 {
   if (!scene.dilates)
-    return coulomb_for(scene);
+    return coulomb_state;
   return scene.coefficient.empty() && !scene.has_normal_limits() ? formulation()
                                                                  : any_state;
-}
-
-const CoulombState &SolverParameters::coulomb_for(const Scene &scene) const
-{
-  return scene.has_normal_limits() ? coulomb_state_with_limits : coulomb_state;
 }
 
 void SolverParameters::add_parameters(dealii::ParameterHandler &prm)

@@ -36,8 +36,7 @@ public:
   }
   std::string selection() const override
   {
-    return "with the strengths of Coulomb's friction, which are its own, " +
-           of_passes.selection();
+    return selection_with(of_passes.selection());
   }
 
   /**
@@ -55,6 +54,11 @@ public:
                                Terminal &terminal) const;
 
 private:
+  static std::string selection_with(const std::string &of_passes)
+  {
+    return "with the strengths of Coulomb's friction, which are its own, " +
+           of_passes;
+  }
   /** The state, or the proof of collapse. */
   Solution select(const DiscreteProblem &problem,
                   const SolverControls &controls,

@@ -17,7 +17,8 @@ namespace Voussoir
  * mechanism, the factor is free to be a little less or more than one. Forces at
  * a greater factor, divided by it, carry the loads, since joints without forces
  * are within their limits; a mechanism that bounds it by less than one is their
- * collapse.
+ * collapse. Of dry joints all factors are carried or none but zero: there it
+ * seldom decides.
  *
  * @param scene with loads.
  * @param problem that of the scene.

@@ -18,7 +18,8 @@ namespace Voussoir
  * which the line between two centres is normal to their joint, it returns every
  * uniform stress that is admissible; on others not exactly. Its dual is a
  * convex, piecewise quadratic problem in the displacements without constraints,
- * that of ElasticJoint, which Newton's method solves.
+ * that of ElasticJoint, which Newton's method solves. Joints that bear tension
+ * or crush yield instead, see minimise_yielding().
  */
 class LeastEnergy : public Formulation
 {

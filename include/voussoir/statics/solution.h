@@ -59,6 +59,8 @@ struct Solution
   std::map<std::string, double> seconds;
   /** The reason for which the solver stopped. */
   Stop stop;
+  /** How it was selected, if not as the formulation says. */
+  std::string selection;
 
   /** True if the solver met its tolerance. */
   bool converged() const { return stop == Stop::Reason::converged; }

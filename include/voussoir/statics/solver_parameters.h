@@ -4,7 +4,6 @@
 
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/coulomb_state.h>
-#include <voussoir/statics/limited_least_energy.h>
 
 #include <memory>
 #include <vector>
@@ -26,11 +25,8 @@ public:
   /** The same, or AnyState or CoulombState if the joints of @p scene need it.
    */
   const Formulation &formulation_for(const Scene &scene) const;
-  /**
-   * The CoulombState for @p scene: of LeastEnergy, with its parameters, or of
-   * LimitedLeastEnergy where joints bear tension or crush.
-   */
-  const CoulombState &coulomb_for(const Scene &scene) const;
+  /** The one of Coulomb's friction without dilatancy. */
+  const CoulombState &coulomb() const { return coulomb_state; }
 
   /** The controls that all formulations share. */
   const SolverControls &controls() const { return common; }
@@ -39,8 +35,7 @@ private:
   std::vector<std::unique_ptr<Formulation>> formulations;
   unsigned int chosen = 0;
   AnyState any_state;
-  LimitedLeastEnergy limited_least_energy;
-  CoulombState coulomb_state, coulomb_state_with_limits;
+  CoulombState coulomb_state;
   SolverControls common;
 };
 } // namespace Voussoir

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_yielding_joints_h
+#define voussoir_statics_yielding_joints_h
+
+#include <voussoir/statics/elastic_problem.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Minimise the energy of elastic joints that bear tension or crush, with
+ * Tresca's friction: each row of BoundedRows has its share of the stiffness of
+ * the joint and yields at its bounds, without hardening.
+ *
+ * Where blocks turn, joints that crush are cut into strips, whose energy is
+ * that of a stress that is linear along the joint: a third of that of two
+ * forces at the ends, if it bends. Newton's method may get stuck, as it does
+ * beyond the limit load. Then find_state_or_collapse() says whether there is a
+ * state: if so strips are cut anew, and if that does not help either that
+ * state, which is not one of least energy, is the solution and says so in
+ * Solution::selection.
+ *
+ * @param problem without coefficients of friction.
+ * @param order the controls.
+ * @param displacement_unit of the nondimensional displacement, in the user's.
+ * @param start n_dofs() numbers to start from; empty for zero.
+ * @param terminal sees the iterations.
+ */
+Solution minimise_yielding(const DiscreteProblem &problem,
+                           const ElasticOrder &order,
+                           double displacement_unit,
+                           std::vector<double> start,
+                           Terminal &terminal);
+} // namespace Voussoir
+
+#endif
