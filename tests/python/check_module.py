@@ -90,6 +90,13 @@ def check_polygons():
     scene["Analysis"] = "state"
     scene["Supports/Where"] = "y > 3 - 1e-9"
     expect("hanging", scene.solve().status == "collapse")
+    for name, value in (("Friction/Law", "Coulomb"), ("Friction/Coefficient", 0.5),
+                        ("Friction/Cohesion", 2), ("Contact/Tensile strength", 3.5)):
+        scene[name] = value
+    glued = scene.solve()
+    expect("glued", glued.status == "solved" and
+           np.allclose(sorted(glued.normal_force), [1, 2, 3], atol=1e-9))
+    expect("by least energy", "least energy" in glued.summary["selection"])
 
 
 def check_errors():
