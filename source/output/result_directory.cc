@@ -19,6 +19,10 @@ namespace fs = std::filesystem;
 
 namespace
 {
+/** How often a directory is made, if others that make and remove it interfere.
+ */
+constexpr unsigned int n_trials = 100;
+
 bool contains(const std::vector<std::string> &names, const std::string &name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -34,9 +38,11 @@ ResultDirectory::ResultDirectory(fs::path directory_in,
   if (directory.empty())
     throw InputError("'Output directory' is empty; name a directory.");
   fs::path existing = fs::absolute(directory);
-  while (!fs::exists(existing) && existing.has_relative_path())
+  fs::file_status status = fs::status(existing);
+  for (; !fs::exists(status) && existing.has_relative_path();
+       status = fs::status(existing))
     existing = existing.parent_path();
-  if (!fs::is_directory(existing))
+  if (!fs::is_directory(status))
     refuse("'" + existing.string() + "' is not a directory");
   Uninterrupted whole;
   whole.state("nothing was written, and '" + directory.string() +
@@ -74,25 +80,32 @@ bool ResultDirectory::is_result(const std::string &name) const
 
 void ResultDirectory::make_staging(Uninterrupted &whole)
 {
+  std::error_code error = try_to_make_staging();
+  // Another run may have removed a directory that it had made, and this one had
+  // found.
+  for (unsigned int k = 1;
+       error == std::errc::no_such_file_or_directory && k < n_trials; ++k)
+    error = try_to_make_staging();
+  if (error)
+    refuse(error.message());
+  whole.on_interruption([this] { discard(); });
+}
+
+std::error_code ResultDirectory::try_to_make_staging()
+{
   std::error_code error;
   for (fs::path missing = fs::absolute(directory); !fs::exists(missing, error);
        missing = missing.parent_path())
     created.push_back(missing);
   fs::create_directories(directory, error);
-  if (error)
-  {
-    discard();
-    refuse(error.message());
-  }
   std::string path = fs::absolute(directory / ".voussoir-XXXXXX").string();
-  if (mkdtemp(path.data()) == nullptr)
-  {
-    const std::string reason = std::strerror(errno);
+  if (!error && mkdtemp(path.data()) == nullptr)
+    error.assign(errno, std::generic_category());
+  if (error)
     discard();
-    refuse(reason);
-  }
-  staging = path;
-  whole.on_interruption([this] { discard(); });
+  else
+    staging = path;
+  return error;
 }
 
 void ResultDirectory::discard()

@@ -5,8 +5,10 @@
 #include <voussoir/output/result_directory.h>
 
 #include "tests.h"
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace fs = std::filesystem;
 using Voussoir::ResultDirectory;
@@ -81,6 +83,26 @@ int main()
       [] { ResultDirectory("new/" + std::string(300, 'x'), all_files); });
   const ResultDirectory trial("new/below", all_files);
   check("nothing stays of a trial", !fs::exists("new"));
+
+  // Runs of a sweep make and remove the directory above all of theirs.
+  std::atomic<bool> are_made = true;
+  std::vector<std::thread> threads;
+  for (const char *name : {"new/run_1", "new/run_2"})
+    threads.emplace_back([name, &are_made] {
+      for (unsigned int k = 0; k < 2000; ++k)
+        try
+        {
+          const ResultDirectory files(name, all_files);
+        }
+        catch (const Voussoir::InputError &)
+        {
+          are_made = false;
+        }
+    });
+  for (std::thread &thread : threads)
+    thread.join();
+  check("two runs at once", are_made);
+  fs::remove_all("new");
 
   std::ofstream("file") << "in the way\n";
   try

@@ -9,6 +9,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace Voussoir
@@ -90,6 +91,7 @@ private:
   void put_in_place();
   void finish(Uninterrupted &whole);
   void make_staging(Uninterrupted &whole);
+  std::error_code try_to_make_staging();
   void discard();
 
   std::filesystem::path directory;
