@@ -80,6 +80,13 @@ void RowProblem::refine(const std::vector<double> &u)
   make_rows();
 }
 
+std::vector<double> RowProblem::loads() const
+{
+  std::vector<double> own = present_rows->loads();
+  present_forces->clear_held(own);
+  return own;
+}
+
 std::vector<double> RowProblem::loads(std::vector<double> of_problem,
                                       const bool with_offset) const
 {
@@ -144,8 +151,7 @@ Solution find_at_once(const DiscreteProblem &problem,
 {
   RowProblem by_rows(problem);
   const AnyForces found =
-      find_any_forces(by_rows, by_rows.loads(problem.loads(), true),
-                      n_max_iterations, terminal);
+      find_any_forces(by_rows, by_rows.loads(), n_max_iterations, terminal);
   Solution solution;
   if (!found.collapse.empty())
     solution = collapse_with(by_rows, found);

@@ -49,6 +49,15 @@ public:
   std::string failure() const { return reason; }
 
 private:
+  /** The pass with the least change of a strength, over the largest force. */
+  struct Best
+  {
+    double change = std::numeric_limits<double>::infinity();
+    Passes passes;
+    std::vector<double> limits;
+    Solution state;
+  };
+
   bool solve(const std::vector<double> &limits);
   void iterate();
   void polish(const std::vector<double> &limits);
@@ -59,15 +68,6 @@ private:
   SolverControls controls;
   Terminal &terminal;
   Anderson anderson;
-  /** The pass with the least change of a strength, over the largest force. */
-  struct Best
-  {
-    double change = std::numeric_limits<double>::infinity();
-    Passes passes;
-    std::vector<double> limits;
-    Solution state;
-  };
-
   Solution state;
   Best best;
   std::string reason;

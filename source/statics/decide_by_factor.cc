@@ -19,13 +19,9 @@ std::optional<LoadFactor> factor_of_all_loads(const Scene &scene,
                                               Terminal &terminal)
 {
   Scene bare = scene;
-  for (unsigned int c = 0; c < bare.packing.n_cells(); ++c)
-  {
-    bare.load[c] = {};
-    bare.load_size[c] = 0.;
-    if (bare.turns())
-      bare.load_torque[c] = 0.;
-  }
+  bare.load.assign(scene.load.size(), {});
+  bare.load_size.assign(scene.load_size.size(), 0.);
+  bare.load_torque.assign(scene.load_torque.size(), 0.);
   LoadFactorControls controls;
   controls.tolerance = distance_of_bounds;
   controls.n_max_iterations = n_iterations;

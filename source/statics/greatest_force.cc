@@ -41,7 +41,7 @@ public:
       : forces(problem.rows(), problem.forces().held_bodies(), c),
         terminal(terminal)
   {
-    loads.dead = problem.loads(problem.of().loads(), true);
+    loads.dead = problem.loads();
     const double size = largest_component(loads.dead);
     unit = size_of_unit * (size > 0. ? size : 1.);
     loads.live.assign(loads.dead.size(), 0.);

@@ -83,7 +83,7 @@ StateProgram::StateProgram(const RowProblem &problem)
     }
 
   std::vector<double> balance(n_rows);
-  const std::vector<double> loads = problem.loads(problem.of().loads(), true);
+  const std::vector<double> loads = problem.loads();
   for (unsigned int k = 0; k < row_of.size(); ++k)
     if (row_of[k] != dealii::numbers::invalid_unsigned_int)
       balance[row_of[k]] = -loads[k];
@@ -128,7 +128,7 @@ void StateProgram::forget()
 
 void StateProgram::loosen_balance(const double by)
 {
-  const std::vector<double> loads = problem.loads(problem.of().loads(), true);
+  const std::vector<double> loads = problem.loads();
   for (unsigned int k = 0; k < row_of.size(); ++k)
     if (row_of[k] != dealii::numbers::invalid_unsigned_int)
       clp->setRowBounds(row_of[k], -loads[k] - by, -loads[k] + by);

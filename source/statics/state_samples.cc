@@ -244,8 +244,8 @@ Chain::Chain(const Rows &rows,
              const Extremes &extremes,
              const unsigned int seed)
     : rows(rows), extremes(extremes), by_rows(rows.problem()), random(seed),
-      balance(by_rows.loads(rows.problem().loads(), true)),
-      weight(extremes.spread), x(extremes.centre), direction(x.size())
+      balance(by_rows.loads()), weight(extremes.spread), x(extremes.centre),
+      direction(x.size())
 {
   for (double &of_row : weight)
     of_row *= of_row;

@@ -9,7 +9,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,7 +17,7 @@ namespace Voussoir
 {
 namespace
 {
-/** How often joints that crush are cut, as where they are about to turn. */
+/** How many ways to cut joints that crush are tried. */
 constexpr unsigned int n_rounds = 8;
 
 /** Elastic rows that yield at their bounds. */
@@ -205,7 +204,8 @@ Solution minimise_yielding(const DiscreteProblem &problem,
   else
   {
     found = std::move(any);
-    found->selection = AnyState().selection();
+    if (found->converged())
+      found->selection = AnyState().selection();
   }
   found->n_iterations += n_iterations;
   found->n_evaluations += n_evaluations;

@@ -43,10 +43,11 @@ public:
   void refine(const std::vector<double> &u);
   /** How often that may be worth while. */
   static constexpr unsigned int n_rounds = 20;
+  /** The loads of the rows, without those on held bodies. */
+  std::vector<double> loads() const;
   /**
-   * The loads on the bodies of the rows: those of the problem, n_dofs()
-   * numbers, without those on held bodies, and @p with_offset for those of
-   * BoundedRows::offset().
+   * The same with other loads on the bodies of the problem, n_dofs() numbers,
+   * and @p with_offset for those of BoundedRows::offset().
    */
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;
