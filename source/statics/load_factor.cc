@@ -24,6 +24,8 @@ constexpr unsigned int n_between = 2;
 constexpr double near_enough = 0.5;
 /** The part of the wanted width that an anchor may take. */
 constexpr double share_of_anchor = 0.01;
+/** How many times as much of it is tried where that is not enough. */
+constexpr double more_of_anchor = 10.;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_factor = 1e-3;
@@ -64,6 +66,7 @@ private:
   std::vector<double> loads_at(double factor) const;
   void look_with_rows();
   void look_near(const SelfDual::Point &point, double near_enough);
+  void look_farther(const SelfDual::Point &point);
   void keep_if_carried(const FactorState &state);
   void keep_if_bound(Motion motion);
 
@@ -193,7 +196,11 @@ void Search::look_with_rows()
     is_solved = by_rows.rows().has_strips() && least <= controls.tolerance;
   }
   if (best)
+  {
     look_near(*best, 0.);
+    if (state != SelfDual::State::unbounded)
+      look_farther(*best);
+  }
   found.n_iterations += program.n_iterations();
   if (program.n_iterations() >= controls.n_max_iterations)
     found.stop = Stop::Reason::most_iterations;
@@ -224,6 +231,27 @@ void Search::look_near(const SelfDual::Point &point, const double near_enough)
       motion = mechanism_near(by_rows.forces(), loads, point);
     keep_if_bound(by_rows.motion_of(std::move(motion.u)));
   }
+}
+
+/**
+ * Where there is no proof near a point, since it is far from the optimum, take
+ * more of the anchors, up to a proof, which is as much farther away.
+ */
+void Search::look_farther(const SelfDual::Point &point)
+{
+  const InvalidOperationsAllowed allowed;
+  const double least = more_of_anchor * share_of_anchor * controls.tolerance;
+  for (double share = least; open && !found.has_mechanism() && share < 1.;
+       share *= more_of_anchor)
+    keep_if_bound(by_rows.motion_of(
+        mechanism_near(by_rows.forces(), loads, point, open, share).u));
+  for (double share = least;
+       anchor && found.forces.normal.empty() && share < 1.;
+       share *= more_of_anchor)
+    keep_if_carried(state_near(by_rows.forces(), loads, point, anchor, share));
+  // That the dead loads are carried is an answer only beside a bound.
+  if (anchor && found.forces.normal.empty() && found.has_mechanism())
+    keep_if_carried(*anchor);
 }
 
 void Search::keep_if_carried(const FactorState &near)

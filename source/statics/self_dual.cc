@@ -21,7 +21,7 @@ constexpr unsigned int n_shortenings = 30;
 
 /** Gondzio's corrections: how many, the steps that need none, what they gain.
  */
-constexpr unsigned int n_corrections = 2;
+constexpr unsigned int n_corrections = 1;
 constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
 

@@ -172,6 +172,53 @@ void extremes()
             proves_collapse(certify_mechanism(dead.scene(), answer.collapse)));
 }
 
+/** Searches that end early have both proofs, farther apart, or say so. */
+void early_ends()
+{
+  Case dead(ferris_tin_loi(1));
+  dead.force = vector(0., -10.);
+  dead.mu = 0.65;
+  dead.kinematics = &rotations();
+  Case live = dead;
+  live.force = vector(10., 0.);
+  unsigned int n_wide = 0, n_unknown = 0;
+  double width = 2.;
+  bool are_proofs = true, are_in_order = true, grow_narrower = true;
+  for (unsigned int n = 1; width > 1e-8 && n < 100; ++n)
+  {
+    LoadFactorControls controls;
+    controls.n_max_iterations = n;
+    try
+    {
+      const LoadFactor found =
+          *find_load_factor(dead.scene(), live.scene(), controls,
+                            Terminal::silent())
+               .factor;
+      const FactorBound bound =
+          bound_of_factor(dead.scene(), live.scene(), found.mechanism);
+      are_proofs =
+          are_proofs &&
+          certify(sum(dead, found.carried, live), found.forces).error() <=
+              1e-10 &&
+          bound.factor == found.bound && bound.closing_violation <= 1e-12;
+      are_in_order = are_in_order && found.carried <= 0.642859004 &&
+                     0.642859002 <= found.bound;
+      grow_narrower = grow_narrower && found.width() <= 1.5 * width;
+      width = found.width();
+      n_wide += width > 1e-6;
+    }
+    catch (const SolverError &)
+    {
+      ++n_unknown;
+    }
+  }
+  check("searches that end early: both proofs", are_proofs);
+  check("  about the factor", are_in_order);
+  check("  closer and closer", grow_narrower && width <= 1e-8);
+  check("  some of them wide", n_wide >= 3);
+  check("  none at first", n_unknown >= 1 && n_unknown <= 10);
+}
+
 /** The factor of a deviator that bisection over states finds. */
 void compare_with_bisection(const std::string &name,
                             const Packing &packing,
@@ -218,5 +265,6 @@ int main()
   dry_walls();
   block();
   extremes();
+  early_ends();
   no_dead_loads();
 }
