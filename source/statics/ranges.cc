@@ -11,6 +11,8 @@
 #include <CGAL/property_map.h>
 #include <mutex>
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace Voussoir
@@ -18,10 +20,11 @@ namespace Voussoir
 namespace
 {
 /**
- * The functions are shared out in so many parts, whatever the number of cores,
- * so that results do not depend on it.
+ * The functions are shared out in parts, whatever the number of cores, so that
+ * results do not depend on it: in few, since the first programmes of a part
+ * have no others to start from.
  */
-constexpr unsigned int n_parts = 16;
+constexpr unsigned int fewest_parts = 4, n_functions_of_part = 1400;
 /** The functions are normal and tangential forces, or x and y, in turn. */
 constexpr unsigned int n_kinds = 2;
 
@@ -44,13 +47,16 @@ bool is_quicker(const unsigned int n_cells, const std::size_t n_ends)
 /** One of the parts that functions are shared out in. */
 struct Part
 {
-  /** Its number; the first and the last of @p n items that are in it. */
-  unsigned int number;
+  /** Its number, and how many there are. */
+  unsigned int number, n_parts;
+  /** @{ */
+  /** The first and the last of @p n items that are in it. */
   unsigned int begin(const std::size_t n) const { return number * n / n_parts; }
   unsigned int end(const std::size_t n) const
   {
     return (number + 1) * n / n_parts;
   }
+  /** @} */
   /** What finds its ends, if the simplex method does. */
   std::optional<StateProgram> program;
   /** Their errors. */
@@ -98,6 +104,7 @@ private:
   template <typename Find>
   void find_parts(const Find &find);
   void find_forces(Part &part);
+  void find_forces(Part &part, unsigned int kind, double sign);
   void find_places(Part &part);
   double farthest_place(Part &part, unsigned int interface, double sign);
   StateProgram &program_of(Part &part);
@@ -129,17 +136,38 @@ void Search::count()
  */
 void Search::find_forces(Part &part)
 {
-  const std::size_t n = functions.size();
   for (unsigned int kind = 0; kind < n_kinds; ++kind)
     for (const double sign : {1., -1.})
-      for (unsigned int k = part.begin(n); k < part.end(n); ++k)
-      {
-        if (k % n_kinds != kind)
-          continue;
-        const GreatestValue value = greatest(part, functions[k].times(sign));
-        (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
-        count();
-      }
+      find_forces(part, kind, sign);
+}
+
+/**
+ * Of the functions that are left, that one comes next which has the most in a
+ * state so far: its programme starts there.
+ */
+void Search::find_forces(Part &part, const unsigned int kind, const double sign)
+{
+  const std::size_t n = functions.size();
+  std::vector<unsigned int> left;
+  for (unsigned int k = part.begin(n); k < part.end(n); ++k)
+    if (k % n_kinds == kind)
+      left.push_back(k);
+  std::vector<double> most(left.size(),
+                           -std::numeric_limits<double>::infinity());
+  while (!left.empty())
+  {
+    const auto of_next = std::max_element(most.begin(), most.end());
+    const auto next = left.begin() + (of_next - most.begin());
+    const unsigned int k = *next;
+    most.erase(of_next);
+    left.erase(next);
+    const GreatestValue value = greatest(part, functions[k].times(sign));
+    (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
+    count();
+    if (value.is_bounded())
+      for (std::size_t i = 0; i < left.size(); ++i)
+        most[i] = std::max(most[i], sign * functions[left[i]](value.forces));
+  }
 }
 
 /**
@@ -215,12 +243,14 @@ GreatestValue Search::greatest(Part &part, const ForceFunction &function)
 template <typename Find>
 void Search::find_parts(const Find &find)
 {
+  const unsigned int n_parts = std::max<unsigned int>(
+      fewest_parts, functions.size() / n_functions_of_part);
   dealii::parallel::apply_to_subranges(
       0U, n_parts,
       [&](const unsigned int begin, const unsigned int end) {
         for (unsigned int number = begin; number < end; ++number)
         {
-          Part part{number, {}, {}};
+          Part part{number, n_parts, {}, {}};
           find(part);
           if (part.program)
             part.proofs.n_iterations = part.program->n_iterations();

@@ -190,10 +190,9 @@ void early_ends()
     controls.n_max_iterations = n;
     try
     {
-      const LoadFactor found =
-          *find_load_factor(dead.scene(), live.scene(), controls,
-                            Terminal::silent())
-               .factor;
+      const LoadFactor found = *find_load_factor(dead.scene(), live.scene(),
+                                                 controls, Terminal::silent())
+                                    .factor;
       const FactorBound bound =
           bound_of_factor(dead.scene(), live.scene(), found.mechanism);
       are_proofs =
