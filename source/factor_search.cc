@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/factor_search.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/strength_factor.h>
@@ -35,6 +37,12 @@ FactorSearch as_factor_of_loads(const Given &given,
   const double divisor = factor.carried;
   if (!(divisor > 0.))
   {
+    if (factor.width() > controls.tolerance)
+      throw SolverError(
+          text("The factor of the strengths was not found: after ",
+               counted(factor.n_iterations, "iteration"),
+               " none is proven to be carried, and only ", factor.bound,
+               " not to be. Take larger 'Solver/Maximum iterations'."));
     // No strengths carry the loads.
     found.answer.collapse = std::move(factor.mechanism);
     found.answer.factor.reset();

@@ -79,7 +79,12 @@ find_factor_without_dilatancy(const Scene &dead,
     return answer;
   LoadFactor &factor = *answer.factor;
   StatesAtFactors states(dead, live, formulation, controls, terminal);
-  double carried = 0., beyond = factor.carried;
+  // A factor that is not known well may have states beyond it.
+  double carried = 0.,
+         beyond = factor.has_mechanism() && factor.width() > smallest_width
+                      ? factor.bound
+                      : factor.carried;
+  const double size = std::abs(beyond);
   if (!states.has_state(carried))
     throw SolverError("The load factor was not found: the loads in 'Loads' "
                       "alone have no state with Coulomb's friction. Look at "
@@ -87,7 +92,7 @@ find_factor_without_dilatancy(const Scene &dead,
                       "associated Coulomb'.");
   if (states.has_state(beyond))
     carried = beyond;
-  while (std::abs(beyond - carried) > smallest_width * std::abs(factor.carried))
+  while (std::abs(beyond - carried) > smallest_width * size)
   {
     const double middle = 0.5 * (carried + beyond);
     (states.has_state(middle) ? carried : beyond) = middle;

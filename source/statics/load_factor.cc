@@ -24,8 +24,11 @@ constexpr unsigned int n_between = 2;
 constexpr double near_enough = 0.5;
 /** The part of the wanted width that an anchor may take. */
 constexpr double share_of_anchor = 0.01;
-/** How many times as much of it is tried where that is not enough. */
-constexpr double more_of_anchor = 10.;
+/**
+ * Where a proof needs more of the anchor: the factor from one share to the
+ * next, by which the proof may be too far away, and the largest share.
+ */
+constexpr double larger_share = 10., largest_share = 0.5;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_factor = 1e-3;
@@ -67,6 +70,7 @@ private:
   void look_with_rows();
   void look_near(const SelfDual::Point &point, double near_enough);
   void look_farther(const SelfDual::Point &point);
+  void keep_at_rest(const Solution &solution);
   void keep_if_carried(const FactorState &state);
   void keep_if_bound(Motion motion);
 
@@ -81,9 +85,13 @@ private:
   /** A state far from the bounds, and a motion far from closing joints. */
   std::optional<FactorState> anchor;
   std::optional<FactorMotion> open;
-  /** The displacement of the last point with a small error. */
-  std::vector<double> best_u;
+  /** The last point with a small error. */
+  std::optional<SelfDual::Point> best;
   SelfDual::State state = SelfDual::State::running;
+  /** Forces for the dead loads alone. */
+  std::optional<InterfaceForces> at_rest;
+  /** True if there are forces at the factor that is carried. */
+  bool has_state = false;
   LoadFactor found;
 };
 
@@ -116,8 +124,13 @@ Search::Search(const Scene &dead,
   // Without loads there is nothing to be carried.
   Solution rest;
   rest.forces.resize(problem.n_all_rows());
+  keep_at_rest(rest);
+}
+
+void Search::keep_at_rest(const Solution &solution)
+{
   found.carried = 0.;
-  found.forces = dimensional_forces(problem, rest);
+  at_rest = dimensional_forces(problem, solution);
 }
 
 std::vector<double> Search::loads_at(const double factor) const
@@ -131,12 +144,17 @@ Motion Search::find_collapse_at_rest()
 {
   if (!(largest_component(loads.dead) > 0.))
     return {};
-  AnyForces at_rest = find_any_forces(by_rows, loads_at(0.),
-                                      controls.n_max_iterations, terminal);
-  found.n_iterations += at_rest.n_iterations;
-  anchor = std::move(at_rest.state);
-  return at_rest.collapse.empty() ? Motion()
-                                  : by_rows.motion_of(at_rest.collapse);
+  AnyForces any = find_any_forces(by_rows, loads_at(0.),
+                                  controls.n_max_iterations, terminal);
+  found.n_iterations += any.n_iterations;
+  if (any.state)
+  {
+    Solution solution;
+    solution.forces = by_rows.rows().forces_of(any.state->x);
+    keep_at_rest(solution);
+  }
+  anchor = std::move(any.state);
+  return any.collapse.empty() ? Motion() : by_rows.motion_of(any.collapse);
 }
 
 void Search::find_proofs()
@@ -144,22 +162,24 @@ void Search::find_proofs()
   for (unsigned int round = 0;; ++round)
   {
     look_with_rows();
-    if (state == SelfDual::State::unbounded || best_u.empty() ||
-        found.width() <= controls.tolerance || !by_rows.rows().has_strips() ||
-        round == RowProblem::n_rounds)
+    if (state == SelfDual::State::unbounded || !best)
       return;
-    by_rows.refine(best_u);
+    if (found.width() <= controls.tolerance || !by_rows.rows().has_strips() ||
+        round == RowProblem::n_rounds)
+      break;
+    by_rows.refine(best->u);
     // They are of other strips.
     anchor.reset();
     open.reset();
   }
+  look_farther(*best);
 }
 
 void Search::look_with_rows()
 {
   state = SelfDual::State::running;
   SelfDual program(by_rows.forces(), loads);
-  std::optional<SelfDual::Point> best;
+  best.reset();
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
   bool is_solved = false, is_last = false;
@@ -177,7 +197,6 @@ void Search::look_with_rows()
       continue;
     least = program.merit();
     best = program.point();
-    best_u = best->u;
     if (!anchor)
       if (FactorState early = state_near(by_rows.forces(), loads, *best);
           early.residual <= largest_residual_of_state)
@@ -196,11 +215,7 @@ void Search::look_with_rows()
     is_solved = by_rows.rows().has_strips() && least <= controls.tolerance;
   }
   if (best)
-  {
     look_near(*best, 0.);
-    if (state != SelfDual::State::unbounded)
-      look_farther(*best);
-  }
   found.n_iterations += program.n_iterations();
   if (program.n_iterations() >= controls.n_max_iterations)
     found.stop = Stop::Reason::most_iterations;
@@ -234,24 +249,26 @@ void Search::look_near(const SelfDual::Point &point, const double near_enough)
 }
 
 /**
- * Where there is no proof near a point, since it is far from the optimum, take
- * more of the anchors, up to a proof, which is as much farther away.
+ * Where a point is too far from the optimum for a proof near it, take larger
+ * shares of the anchors, up to these alone; the proof is that much nearer to
+ * them.
  */
 void Search::look_farther(const SelfDual::Point &point)
 {
   const InvalidOperationsAllowed allowed;
-  const double least = more_of_anchor * share_of_anchor * controls.tolerance;
-  for (double share = least; open && !found.has_mechanism() && share < 1.;
-       share *= more_of_anchor)
+  const double least = larger_share * share_of_anchor * controls.tolerance;
+  for (double share = least; anchor && !has_state && share <= largest_share;
+       share *= larger_share)
+    keep_if_carried(state_near(by_rows.forces(), loads, point, anchor, share));
+  if (anchor && !has_state)
+    keep_if_carried(*anchor);
+  for (double share = least;
+       open && !found.has_mechanism() && share <= largest_share;
+       share *= larger_share)
     keep_if_bound(by_rows.motion_of(
         mechanism_near(by_rows.forces(), loads, point, open, share).u));
-  for (double share = least;
-       anchor && found.forces.normal.empty() && share < 1.;
-       share *= more_of_anchor)
-    keep_if_carried(state_near(by_rows.forces(), loads, point, anchor, share));
-  // That the dead loads are carried is an answer only beside a bound.
-  if (anchor && found.forces.normal.empty() && found.has_mechanism())
-    keep_if_carried(*anchor);
+  if (open && !found.has_mechanism())
+    keep_if_bound(by_rows.motion_of(open->u));
 }
 
 void Search::keep_if_carried(const FactorState &near)
@@ -264,6 +281,7 @@ void Search::keep_if_carried(const FactorState &near)
   solution.forces = by_rows.rows().forces_of(near.x);
   found.carried = carried;
   found.forces = dimensional_forces(problem, solution);
+  has_state = true;
 }
 
 void Search::keep_if_bound(Motion motion)
@@ -292,6 +310,9 @@ LoadFactor Search::result()
       keep_if_carried(one);
     }
   }
+  // That the dead loads are carried is an answer only beside a bound.
+  if (!has_state && at_rest && found.has_mechanism())
+    found.forces = *at_rest;
   if (found.forces.normal.empty())
     throw SolverError(
         text("The load factor was not found: after ",

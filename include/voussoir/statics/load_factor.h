@@ -81,7 +81,7 @@ struct LoadFactorAnswer
  * @param controls of the method.
  * @param terminal sees the iterations.
  * @throws InputError if there are no live loads.
- * @throws SolverError if there is no proof of anything.
+ * @throws SolverError if no forces prove a factor.
  */
 LoadFactorAnswer find_load_factor(const Scene &dead,
                                   const Scene &live,
