@@ -20,19 +20,14 @@ using Joint = Structure::Joint;
 
 /**
  * The iterations after which the load may be one that is not carried; then the
- * barrier problem, whose iterates close no joint, finds the mechanism sooner;
- * and the imbalance below which the method converges.
+ * barrier problem, whose iterates close no joint, finds the mechanism sooner.
+ * If there is none, an interior point goes the rest of the way: near the limit
+ * Newton's steps walk from hinge to hinge, or from one joint that slides to the
+ * next (measured, random packings: up to 300 steps). And the imbalance below
+ * which the method converges.
  */
 constexpr unsigned int n_before_doubt = 20;
 constexpr double imbalance_without_doubt = 1e-4;
-
-/**
- * The steps after which an interior point goes the rest of the way. Near the
- * limit Newton's steps walk from hinge to hinge, or from one joint that slides
- * to the next (measured, random packings: up to 300 steps, and with this at
- * most 50 in all). Large packings seldom take as many.
- */
-constexpr unsigned int n_before_interior_point = 16;
 
 /** The part of the joints that slide after the first step that is much. */
 constexpr double many_slide = 0.25;
@@ -147,13 +142,12 @@ Solution minimise_elastic(const SharedProblem &problem,
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
     if (newton.n_iterations() == n_before_doubt &&
-        newton.imbalance() > imbalance_without_doubt && problem.has_opening())
-      mechanism = find_collapse_by_barrier(problem, terminal);
-    if (mechanism)
-      return mechanism;
-    if (newton.n_iterations() == n_before_interior_point &&
         newton.imbalance() > imbalance_without_doubt)
     {
+      if (problem.has_opening())
+        mechanism = find_collapse_by_barrier(problem, terminal);
+      if (mechanism)
+        return mechanism;
       newton.restart(problem.displacement([&](const DiscreteProblem &whole) {
         return approach_minimum(whole, elastic_costs(whole), order.tolerance,
                                 n_of_interior_point, terminal);
