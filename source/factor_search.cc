@@ -39,10 +39,9 @@ FactorSearch as_factor_of_loads(const Given &given,
   {
     if (factor.width() > controls.tolerance)
       throw SolverError(
-          text("The factor of the strengths was not found: after ",
-               counted(factor.n_iterations, "iteration"),
-               " none is proven to be carried, and only ", factor.bound,
-               " not to be. Take larger 'Solver/Maximum iterations'."));
+          text("The strength factor was not found: no forces prove one, and a "
+               "mechanism only that it is at most ",
+               factor.bound, ". Try a larger 'Solver/Maximum iterations'."));
     // No strengths carry the loads.
     found.answer.collapse = std::move(factor.mechanism);
     found.answer.factor.reset();

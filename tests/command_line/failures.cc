@@ -124,6 +124,14 @@ int main()
            " set Coefficient = -0.5\nend\n");
 
   // Strengths as a factor
+  run_with("set Analysis = load factor\n"
+           "subsection Load factor\n set Factor = strength\nend\n"
+           "subsection Packing\n set Generator = wall\n subsection wall\n"
+           "  set Courses = 12\n  set Bricks per course = 6\n"
+           "  set Width = 1\n  set Height = 1\n end\nend\n"
+           "subsection Loads\n set Traction = ny; 0\nend\n"
+           "subsection Friction\n set Strength = 10\nend\n"
+           "subsection Solver\n set Maximum iterations = 4\nend\n");
   const std::string strength =
       "set Analysis = load factor\nset Rotations = true\n"
       "subsection Load factor\n set Factor = strength\nend\n"
