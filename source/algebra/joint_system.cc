@@ -4,6 +4,7 @@
 #include <voussoir/algebra/joint_blocks.h>
 #include <voussoir/algebra/joint_system.h>
 #include <voussoir/algebra/multigrid.h>
+#include <voussoir/algebra/near_componentwise.h>
 #include <voussoir/algebra/rotation_complement.h>
 #include <voussoir/algebra/substructures.h>
 
@@ -32,8 +33,13 @@ constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
 constexpr unsigned int n_couplings_for_multigrid = 6000;
 } // namespace
 
-JointSystem::JointSystem(const Structure &structure, const LinearSolver kind)
-    : structure(structure), kind(kind)
+JointSystem::JointSystem(const Structure &structure,
+                         const LinearSolver kind,
+                         const double residual)
+    : structure(structure), kind(kind),
+      residual(structure.n_unknowns() == 2 && structure.team().size() == 1
+                   ? residual
+                   : 0.)
 {
   timer.reset();
 }
@@ -61,9 +67,18 @@ std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
   return std::make_unique<Cholesky>(blocks);
 }
 
+bool JointSystem::comes_apart(const std::vector<double> &coefficients) const
+{
+  return residual > 0. ? NearComponentwise::serves(structure, coefficients)
+                       : Componentwise::serves(structure, coefficients);
+}
+
 std::unique_ptr<LinearMethod> JointSystem::make_componentwise() const
 {
   auto translations = std::make_unique<Componentwise>(make(true));
+  if (residual > 0.)
+    return std::make_unique<NearComponentwise>(
+        structure, std::move(translations), residual);
   if (structure.n_unknowns() == 2)
     return translations;
   return std::make_unique<RotationComplement>(structure,
@@ -75,13 +90,13 @@ bool JointSystem::prepare(const std::vector<double> &coefficients,
 {
   timer.start();
   bool is_prepared;
-  if (!is_irregular && Componentwise::serves(structure, coefficients))
+  if (!coupled && comes_apart(coefficients))
   {
     if (!componentwise)
       componentwise = make_componentwise();
     current = componentwise.get();
     is_prepared = current->prepare(coefficients, shift);
-    if (structure.n_unknowns() > 2)
+    if (structure.n_unknowns() > 2 || residual > 0.)
       prepared = {coefficients, shift};
   }
   else
@@ -94,7 +109,11 @@ bool JointSystem::prepare_coupled(const std::vector<double> &coefficients,
                                   const double shift)
 {
   if (!coupled)
+  {
+    // From now on the factors of all unknowns serve all systems.
+    componentwise.reset();
     coupled = make(false);
+  }
   current = coupled.get();
   return current->prepare(coefficients, shift);
 }
@@ -117,9 +136,6 @@ std::vector<double> JointSystem::solve(const std::vector<double> &r)
   std::vector<double> u = current->solve(of_own, 1);
   if (!structure.team().all(u.size() == of_own.size()))
   {
-    // From now on the factors of all unknowns take less time.
-    componentwise.reset();
-    is_irregular = true;
     const bool is_prepared =
         prepare_coupled(prepared.coefficients, prepared.shift);
     u = is_prepared

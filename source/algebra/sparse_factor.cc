@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/elimination_order.h>
 #include <voussoir/algebra/sparse_factor.h>
 
 #include <algorithm>
@@ -36,6 +37,7 @@ SparseFactor::SparseFactor(const JointBlocks &blocks,
 {
   cholmod_start(common.get());
   common->print = 0; // failures are reported by their status
+  order = find_order();
   make_pattern();
 }
 
@@ -58,17 +60,22 @@ unsigned int SparseFactor::n_last() const
 
 struct SparseFactor::Below
 {
-  Below(const SparseFactor &factor) : first(factor.n_bodies + 1, 0)
+  /** @param place of each body. */
+  Below(const SparseFactor &factor, const std::vector<unsigned int> &place)
+      : first(factor.n_bodies + 1, 0)
   {
     const std::vector<Joint> &joints = factor.structure.joints();
     const unsigned int n_bodies = factor.n_bodies;
     const auto for_all = [&](const auto &visit) {
       for (unsigned int e = 0; e < joints.size(); ++e)
       {
-        const auto [low, high] =
-            std::minmax(joints[e].cell_minus, joints[e].cell_plus);
-        if (high < n_bodies && !factor.is_held(low) && !factor.is_held(high))
-          visit(low, high, e);
+        const unsigned int minus = joints[e].cell_minus;
+        const unsigned int plus = joints[e].cell_plus;
+        if (minus >= n_bodies || plus >= n_bodies || factor.is_held(minus) ||
+            factor.is_held(plus))
+          continue;
+        const auto [low, high] = std::minmax(place[minus], place[plus]);
+        visit(low, high, e);
       }
     };
     for_all([&](const unsigned int low, unsigned int, unsigned int) {
@@ -85,20 +92,47 @@ struct SparseFactor::Below
       std::sort(joint.begin() + first[c], joint.begin() + first[c + 1]);
   }
 
-  /** Where those of each body begin. */
+  /** Where those of each place begin. */
   std::vector<unsigned int> first;
-  /** The higher body, ascending, and the joint. */
+  /** The higher place, ascending, and the joint. */
   std::vector<std::pair<unsigned int, unsigned int>> joint;
 };
 
+std::vector<int> SparseFactor::find_order()
+{
+  std::vector<unsigned int> numbers(n_bodies);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const Below below(*this, numbers);
+  cholmod_sparse *graph = check(
+      cholmod_allocate_sparse(n_bodies, n_bodies, below.joint.size(), true,
+                              true, -1, CHOLMOD_PATTERN, common.get()));
+  int *first = static_cast<int *>(graph->p);
+  int *rows = static_cast<int *>(graph->i);
+  int k = 0;
+  for (unsigned int c = 0; c < n_bodies; ++c)
+  {
+    first[c] = k;
+    for (unsigned int m = below.first[c]; m < below.first[c + 1]; ++m)
+      if (k == first[c] ||
+          rows[k - 1] != static_cast<int>(below.joint[m].first))
+        rows[k++] = below.joint[m].first;
+  }
+  first[n_bodies] = k;
+  std::vector<int> order = elimination_order(*graph, blocks.n(), last, *common);
+  cholmod_free_sparse(&graph, common.get());
+  return order;
+}
+
 /**
  * The columns of a body have its diagonal block and below it the blocks of its
- * joints to higher bodies, in the order of these, which is that of the joints
- * of a packing only by chance.
+ * joints to bodies that are eliminated later, in the order of these.
  */
 void SparseFactor::make_pattern()
 {
-  const Below below(*this);
+  std::vector<unsigned int> place(n_bodies);
+  for (unsigned int k = 0; k < n_bodies; ++k)
+    place[order[k]] = k;
+  const Below below(*this, place);
   const unsigned int n = blocks.n();
   const std::size_t n_entries =
       std::size_t(n_bodies) * n * (n + 1) / 2 + below.joint.size() * n * n;
@@ -114,7 +148,7 @@ void SparseFactor::make_pattern()
     for (unsigned int j = 0; j < n; ++j)
     {
       first[n * c + j] = k;
-      of_body[n * c + j] = k;
+      of_body[n * order[c] + j] = k;
       for (unsigned int i = j; i < n; ++i)
         rows[k++] = n * c + i;
       unsigned int previous = dealii::numbers::invalid_unsigned_int;
@@ -180,8 +214,8 @@ void SparseFactor::add(const unsigned int joint, const JointBlocks::Blocks &of)
   const unsigned int minus = structure.joints()[joint].cell_minus;
   const unsigned int plus = structure.joints()[joint].cell_plus;
   const bool couples = !is_held(minus) && !is_held(plus);
-  // The block is stored in the columns of the lower body.
-  const bool transposed = plus < minus;
+  // The block is stored in the columns of the body that is eliminated first.
+  const bool transposed = of_body[n * plus] < of_body[n * minus];
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -214,25 +248,14 @@ void SparseFactor::hold_bodies(const double relative_shift)
   }
 }
 
+/** The rows and columns are in the order of their elimination. */
 void SparseFactor::analyse()
 {
-  if (last.empty())
-  {
-    factor = check(cholmod_analyze(matrix, common.get()));
-    return;
-  }
-  std::vector<int> set(n(), 0), order(n());
-  for (const unsigned int b : last)
-    for (unsigned int i = 0; i < blocks.n(); ++i)
-      set[blocks.n() * b + i] = 1;
-  if (!cholmod_camd(matrix, nullptr, 0, set.data(), order.data(), common.get()))
-    throw std::bad_alloc();
   common->nmethods = 1;
-  common->method[0].ordering = CHOLMOD_GIVEN;
-  common->postorder = false; // it would mix the sets
-  common->supernodal = CHOLMOD_SUPERNODAL;
-  factor =
-      check(cholmod_analyze_p(matrix, order.data(), nullptr, 0, common.get()));
+  common->method[0].ordering = CHOLMOD_NATURAL;
+  common->postorder = false;
+  common->supernodal = last.empty() ? CHOLMOD_AUTO : CHOLMOD_SUPERNODAL;
+  factor = check(cholmod_analyze(matrix, common.get()));
 }
 
 bool SparseFactor::factorise(const std::vector<double> &coefficients,
@@ -278,48 +301,82 @@ void SparseFactor::extract_last_block()
   }
 }
 
-std::vector<double> SparseFactor::solve(std::initializer_list<int> systems,
+std::vector<double> SparseFactor::solve(const int system,
                                         const std::vector<double> &r,
                                         const unsigned int n_columns)
 {
   AssertDimension(r.size(), std::size_t(n()) * n_columns);
-  cholmod_dense *values = check(
-      cholmod_allocate_dense(n(), n_columns, n(), CHOLMOD_REAL, common.get()));
-  std::copy(r.begin(), r.end(), static_cast<double *>(values->x));
-  for (const int system : systems)
-  {
-    cholmod_dense *next = cholmod_solve(system, factor, values, common.get());
-    cholmod_free_dense(&values, common.get());
-    values = check(next);
-  }
+  cholmod_dense right = {};
+  right.nrow = right.d = n();
+  right.ncol = n_columns;
+  right.nzmax = r.size();
+  right.x = const_cast<double *>(r.data()); // it is read only
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense *values =
+      check(cholmod_solve(system, factor, &right, common.get()));
   const double *x = static_cast<const double *>(values->x);
   std::vector<double> result(x, x + r.size());
   cholmod_free_dense(&values, common.get());
   return result;
 }
 
+template <typename Copy>
+void SparseFactor::for_all(const unsigned int n_columns, const Copy &copy) const
+{
+  const unsigned int n = blocks.n();
+  for (std::size_t c = 0, k = 0; c < n_columns; ++c)
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      for (unsigned int i = 0; i < n; ++i, ++k)
+        copy(k, c * n_bodies * n + std::size_t(n) * order[b] + i);
+}
+
+std::vector<double> SparseFactor::in_order(const std::vector<double> &r,
+                                           const unsigned int n_columns) const
+{
+  std::vector<double> result(r.size());
+  for_all(n_columns, [&](const std::size_t eliminated, const std::size_t k) {
+    result[eliminated] = r[k];
+  });
+  return result;
+}
+
+std::vector<double> SparseFactor::by_bodies(const std::vector<double> &y,
+                                            const unsigned int n_columns) const
+{
+  std::vector<double> result(y.size());
+  for_all(n_columns, [&](const std::size_t eliminated, const std::size_t k) {
+    result[k] = y[eliminated];
+  });
+  return result;
+}
+
 std::vector<double> SparseFactor::solve(const std::vector<double> &r,
                                         const unsigned int n_columns)
 {
-  return solve({CHOLMOD_A}, r, n_columns);
+  return by_bodies(solve(CHOLMOD_A, in_order(r, n_columns), n_columns),
+                   n_columns);
 }
 
 std::vector<double> SparseFactor::forward(const std::vector<double> &r,
                                           const unsigned int n_columns)
 {
-  return solve({CHOLMOD_P, CHOLMOD_L}, r, n_columns);
+  return solve(CHOLMOD_L, in_order(r, n_columns), n_columns);
 }
 
 std::vector<double> SparseFactor::backward(const std::vector<double> &y,
                                            const unsigned int n_columns)
 {
-  return solve({CHOLMOD_Lt, CHOLMOD_Pt}, y, n_columns);
+  return by_bodies(solve(CHOLMOD_Lt, y, n_columns), n_columns);
 }
 
 std::vector<unsigned int> SparseFactor::last_unknowns() const
 {
-  const int *order = static_cast<const int *>(factor->Perm);
-  return {order + n() - n_last(), order + n()};
+  std::vector<unsigned int> result;
+  for (std::size_t k = n_bodies - last.size(); k < n_bodies; ++k)
+    for (unsigned int i = 0; i < blocks.n(); ++i)
+      result.push_back(blocks.n() * order[k] + i);
+  return result;
 }
 
 const dealii::FullMatrix<double> &SparseFactor::last_block() const

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/scene/network.h>
 #include <voussoir/scene/overturning.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 
 namespace Voussoir
@@ -15,45 +13,10 @@ namespace Voussoir
 namespace
 {
 /** Moments in units of a small part of the largest, so that sums are exact. */
-using Units = std::int64_t;
+using Units = Network::Units;
 constexpr double units_of_largest = 1e12;
 /** The part of all torques that is rounding where it cannot be taken up. */
 constexpr double rounding_of_flow = 1e-9;
-
-using Traits = boost::
-    adjacency_list_traits<boost::vecS, boost::vecS, boost::bidirectionalS>;
-using Vertex = Traits::vertex_descriptor;
-using Edge = Traits::edge_descriptor;
-
-/** The properties that the algorithm works with. */
-struct OfVertex
-{
-  boost::default_color_type colour;
-  Edge predecessor;
-  long distance;
-};
-struct OfEdge
-{
-  Units capacity, residual;
-  Edge reverse;
-};
-using Graph = boost::adjacency_list<boost::vecS,
-                                    boost::vecS,
-                                    boost::bidirectionalS,
-                                    OfVertex,
-                                    OfEdge>;
-
-void connect(Graph &graph,
-             const Vertex from,
-             const Vertex to,
-             const Units capacity,
-             const Units capacity_back)
-{
-  const Edge edge = add_edge(from, to, graph).first;
-  const Edge back = add_edge(to, from, graph).first;
-  graph[edge] = {capacity, 0, back};
-  graph[back] = {capacity_back, 0, edge};
-}
 
 double largest_couple(const Scene &scene,
                       const InterfaceForces &forces,
@@ -75,18 +38,18 @@ std::vector<bool> cut_off(const Scene &scene,
 {
   const Packing &packing = scene.packing;
   const unsigned int n = packing.n_cells() + 1;
-  const Vertex source = n, sink = n + 1;
+  const unsigned int source = n, sink = n + 1;
   double largest = 0.;
   for (const double torque : torques)
     largest = std::max(largest, std::abs(torque));
   const double unit = largest / units_of_largest;
-  Graph graph(n + 2);
+  Network network(n + forces.normal.size());
   Units total = 0, supplied = 0;
   const auto supply = [&](const unsigned int c, const Units torque) {
     if (torque > 0)
-      connect(graph, source, c, torque, 0);
+      network.connect(source, c, torque, 0);
     else if (torque < 0)
-      connect(graph, c, sink, -torque, 0);
+      network.connect(c, sink, -torque, 0);
     total += torque;
     supplied += std::max<Units>(torque, 0);
   };
@@ -99,18 +62,14 @@ std::vector<bool> cut_off(const Scene &scene,
     // No interface passes on more than all there is.
     const Units couple = std::llround(
         std::min(largest_couple(scene, forces, e) / unit, 1. * supplied));
-    connect(graph, i.cell_minus, i.cell_plus, couple, couple);
+    network.connect(i.cell_minus, i.cell_plus, couple, couple);
   }
-  const Units taken_up = boost::boykov_kolmogorov_max_flow(
-      graph, get(&OfEdge::capacity, graph), get(&OfEdge::residual, graph),
-      get(&OfEdge::reverse, graph), get(&OfVertex::predecessor, graph),
-      get(&OfVertex::colour, graph), get(&OfVertex::distance, graph),
-      get(boost::vertex_index, graph), source, sink);
+  const Units taken_up = network.largest_flow(source, sink, n + 2);
   if (supplied - taken_up <= rounding_of_flow * supplied)
     return {};
   std::vector<bool> cut(n);
   for (unsigned int c = 0; c < n; ++c)
-    cut[c] = graph[c].colour == graph[source].colour;
+    cut[c] = network.is_cut_off(c);
   // The other side is cut off as well; the ground does not turn.
   if (cut[packing.ground()])
     cut.flip();

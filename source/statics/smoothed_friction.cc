@@ -3,6 +3,7 @@
 #include <voussoir/algebra/newton.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
+#include <voussoir/statics/compliant_start.h>
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/hard_contact.h>
@@ -64,14 +65,15 @@ public:
       : problem(problem), of_joints(problem, false), contact(contact),
         law(problem, contact), controls(controls),
         barrier_parameter(barrier_parameter), terminal(terminal)
-  {}
-
-  /** Hard contact starts where every joint is open. */
-  std::vector<double> start() const override
   {
-    return contact == Contact::hard ? opening_of(problem).displacement
-                                    : std::vector<double>(problem.n_dofs(), 0.);
+    // Hard contact starts where every joint is open.
+    if (contact == Contact::hard)
+      of_start.displacement = opening_of(problem).displacement;
+    else
+      of_start = compliant_start(problem, law, controls, terminal);
   }
+
+  std::vector<double> start() const override { return of_start.displacement; }
 
   double value(const double *x) override
   {
@@ -181,8 +183,18 @@ public:
     return {};
   }
 
-  /** The forces at the end, and the displacement with eps = 1. */
-  Solution solution(ProgramResult result)
+  /** Solve with @p ipopt: the forces, and the displacement with eps = 1. */
+  Solution solve(const IpoptControls &ipopt)
+  {
+    Solution solution = best_of(solve_program(problem, *this, ipopt, terminal));
+    solution.n_iterations += of_start.n_iterations;
+    solution.n_evaluations += of_start.n_evaluations;
+    return solution;
+  }
+
+private:
+  /** Of Ipopt and the interior-point method. */
+  Solution best_of(ProgramResult result)
   {
     if (has_answer())
     {
@@ -196,7 +208,6 @@ public:
     return *interior;
   }
 
-private:
   /** settle(), with compliant contact by the same state. */
   void ask_interior_point(Solution before)
   {
@@ -295,6 +306,8 @@ private:
   const SolverControls &controls;
   const double barrier_parameter;
   Terminal &terminal;
+  /** Where Ipopt starts. */
+  CompliantStart of_start;
   /** The result of the interior-point method, if it was run. */
   std::optional<Solution> interior;
   /** Of the points of compliant contact, the one with the best balance. */
@@ -359,8 +372,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
         std::min(ipopt.tolerance, tolerance_over_barrier * barrier_parameter);
   }
 
-  Solution solution =
-      program.solution(solve_program(problem, program, ipopt, terminal));
+  Solution solution = program.solve(ipopt);
   for (Tensor<1, 2> &u : solution.motion.displacement)
     u *= smoothing_length;
   for (double &angle : solution.motion.rotation)

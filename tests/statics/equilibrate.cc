@@ -197,5 +197,5 @@ int main()
   }
   check("the correction is told",
         std::abs(balanced.correction.value() - change / largest) < 1e-15 &&
-            balanced.correction > 1e-6);
+            balanced.correction > 1e-8);
 }

@@ -71,7 +71,7 @@ void find_factor(const std::string &name,
   const DiscreteProblem problem(scene);
   InteriorPoint point(problem, std::vector<JointCost>(problem.joints().size()),
                       InteriorPoint::Aim::load_factor);
-  while (point.product() > 1e-10 && point.n_iterations() < 60 && point.step())
+  while (point.product() > 1e-11 && point.n_iterations() < 60 && point.step())
     ;
   check_error(name + ": load factor",
               std::abs(point.load_factor() / exact - 1.), 1e-8);

@@ -97,9 +97,11 @@ void columns()
 {
   Column column;
   column.crushing = 2.;
+  // Close to the edge rounding costs digits: with another order of elimination
+  // the factor at 0.4 is off by 1e-7 to 3e-7.
   for (const double e : {0.2, 0.25, 0.4})
     compare("crushing at " + std::to_string(e), column, eccentric(e),
-            2. * (1. - 2. * e));
+            2. * (1. - 2. * e), e < 0.3 ? 1e-7 : 1e-6);
   column.mu = 0.6;
   compare("the same with dry friction", column, eccentric(0.3), 0.8);
   column.mu = 0.;

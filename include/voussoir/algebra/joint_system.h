@@ -41,7 +41,8 @@ enum class LinearSolver
  * rows that are not negative, and the shift is positive, so that the matrix is
  * symmetric and positive definite. Where all joints are as stiff in one
  * direction as in the other, Componentwise takes half of the matrix, and of
- * bodies that turn RotationComplement takes the rest.
+ * bodies that turn RotationComplement takes the rest. Where a residual is
+ * admitted NearComponentwise serves joints that are not far from that.
  *
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see
@@ -53,8 +54,15 @@ enum class LinearSolver
 class JointSystem
 {
 public:
-  /** @param structure has the joints; it must outlive this object. */
-  JointSystem(const Structure &structure, LinearSolver kind);
+  /**
+   * @param structure has the joints; it must outlive this object.
+   * @param kind of solver.
+   * @param residual that is admitted, relative to the right-hand side, by the
+   *   norm; zero for all the digits that there are.
+   */
+  JointSystem(const Structure &structure,
+              LinearSolver kind,
+              double residual = 0.);
 
   /**
    * Prepare to solve with the given coefficients, one for each row.
@@ -79,24 +87,24 @@ public:
 
 private:
   std::unique_ptr<LinearMethod> make(bool apart) const;
+  bool comes_apart(const std::vector<double> &coefficients) const;
   std::unique_ptr<LinearMethod> make_componentwise() const;
   bool prepare_coupled(const std::vector<double> &coefficients, double shift);
 
   const Structure &structure;
   const LinearSolver kind;
+  const double residual;
   /** @{ */
   /** Made when first needed. */
   std::unique_ptr<LinearMethod> componentwise, coupled;
   /** @} */
   LinearMethod *current = nullptr;
-  /** The arguments of prepare(), of what RotationComplement may give up. */
+  /** The arguments of prepare(), of what conjugate gradients may give up. */
   struct
   {
     std::vector<double> coefficients;
     double shift;
   } prepared;
-  /** True if it has given up. */
-  bool is_irregular = false;
   dealii::Timer timer;
 };
 } // namespace Voussoir

@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -19,8 +18,8 @@ namespace Voussoir
 /**
  * The matrix of a system of JointSystem, of the first bodies of a structure and
  * the joints between them, with its sparse Cholesky factors by CHOLMOD. The
- * lower triangle is stored by columns; where the entries of each joint go is
- * found once.
+ * lower triangle is stored by columns in the order of the elimination, so that
+ * CHOLMOD need not copy it; where the entries of each joint go is found once.
  */
 class SparseFactor
 {
@@ -108,8 +107,9 @@ public:
   std::vector<double> added() const;
 
 private:
-  /** The joints below each body: those to bodies of higher numbers. */
+  /** The joints of each body to those behind it. */
   struct Below;
+  std::vector<int> find_order();
   void make_pattern();
   bool is_held(const unsigned int body) const
   {
@@ -123,9 +123,18 @@ private:
   void hold_bodies(double relative_shift);
   void analyse();
   void extract_last_block();
-  std::vector<double> solve(std::initializer_list<int> systems,
-                            const std::vector<double> &r,
-                            unsigned int n_columns);
+  /** Solve one of CHOLMOD's systems, ordered as unknowns are eliminated. */
+  std::vector<double>
+  solve(int system, const std::vector<double> &r, unsigned int n_columns);
+  /** @{ */
+  /** From the order of unknowns to that of their elimination, and back. */
+  std::vector<double> in_order(const std::vector<double> &r,
+                               unsigned int n_columns) const;
+  std::vector<double> by_bodies(const std::vector<double> &y,
+                                unsigned int n_columns) const;
+  template <typename Copy>
+  void for_all(unsigned int n_columns, const Copy &copy) const;
+  /** @} */
 
   const JointBlocks blocks;
   const Structure &structure;
@@ -135,7 +144,9 @@ private:
   std::unique_ptr<cholmod_common_struct> common;
   cholmod_sparse_struct *matrix = nullptr;
   cholmod_factor_struct *factor = nullptr;
-  /** The place of the diagonal entry of each column. */
+  /** The bodies in the order of their elimination, that of the matrix. */
+  std::vector<int> order;
+  /** The place of the diagonal entry of each unknown. */
   std::vector<int> of_body;
   /** The place of the first entry of each column of each joint's block. */
   std::vector<int> of_joint;
