@@ -16,13 +16,16 @@ try:
     import growth
     import kernels
     import peers
+    import sliding
     from runs import TIME_LIMIT, Bench
 except ImportError as error:
     sys.exit(missing("cost.py", error))
 
 STUDY = Study("contrib/cost",
               {"forms": peers.forms, "peers": peers.peers,
-               "growth": growth.growth, "kernels": kernels.kernels},
+               "sliding": sliding.sliding, "growth": growth.growth,
+               "sliding_growth": growth.sliding_growth,
+               "kernels": kernels.kernels},
               "cost", 3, "build/cost")
 
 

@@ -2,15 +2,25 @@
 were measured."""
 import tables
 from cost_plots import PLOTS
-from growth import STAGES
+from growth import SLIDING, STAGES
 from peers import SHORT
-from peers_page import forms, peers
+from peers_page import forms, peers, sliding
 from projection import (DISTRIBUTED, TARGET, cycles, exponent, projected,
                         solved, speedup, steps)
 from runs import MEMORY_LIMIT
 from tables import listed, markdown, number, where
 
 def growth(rows):
+    return ["The same packings with the standard stress and all files, least "
+            "energy, on one process. No joint slides.", *by_size(rows)]
+
+
+def sliding_growth(rows):
+    return [f"The same with s_T = {SLIDING}: many joints slide, and the load is "
+            "close to the limit.", *by_size(rows)]
+
+
+def by_size(rows):
     alone = solved(rows)
     measures = {**{stage: f"{stage}, s" for stage in STAGES},
                 "elapsed": "process, s", "memory": "MiB"}
@@ -29,8 +39,6 @@ def growth(rows):
     best = max((stage for stage in gains if gains[stage] != ""),
                key=gains.get, default=None)
     return [
-        "The same packings with the standard stress and all files, least "
-        "energy, on one process.",
         markdown(["cells", *measures.values()], table),
         "The power of the number of cells with which they grow:",
         markdown(["", *measures], powers),
@@ -143,8 +151,10 @@ def projection(growth_rows, kernel_rows):
 
 
 SECTIONS = {"peers": ("Beside other solvers", peers),
+            "sliding": ("Beside other solvers where blocks slide", sliding),
             "forms": ("The form of the problem", forms),
             "growth": ("Growth", growth),
+            "sliding_growth": ("Growth where blocks slide", sliding_growth),
             "kernels": ("Kernels and the memory", kernels)}
 
 

@@ -47,4 +47,4 @@ def growth(rows, path):
     save(figure, panels[0], path)
 
 
-PLOTS = {function.__name__: function for function in (peers, growth)}
+PLOTS = {"peers": peers, "growth": growth, "sliding_growth": growth}

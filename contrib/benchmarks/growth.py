@@ -3,25 +3,35 @@ import numpy as np
 
 from common import DEVIATOR
 from runs import SOLVED
-from scenes import WAYS, random_cells
+from scenes import STRENGTH, WAYS, random_cells
 
 STAGES = ("packing", "statics", "stress", "output")
 SIZES = (10000, 30000, 100000, 300000, 1000000)
 RANKS = (1, 2)
+SLIDING = 0.17  # s_T, little above the least strength that carries the load
 
 
 def growth(bench):
     """The stages of least energy with the standard stress and all files, by the
     number of cells, on one process and on two."""
+    return by_size(bench, STRENGTH)
+
+
+def sliding_growth(bench):
+    """The same where many joints slide."""
+    return by_size(bench, SLIDING)
+
+
+def by_size(bench, strength):
     rows = []
     for cells in bench.sizes(SIZES, (300, 1000)):
         scene = {**random_cells(cells, DEVIATOR), **WAYS["least energy"],
-                 "Output/Verbosity": 0}
+                 "Friction/Strength": strength, "Output/Verbosity": 0}
         runs = {ranks: [] for ranks in RANKS}
         for repeat in range(bench.repeats):
             for ranks, done in runs.items():
                 done.append(bench.run(scene, ranks))
-                print(f"growth: {repeat + 1}/{bench.repeats}, {cells} cells, "
+                print(f"growth, s_T = {strength}: {repeat + 1}/{bench.repeats}, {cells} cells, "
                       f"{ranks} processes: {done[-1].outcome}, "
                       f"{done[-1].elapsed:.2f} s", flush=True)
         rows += [row(cells, ranks, done) for ranks, done in runs.items()]

@@ -122,8 +122,8 @@ def peers(rows):
         "settings. Tolerances are 1e-7 for feasibility with forces in units of "
         "the largest load, and 1e-10 for this program. Under this load no "
         "joint slides in the state of least energy, which is found by one "
-        "linear system; [accuracy.md](accuracy.md#close-to-collapse) has the "
-        "time close to collapse.",
+        "linear system; [the next table](#beside-other-solvers-where-blocks-"
+        "slide) has those close to the limit of the load.",
         *headline(rows),
         "The largest packing that each has solved, its times there and those "
         f"over the times of `{LEAST_ENERGY}`, and of the fastest formulation, "
@@ -149,3 +149,41 @@ def peers(rows):
             "process / best": "elapsed_over_best", "MiB": "memory",
             "iterations": "iterations", "residual": "residual",
             "violation": "violation"}, left=1)]
+
+
+def sliding(rows):
+    ours = where(rows, solver=LEAST_ENERGY, outcome="solved")
+    worst = max(ours, key=lambda row: row["seconds_over_linear"])
+    nearest = min((row for row in others(rows) if row["outcome"] == "solved"),
+                  key=lambda row: row["seconds_over_least_energy"])
+    default = max(where(rows, solver="compliant", outcome="solved"),
+                  key=lambda row: row["seconds_over_least_energy"])
+    return [
+        "The same packings under shares of the load that they carry at most, "
+        "which is found as a load factor; the strength is raised in place of "
+        "lowering the load.",
+        "- Least energy takes at most "
+        f"{times(worst['seconds_over_linear'])} the time of the one linear "
+        "system that it needs where nothing slides: at "
+        f"{number(worst['cells'])} cells and {worst['share']} of the limit.\n"
+        "- The compliant formulation, the default, takes at most "
+        f"{times(default['seconds_over_least_energy'])} the time of least "
+        f"energy, at {number(default['cells'])} cells and {default['share']} "
+        "of the limit.\n"
+        f"- Of the other solvers the nearest is {nearest['solver']} at "
+        f"{number(nearest['cells'])} cells and {nearest['share']} of the "
+        f"limit: {times(nearest['seconds_over_least_energy'])} the time of "
+        f"least energy, {times(nearest['elapsed_over_least_energy'])} with the "
+        "whole process.",
+        starred(rows),
+        listed(rows, {
+            "cells": "cells", "of the limit": lambda row: f"{row['share']}",
+            "s_T": "strength", "solver": "solver",
+            "form": lambda row: row["form"] or "-",
+            "seconds": outcome_or(lambda row: number(row["seconds"])),
+            "/ linear system": "seconds_over_linear",
+            "/ least energy": "seconds_over_least_energy",
+            "process, s": "elapsed",
+            "process / least energy": "elapsed_over_least_energy",
+            "MiB": "memory", "iterations": "iterations",
+            "residual": "residual", "violation": "violation"}, left=2)]

@@ -23,8 +23,9 @@ def limit_strength(bench, cells):
 
 def sliding(bench):
     """The solvers by the number of cells and the share of the limit load, at
-    each share until it fails; also over the time of least energy where nothing
-    slides, which is that of one linear system."""
+    each share until it fails, or until it takes too long at any; also over the
+    time of least energy where nothing slides, which is that of one linear
+    system."""
     tried = {**dict.fromkeys(TRIED, ""), **best_forms(forms(bench))}
     failed, rows = set(), []
     for cells in bench.sizes(SIZES, (50, 100)):
@@ -57,6 +58,9 @@ def sliding(bench):
                           limit / share, "solver": solver, "form": form,
                           **attempt.row()}
                          for (solver, form), attempt in attempts.items()])]
-            failed |= {(name, share) for (name, _), attempt in attempts.items()
-                       if attempt.outcome != "solved"}
+            for (name, _), attempt in attempts.items():
+                if attempt.outcome == "time limit":
+                    failed |= {(name, any_share) for any_share in SHARES}
+                elif attempt.outcome != "solved":
+                    failed.add((name, share))
     return rows

@@ -6,16 +6,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-/**
- * The imbalance to stop at, over the tolerance: the forces are then those of
- * the minimum to all the digits that are asked for.
- */
-constexpr double imbalance_over_tolerance = 1e-2;
 /** The residual of the linear systems, as good as a step of Newton's is. */
 constexpr double residual_of_systems = 1e-2;
 /** Close to the limit of the load more are needed than Ipopt would. */
@@ -38,12 +34,19 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
   try
   {
     const NewtonControls of_newton = {
-        imbalance_over_tolerance * controls.tolerance,
-        std::min(n_steps, controls.n_max_iterations)};
+        controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
     if (minimise(SharedProblem(problem), newton, of_newton, advance, 0.,
                  terminal)
             .converged())
-      start = {newton.u(), newton.n_iterations(), newton.n_evaluations()};
+    {
+      // One more step: the forces are then those of the minimum to more digits
+      // than their balance asks for.
+      std::vector<double> balanced = newton.u();
+      newton.full_step();
+      start = {newton.imbalance() <= controls.tolerance ? newton.u()
+                                                        : std::move(balanced),
+               newton.n_iterations(), newton.n_evaluations()};
+    }
   }
   catch (const SolverError &)
   {
