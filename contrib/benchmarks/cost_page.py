@@ -16,8 +16,8 @@ def growth(rows):
 
 
 def sliding_growth(rows):
-    return [f"The same with s_T = {SLIDING}: many joints slide, and the load is "
-            "close to the limit.", *by_size(rows)]
+    return [f"The same with s_T = {SLIDING}: many joints slide.",
+            *by_size(rows)]
 
 
 def by_size(rows):

@@ -8,7 +8,7 @@ from scenes import STRENGTH, WAYS, random_cells
 STAGES = ("packing", "statics", "stress", "output")
 SIZES = (10000, 30000, 100000, 300000, 1000000)
 RANKS = (1, 2)
-SLIDING = 0.17  # s_T, little above the least strength that carries the load
+SLIDING = 0.17  # s_T
 
 
 def growth(bench):

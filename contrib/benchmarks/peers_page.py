@@ -90,8 +90,8 @@ def starred(rows):
     loose = [row for row in rows if row["outcome"] == "solved" and
              row["residual"] != "" and
              max(row["residual"], row["violation"]) > BALANCED]
-    names = ", ".join(f"{row['solver']} at {number(row['cells'])} cells"
-                      for row in loose)
+    names = ", ".join(dict.fromkeys(
+        f"{row['solver']} at {number(row['cells'])} cells" for row in loose))
     return (f"Residual or violation above {tables.power(BALANCED)}, with which "
             "this program would not report a state, have the answers of "
             f"{names}." if loose else
