@@ -321,34 +321,36 @@ std::vector<double> SparseFactor::solve(const int system,
   return result;
 }
 
-template <typename Copy>
-void SparseFactor::for_all(const unsigned int n_columns, const Copy &copy) const
+std::vector<double> SparseFactor::reordered(const std::vector<double> &values,
+                                            const unsigned int n_columns,
+                                            const bool to_elimination) const
 {
+  std::vector<double> result(values.size());
   const unsigned int n = blocks.n();
   for (std::size_t c = 0, k = 0; c < n_columns; ++c)
     for (unsigned int b = 0; b < n_bodies; ++b)
       for (unsigned int i = 0; i < n; ++i, ++k)
-        copy(k, c * n_bodies * n + std::size_t(n) * order[b] + i);
+      {
+        const std::size_t unknown =
+            (c * n_bodies + static_cast<std::size_t>(order[b])) * n + i;
+        if (to_elimination)
+          result[k] = values[unknown];
+        else
+          result[unknown] = values[k];
+      }
+  return result;
 }
 
 std::vector<double> SparseFactor::in_order(const std::vector<double> &r,
                                            const unsigned int n_columns) const
 {
-  std::vector<double> result(r.size());
-  for_all(n_columns, [&](const std::size_t eliminated, const std::size_t k) {
-    result[eliminated] = r[k];
-  });
-  return result;
+  return reordered(r, n_columns, true);
 }
 
 std::vector<double> SparseFactor::by_bodies(const std::vector<double> &y,
                                             const unsigned int n_columns) const
 {
-  std::vector<double> result(y.size());
-  for_all(n_columns, [&](const std::size_t eliminated, const std::size_t k) {
-    result[k] = y[eliminated];
-  });
-  return result;
+  return reordered(y, n_columns, false);
 }
 
 std::vector<double> SparseFactor::solve(const std::vector<double> &r,

@@ -28,7 +28,7 @@ int main()
   for (const double strength : {10., 0.3})
   {
     const auto S = tensor(-1.2, 0, 0, -0.8);
-    solve(compliant, S, strength, 40);
+    solve(compliant, S, strength, 12);
     solve(hard, S, strength, 30);
     solve(least_energy, S, strength, 3);
     solve(centre, S, strength, 60);

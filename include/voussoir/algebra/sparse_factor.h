@@ -132,8 +132,9 @@ private:
                                unsigned int n_columns) const;
   std::vector<double> by_bodies(const std::vector<double> &y,
                                 unsigned int n_columns) const;
-  template <typename Copy>
-  void for_all(unsigned int n_columns, const Copy &copy) const;
+  std::vector<double> reordered(const std::vector<double> &values,
+                                unsigned int n_columns,
+                                bool to_elimination) const;
   /** @} */
 
   const JointBlocks blocks;
