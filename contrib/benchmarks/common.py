@@ -8,7 +8,7 @@ import functools
 import numpy as np
 
 from measures import State
-from runs import COLLAPSE, SOLVED
+from runs import SOLVED
 from scenes import FORCES_ONLY, STRENGTH, WAYS, random_cells
 
 DEVIATOR = 0.2  # of the scenes far from collapse
@@ -71,30 +71,24 @@ def picked(outcomes, **labels):
 
 
 @functools.cache
-def limit_of_random_cells(bench, cells, width):
-    """The largest deviator that random cells carry, to the relative width.
-    Asked are least energy and, where it has no answer, the linear program; no
-    answer from both counts as not carried."""
-    low, high = STRENGTH, 1.
-    while high - low > width * high:
-        deviator = (low + high) / 2
-        for way in ("least energy", "linear program"):
-            status = bench.run({**random_cells(cells, deviator), **WAYS[way],
-                                **FORCES_ONLY}).status
-            if status in (SOLVED, COLLAPSE):
-                break
-        low, high = ((deviator, high) if status == SOLVED
-                     else (low, deviator))
-    print(f"{cells} random cells carry a deviator between {low:.9g} and "
-          f"{high:.9g}", flush=True)
-    return low
+def limit_of_random_cells(bench, cells):
+    """The largest deviator that random cells carry, by a load factor; None if
+    it is not found."""
+    run = bench.run({**random_cells(cells, 0), **FORCES_ONLY,
+                     "Analysis": "load factor",
+                     "Live loads/Boundary load": "uniform stress",
+                     "Live loads/Stress": "-1, 0; 0, 1"})
+    if run.status != SOLVED:
+        print(f"{cells} random cells: {run.outcome}", flush=True)
+        return None
+    limit = run.summary["load_factor"]["carried"]
+    print(f"{cells} random cells carry a deviator of {limit:.9g}", flush=True)
+    return limit
 
 
 def close_to_collapse(bench, cells):
     """Random cells under 0.99 of the deviator that they carry."""
-    width = bench.sized(1e-4, 0.02)
-    limit = limit_of_random_cells(bench, cells, width)
-    return random_cells(cells, CLOSE * limit)
+    return random_cells(cells, CLOSE * limit_of_random_cells(bench, cells))
 
 
 def far_and_close(bench):

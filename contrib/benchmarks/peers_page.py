@@ -160,9 +160,9 @@ def sliding(rows):
     default = max(where(compliant, cells=compliant[-1]["cells"]),
                   key=lambda row: row["seconds_over_least_energy"])
     return [
-        "The same packings under shares of the load that they carry at most, "
-        "which is found as a load factor; the strength is raised in place of "
-        "lowering the load.",
+        "The same packings with the same strength, under shares of the largest "
+        "deviator d that they carry in the stress diag(-1 - d, -1 + d), found "
+        "as a load factor.",
         "- Least energy takes at most "
         f"{times(worst['seconds_over_linear'])} the time of the one linear "
         "system that it needs where nothing slides: at "
@@ -179,7 +179,7 @@ def sliding(rows):
         starred(rows),
         listed(rows, {
             "cells": "cells", "of the limit": lambda row: f"{row['share']}",
-            "s_T": "strength", "solver": "solver",
+            "d": "deviator", "solver": "solver",
             "form": lambda row: row["form"] or "-",
             "seconds": outcome_or(lambda row: number(row["seconds"])),
             "/ linear system": "seconds_over_linear",

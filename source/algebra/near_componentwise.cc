@@ -15,11 +15,12 @@ namespace
 {
 /**
  * The factor by which the tangential coefficient may be above or below the sum
- * of the contacts: each iteration then halves the error at least, and the
- * iterations for a step take less time than a factorisation of all unknowns.
+ * of the contacts. Below, as with smoothed friction, each iteration then halves
+ * the error at least, and the iterations for a step take less time than a
+ * factorisation of all unknowns.
  */
 constexpr double largest_factor = 8.;
-/** More than that factor needs for any residual that is asked for. */
+/** More than that needs for any residual that is asked for. */
 constexpr unsigned int n_max_iterations = 30;
 
 double sum_of_contacts(const double *a, const unsigned int n_contacts)

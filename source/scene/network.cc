@@ -10,8 +10,7 @@ namespace Voussoir
 {
 namespace
 {
-/** Each edge has its number; that of the reverse one differs in the last bit.
- */
+/** Each edge has its number, and its reverse that but for the last bit. */
 using Graph = boost::compressed_sparse_row_graph<boost::directedS,
                                                  boost::no_property,
                                                  std::uint32_t,

@@ -15,9 +15,10 @@ namespace Voussoir
  * Translations of which the two components come apart but for a little: in each
  * joint the tangential coefficient is not far from the sum of those of the
  * contacts. Where it is this sum Componentwise solves, and that is the
- * preconditioner of conjugate gradients here. If the two differ by a factor of
- * up to r, each iteration reduces the error by (sqrt(r) - 1) / (sqrt(r) + 1)
- * or more, whatever the size of the packing. For a process that is alone.
+ * preconditioner of conjugate gradients here. If the tangential ones are
+ * smaller by factors of up to r, each iteration reduces the error by (sqrt(r) -
+ * 1) / (sqrt(r) + 1) or more, whatever the size of the packing; if some are
+ * larger as well, by (r - 1) / (r + 1). For a process that is alone.
  */
 class NearComponentwise : public LinearMethod
 {
