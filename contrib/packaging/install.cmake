@@ -37,7 +37,8 @@ install(TARGETS libvoussoir EXPORT VoussoirTargets COMPONENT development
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/voussoir ${CMAKE_BINARY_DIR}/include/voussoir
   DESTINATION include COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN python EXCLUDE PATTERN precompiled.h EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN python EXCLUDE
+  PATTERN precompiled.h EXCLUDE PATTERN gdal_library.h EXCLUDE)
 install(EXPORT VoussoirTargets NAMESPACE Voussoir:: DESTINATION ${_cmake}
   COMPONENT development)
 configure_package_config_file(${_packaging}/VoussoirConfig.cmake.in
@@ -95,14 +96,21 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libvoussoir-dev)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-voussoir)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-# Found through a directory of its own; see doc/developers.md.
+# Libraries that dpkg-shlibdeps does not see: the BLAS has a directory of its own
+# (see doc/developers.md), and GDAL is loaded when a file asks for it.
+set(_depends "")
 if(VOUSSOIR_OPENBLAS AND OPENBLAS_LIBRARY)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libopenblas0-pthread)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "libopenblas0-pthread, python3, python3-numpy")
+  list(APPEND _depends libopenblas0-pthread)
 endif()
+if(VOUSSOIR_GDAL)
+  string(REPLACE ".so." "" _package ${VOUSSOIR_GDAL_LIBRARY})
+  list(APPEND _depends ${_package})
+endif()
+string(REPLACE ";" ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${_depends}")
+list(APPEND _depends python3 python3-numpy)
+string(REPLACE ";" ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${_depends}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "cmake, g++, coinor-libclp-dev, coinor-libipopt-dev, libboost-dev, libboost-program-options-dev, libcgal-dev, libdeal.ii-dev, libgdal-dev, liblz4-dev, libsuitesparse-dev, mpi-default-dev, nlohmann-json3-dev, zlib1g-dev")
+  "cmake, g++, coinor-libclp-dev, coinor-libipopt-dev, libboost-dev, libboost-program-options-dev, libcgal-dev, libdeal.ii-dev, liblz4-dev, libsuitesparse-dev, mpi-default-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "paraview, python3-voussoir")
 
 foreach(_name ${_names})

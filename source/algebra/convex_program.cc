@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/convex_program.h>
 #include <voussoir/base/text.h>
+#include <voussoir/parallel/begin_mpi.h>
 
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
@@ -261,6 +262,7 @@ IpoptResult solve_with_ipopt(ConvexProgram &program,
   // MUMPS keeps its state in variables of the whole program.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
+  begin_mpi();
   const Ipopt::SmartPtr<Adapter> adapter =
       new Adapter(program, std::move(start), controls, stops, terminal);
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt =

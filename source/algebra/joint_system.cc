@@ -7,6 +7,7 @@
 #include <voussoir/algebra/near_componentwise.h>
 #include <voussoir/algebra/rotation_complement.h>
 #include <voussoir/algebra/substructures.h>
+#include <voussoir/parallel/begin_mpi.h>
 
 #include <limits>
 #include <utility>
@@ -61,7 +62,10 @@ std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
             (apart ? n_bodies_for_multigrid_of_one : n_bodies_for_multigrid);
   }
   if (!direct)
+  {
+    begin_mpi();
     return std::make_unique<Multigrid>(blocks);
+  }
   if (is_shared)
     return std::make_unique<Substructures>(blocks);
   return std::make_unique<Cholesky>(blocks);

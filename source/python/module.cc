@@ -4,6 +4,7 @@
 #include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/output/summary.h>
+#include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
 #include <voussoir/result_writer.h>
 #include <voussoir/scene/reactions.h>
@@ -15,7 +16,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <fstream>
-#include <mpi.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <sstream>
@@ -26,24 +26,6 @@ namespace
 {
 namespace py = pybind11;
 using Json = nlohmann::ordered_json;
-
-/** MPI, which Trilinos needs even on one process, unless others have begun it.
- */
-void begin_mpi()
-{
-  int is_there = 0;
-  MPI_Initialized(&is_there);
-  if (is_there)
-    return;
-  int provided;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
-  py::module_::import("atexit").attr("register")(py::cpp_function([] {
-    int has_ended = 0;
-    MPI_Finalized(&has_ended);
-    if (!has_ended)
-      MPI_Finalize();
-  }));
-}
 
 /** A value of Python's as it stands in a .prm file. */
 std::string text_of(const py::handle &value)
@@ -417,7 +399,9 @@ PYBIND11_MODULE(voussoir, module)
       "packing. Numbers are in the user's units: L is a length, S a stress, "
       "and a force is per unit thickness, S L. Tension is positive.";
   module.attr("__version__") = VOUSSOIR_VERSION;
-  begin_mpi();
+  // Of several processes all must begin it.
+  if (started_by_mpirun())
+    begin_mpi();
   prepare_blas();
   py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
   py::register_exception<SolverError>(module, "SolverError",

@@ -5,19 +5,36 @@
 #include <voussoir/packing/polygons/readers.h>
 
 #ifdef VOUSSOIR_WITH_GDAL
-#include <ogrsf_frmts.h>
+#include <voussoir/packing/polygons/gdal_library.h>
 #endif
+
+#include <memory>
 
 namespace Voussoir
 {
 #ifdef VOUSSOIR_WITH_GDAL
 namespace
 {
+const GdalLibrary &gdal()
+{
+  static const GdalLibrary library(VOUSSOIR_GDAL_LIBRARY);
+  return library;
+}
+
+/** Something of GDAL's that is given back by @p destroy. */
+using Owned = std::unique_ptr<void, void (*)(void *)>;
+
 /** Keeps the messages that GDAL would print, while it lives. */
 class GdalMessages
 {
 public:
-  GdalMessages() : pusher(&GdalMessages::keep, this) { CPLErrorReset(); }
+  GdalMessages()
+  {
+    gdal().CPLPushErrorHandlerEx(&GdalMessages::keep, this);
+    gdal().CPLErrorReset();
+  }
+  GdalMessages(const GdalMessages &) = delete;
+  ~GdalMessages() { gdal().CPLPopErrorHandler(); }
 
   /** The first error, in parentheses; empty if there was none. */
   std::string error() const
@@ -31,14 +48,12 @@ public:
 private:
   static void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char *what)
   {
-    auto *messages = static_cast<GdalMessages *>(CPLGetErrorHandlerUserData());
+    auto *messages = static_cast<GdalMessages *>(gdal().CPLGetErrorHandlerUserData());
     std::string &first = severity >= CE_Failure ? messages->first_error
                                                 : messages->first_warning;
     if (severity >= CE_Warning && first.empty())
       first = what;
   }
-
-  CPLErrorHandlerPusher pusher;
 };
 
 /** Reads one file; one object, used once. */
@@ -53,20 +68,19 @@ public:
 
   PolygonList read()
   {
-    if (!std::filesystem::exists(list.file))
-      refuse_file("does not exist. Paths in a .prm file start at the directory "
-                  "of that file.");
-    // libxml2, which GDAL starts, computes 0/0 for its own NaN.
-    const InvalidOperationsAllowed allowed;
-    GDALAllRegister();
-    const GDALDatasetUniquePtr dataset(
-        GDALDataset::Open(list.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY |
-                                                 GDAL_OF_VERBOSE_ERROR));
+    gdal().GDALAllRegister();
+    const Owned dataset(
+        gdal().GDALOpenEx(list.file.c_str(),
+                          GDAL_OF_VECTOR | GDAL_OF_READONLY |
+                              GDAL_OF_VERBOSE_ERROR,
+                          nullptr, nullptr, nullptr),
+        [](void *which) { gdal().GDALClose(which); });
     if (dataset == nullptr)
       refuse_file("is of no format that GDAL reads" + messages.error() +
                   "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
-    for (OGRLayer *layer : dataset->GetLayers())
-      read_layer(*layer);
+    const int n_layers = gdal().GDALDatasetGetLayerCount(dataset.get());
+    for (int i = 0; i < n_layers; ++i)
+      read_layer(gdal().GDALDatasetGetLayer(dataset.get(), i));
     if (list.polygons.empty())
       refuse_file("has no polygons and no closed lines" + messages.error() +
                   "; a packing needs at least one.");
@@ -95,38 +109,42 @@ private:
                      fault);
   }
 
-  void read_layer(OGRLayer &layer)
+  void read_layer(const OGRLayerH layer)
   {
-    const OGRFeatureDefn &fields = *layer.GetLayerDefn();
+    const OGRFeatureDefnH fields = gdal().OGR_L_GetLayerDefn(layer);
     int group_field = -1;
     for (const char *name : {"group", "name", "Layer"})
       if (group_field < 0)
-        group_field = fields.GetFieldIndex(name);
+        group_field = gdal().OGR_FD_GetFieldIndex(fields, name);
 
-    layer.ResetReading();
-    for (OGRFeatureUniquePtr next(layer.GetNextFeature()); next != nullptr;
-         next.reset(layer.GetNextFeature()))
+    gdal().OGR_L_ResetReading(layer);
+    for (Owned next(gdal().OGR_L_GetNextFeature(layer), gdal().OGR_F_Destroy);
+         next != nullptr; next.reset(gdal().OGR_L_GetNextFeature(layer)))
     {
       ++feature;
-      group = group_field < 0 || !next->IsFieldSetAndNotNull(group_field)
+      group = group_field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(
+                                     next.get(), group_field)
                   ? ""
-                  : next->GetFieldAsString(group_field);
-      const OGRGeometry *geometry = next->GetGeometryRef();
+                  : gdal().OGR_F_GetFieldAsString(next.get(), group_field);
+      const OGRGeometryH geometry = gdal().OGR_F_GetGeometryRef(next.get());
       try_to([&] {
         if (geometry == nullptr)
           refuse("has no geometry" + messages.error() + "; delete it.");
       });
       if (geometry == nullptr)
         continue;
-      has_z |= geometry->Is3D();
-      if (geometry->hasCurveGeometry(true))
+      has_z |= gdal().OGR_G_Is3D(geometry) != 0;
+      if (gdal().OGR_G_HasCurveGeometry(geometry, true))
       {
         has_curves = true;
-        const OGRGeometryUniquePtr straight(geometry->getLinearGeometry());
-        read_geometry(*straight);
+        constexpr double usual_angle = 0.;
+        const Owned straight(
+            gdal().OGR_G_GetLinearGeometry(geometry, usual_angle, nullptr),
+            gdal().OGR_G_DestroyGeometry);
+        read_geometry(straight.get());
       }
       else
-        read_geometry(*geometry);
+        read_geometry(geometry);
     }
     if (!messages.first_error.empty())
       refuse_file(text("cannot be read beyond feature ", feature,
@@ -135,59 +153,63 @@ private:
                        "program that wrote it."));
   }
 
-  void read_geometry(const OGRGeometry &geometry)
+  void read_geometry(const OGRGeometryH geometry)
   {
-    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-    if (geometry.IsEmpty())
+    const OGRwkbGeometryType type =
+        gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(geometry));
+    const auto is_a = [type](const OGRwkbGeometryType other) {
+      return gdal().OGR_GT_IsSubClassOf(type, other) != 0;
+    };
+    if (gdal().OGR_G_IsEmpty(geometry))
       try_to([&] { refuse("is empty; delete it."); });
-    else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) ||
-             OGR_GT_IsSubClassOf(type, wkbMultiSurface))
-      for (const OGRGeometry *part : *geometry.toGeometryCollection())
-        read_geometry(*part);
-    else if (OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface))
-      for (const OGRPolygon *part : *geometry.toPolyhedralSurface())
-        try_to([&] { read_polygon(*part); });
-    else if (OGR_GT_IsSubClassOf(type, wkbPolygon))
-      try_to([&] { read_polygon(*geometry.toPolygon()); });
+    else if (is_a(wkbGeometryCollection) || is_a(wkbMultiSurface) ||
+             is_a(wkbPolyhedralSurface))
+      for (int i = 0; i < gdal().OGR_G_GetGeometryCount(geometry); ++i)
+        read_geometry(gdal().OGR_G_GetGeometryRef(geometry, i));
+    else if (is_a(wkbPolygon))
+      try_to([&] { read_polygon(geometry); });
     else if (type == wkbLineString)
-      try_to([&] { read_line(*geometry.toLineString()); });
+      try_to([&] { read_line(geometry); });
     else if (n_left_out++ == 0)
-      first_left_out =
-          text("feature ", feature, ", a ", OGRGeometryTypeToName(type));
+      first_left_out = text("feature ", feature, ", a ",
+                            gdal().OGRGeometryTypeToName(type));
   }
 
-  void read_polygon(const OGRPolygon &polygon)
+  void read_polygon(const OGRGeometryH polygon)
   {
-    if (polygon.getNumInteriorRings() > 0)
+    if (gdal().OGR_G_GetGeometryCount(polygon) > 1)
       refuse("has a hole; a cell is one loop, so cut it into cells without "
              "holes.",
              Kind::hole);
-    add(*polygon.getExteriorRing());
+    add(points_of(gdal().OGR_G_GetGeometryRef(polygon, 0)));
   }
 
-  void read_line(const OGRLineString &line)
+  void read_line(const OGRGeometryH line)
   {
-    if (!line.get_IsClosed())
-    {
-      OGRPoint start, end;
-      line.StartPoint(&start);
-      line.EndPoint(&end);
-      refuse("is a line from " + text_of_point({start.getX(), start.getY()}) +
-                 " to " + text_of_point({end.getX(), end.getY()}) +
+    const std::vector<dealii::Point<2>> points = points_of(line);
+    if (points.size() < 2 || !(points.front() == points.back()))
+      refuse("is a line from " + text_of_point(points.front()) + " to " +
+                 text_of_point(points.back()) +
                  " that is not closed; close it, or delete it if it bounds no "
                  "cell.",
              Kind::not_closed);
-    }
-    add(line);
+    add(points);
   }
 
-  void add(const OGRLineString &line)
+  static std::vector<dealii::Point<2>> points_of(const OGRGeometryH line)
   {
+    std::vector<dealii::Point<2>> points;
+    for (int i = 0; i < gdal().OGR_G_GetPointCount(line); ++i)
+      points.emplace_back(gdal().OGR_G_GetX(line, i), gdal().OGR_G_GetY(line, i));
+    return points;
+  }
+
+  void add(std::vector<dealii::Point<2>> points)
+  {
+    if (points.size() > 1 && points.front() == points.back())
+      points.pop_back();
     PolygonList::Polygon polygon;
-    for (int i = 0; i < line.getNumPoints(); ++i)
-      polygon.ring.emplace_back(line.getX(i), line.getY(i));
-    if (polygon.ring.size() > 1 && polygon.ring.front() == polygon.ring.back())
-      polygon.ring.pop_back();
+    polygon.ring = std::move(points);
     polygon.group = group;
     polygon.record = feature;
     list.polygons.push_back(polygon);
@@ -225,6 +247,12 @@ private:
 
 PolygonList read_ogr_file(const std::filesystem::path &file)
 {
+  if (!std::filesystem::exists(file))
+    throw InputError("The file of polygons '" + file.string() +
+                     "' does not exist. Paths in a .prm file start at the "
+                     "directory of that file.");
+  // libxml2, which GDAL starts, computes 0/0 for its own NaN.
+  const InvalidOperationsAllowed allowed;
   return OgrReader(file).read();
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_parallel_begin_mpi_h
+#define voussoir_parallel_begin_mpi_h
+
+namespace Voussoir
+{
+/**
+ * True if a launcher of MPI started the program, which may give it a terminal
+ * whatever its own output is (Open MPI; others by PMI or PMIx). To be asked
+ * before MPI begins, which sets these variables itself.
+ */
+bool started_by_mpirun();
+
+/**
+ * Begin MPI unless others have, until the program ends. One process alone needs
+ * it for Trilinos and for Ipopt's MUMPS only, and would wait for it longer than
+ * for a small solve. Signals stay with those that handle them.
+ */
+void begin_mpi();
+} // namespace Voussoir
+
+#endif

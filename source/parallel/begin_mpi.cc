@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/parallel/begin_mpi.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <mpi.h>
+#include <mutex>
+
+namespace Voussoir
+{
+namespace
+{
+/** Gives the program's handlers of signals back, which MPI replaces. */
+class SignalsKept
+{
+public:
+  SignalsKept()
+  {
+    for (std::size_t i = 0; i < handlers.size(); ++i)
+      sigaction(i + 1, nullptr, &handlers[i]);
+  }
+  SignalsKept(const SignalsKept &) = delete;
+  ~SignalsKept()
+  {
+    for (std::size_t i = 0; i < handlers.size(); ++i)
+      sigaction(i + 1, &handlers[i], nullptr);
+  }
+
+private:
+  std::array<struct sigaction, 31> handlers = {};
+};
+
+/**
+ * Open MPI then starts no process beside the program and looks for no network,
+ * which would take as long as all the rest of a small run. All programs that
+ * are alone would share one directory for their session, which one may remove
+ * while another begins: there is none. What the user has set stays.
+ */
+void expect_no_other_process()
+{
+  constexpr bool overwrite = false;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrite);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", overwrite);
+  setenv("OMPI_MCA_pml", "ob1", overwrite);
+  setenv("OMPI_MCA_btl", "self", overwrite);
+}
+
+void end_mpi()
+{
+  int has_ended = 0;
+  MPI_Finalized(&has_ended);
+  if (!has_ended)
+    MPI_Finalize();
+}
+} // namespace
+
+bool started_by_mpirun()
+{
+  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr)
+      return true;
+  return false;
+}
+
+void begin_mpi()
+{
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  int has_begun = 0;
+  MPI_Initialized(&has_begun);
+  if (has_begun)
+    return;
+  if (!started_by_mpirun())
+    expect_no_other_process();
+  const SignalsKept kept;
+  int provided;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  std::atexit(end_mpi);
+}
+} // namespace Voussoir
