@@ -7,6 +7,8 @@
 #include "tests.h"
 
 #ifdef VOUSSOIR_WITH_GDAL
+#include <voussoir/packing/polygons/gdal_library.h>
+
 #include <ogrsf_frmts.h>
 #endif
 
@@ -69,6 +71,26 @@ void check_refusal(const std::string &what,
   }
 }
 
+/** A GDAL that is not there. */
+void check_missing_library()
+{
+  try
+  {
+    const GdalLibrary library("libgdal.so.0");
+    check("a missing GDAL is refused", false);
+  }
+  catch (const InputError &error)
+  {
+    check("a missing GDAL is refused",
+          error.what() ==
+              std::string("GDAL, which reads all polygons but .wkt and .off, "
+                          "cannot be loaded: libgdal.so.0: cannot open shared "
+                          "object file: No such file or directory. Install "
+                          "GDAL (Debian: libgdal-dev), or save the polygons "
+                          "as .wkt or .off."));
+  }
+}
+
 /** Write the two squares in a binary format, by GDAL itself. */
 void write_squares(const std::string &format, const std::string &file)
 {
@@ -116,6 +138,11 @@ bool says_what_to_install(const std::string &file)
     return std::string(error.what()).find("VOUSSOIR_GDAL=ON") !=
            std::string::npos;
   }
+}
+
+void check_missing_library()
+{
+  check("a missing GDAL is refused", says_what_to_install("squares.dxf"));
 }
 
 void check_ogr(const std::string &what,
@@ -236,6 +263,7 @@ void test_ogr()
   write_squares("ESRI Shapefile", "squares.shp");
   check_ogr("Shapefile", "squares.shp");
 
+  check_missing_library();
   std::filesystem::remove("missing.dxf");
   check_refusal("a missing file", "missing.dxf", "does not exist");
   write_file("squares.geojson", "nonsense");

@@ -9,6 +9,7 @@
 #endif
 
 #include <memory>
+#include <type_traits>
 
 namespace Voussoir
 {
@@ -21,8 +22,9 @@ const GdalLibrary &gdal()
   return library;
 }
 
-/** Something of GDAL's that is given back by @p destroy. */
-using Owned = std::unique_ptr<void, void (*)(void *)>;
+/** Something of GDAL's with the function that gives it back. */
+template <typename Handle>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, void (*)(Handle)>;
 
 /** Keeps the messages that GDAL would print, while it lives. */
 class GdalMessages
@@ -48,7 +50,8 @@ public:
 private:
   static void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char *what)
   {
-    auto *messages = static_cast<GdalMessages *>(gdal().CPLGetErrorHandlerUserData());
+    auto *messages =
+        static_cast<GdalMessages *>(gdal().CPLGetErrorHandlerUserData());
     std::string &first = severity >= CE_Failure ? messages->first_error
                                                 : messages->first_warning;
     if (severity >= CE_Warning && first.empty())
@@ -69,12 +72,12 @@ public:
   PolygonList read()
   {
     gdal().GDALAllRegister();
-    const Owned dataset(
+    const Owned<GDALDatasetH> dataset(
         gdal().GDALOpenEx(list.file.c_str(),
                           GDAL_OF_VECTOR | GDAL_OF_READONLY |
                               GDAL_OF_VERBOSE_ERROR,
                           nullptr, nullptr, nullptr),
-        [](void *which) { gdal().GDALClose(which); });
+        [](const GDALDatasetH which) { gdal().GDALClose(which); });
     if (dataset == nullptr)
       refuse_file("is of no format that GDAL reads" + messages.error() +
                   "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
@@ -118,12 +121,13 @@ private:
         group_field = gdal().OGR_FD_GetFieldIndex(fields, name);
 
     gdal().OGR_L_ResetReading(layer);
-    for (Owned next(gdal().OGR_L_GetNextFeature(layer), gdal().OGR_F_Destroy);
+    for (Owned<OGRFeatureH> next(gdal().OGR_L_GetNextFeature(layer),
+                                 gdal().OGR_F_Destroy);
          next != nullptr; next.reset(gdal().OGR_L_GetNextFeature(layer)))
     {
       ++feature;
-      group = group_field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(
-                                     next.get(), group_field)
+      group = group_field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(next.get(),
+                                                                    group_field)
                   ? ""
                   : gdal().OGR_F_GetFieldAsString(next.get(), group_field);
       const OGRGeometryH geometry = gdal().OGR_F_GetGeometryRef(next.get());
@@ -138,7 +142,7 @@ private:
       {
         has_curves = true;
         constexpr double usual_angle = 0.;
-        const Owned straight(
+        const Owned<OGRGeometryH> straight(
             gdal().OGR_G_GetLinearGeometry(geometry, usual_angle, nullptr),
             gdal().OGR_G_DestroyGeometry);
         read_geometry(straight.get());
@@ -171,8 +175,8 @@ private:
     else if (type == wkbLineString)
       try_to([&] { read_line(geometry); });
     else if (n_left_out++ == 0)
-      first_left_out = text("feature ", feature, ", a ",
-                            gdal().OGRGeometryTypeToName(type));
+      first_left_out =
+          text("feature ", feature, ", a ", gdal().OGRGeometryTypeToName(type));
   }
 
   void read_polygon(const OGRGeometryH polygon)
@@ -200,7 +204,8 @@ private:
   {
     std::vector<dealii::Point<2>> points;
     for (int i = 0; i < gdal().OGR_G_GetPointCount(line); ++i)
-      points.emplace_back(gdal().OGR_G_GetX(line, i), gdal().OGR_G_GetY(line, i));
+      points.emplace_back(gdal().OGR_G_GetX(line, i),
+                          gdal().OGR_G_GetY(line, i));
     return points;
   }
 

@@ -4,7 +4,6 @@
 
 #include <gdal.h>
 #include <ogr_api.h>
-
 #include <string>
 
 namespace Voussoir
@@ -36,7 +35,7 @@ public:
   explicit GdalLibrary(const std::string &name);
 
 // Says the name once instead of three times.
-#define VOUSSOIR_OF_GDAL(name) \
+#define VOUSSOIR_OF_GDAL(name)                                                 \
   decltype(::name) *const name = find<decltype(::name)>(#name)
   VOUSSOIR_OF_GDAL(CPLErrorReset);
   VOUSSOIR_OF_GDAL(CPLGetErrorHandlerUserData);
