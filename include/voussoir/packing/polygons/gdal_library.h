@@ -34,6 +34,7 @@ public:
    */
   explicit GdalLibrary(const std::string &name);
 
+/** @cond */ // GDAL's own names
 // Says the name once instead of three times.
 #define VOUSSOIR_OF_GDAL(name)                                                 \
   decltype(::name) *const name = find<decltype(::name)>(#name)
@@ -69,6 +70,7 @@ public:
   VOUSSOIR_OF_GDAL(OGR_L_GetNextFeature);
   VOUSSOIR_OF_GDAL(OGR_L_ResetReading);
 #undef VOUSSOIR_OF_GDAL
+  /** @endcond */
 };
 } // namespace Voussoir
 
