@@ -47,7 +47,7 @@ enum class LinearSolver
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see
  * Substructures. `multigrid` is the method of conjugate gradients with
- * Trilinos' algebraic multigrid ML, which needs MPI to be initialised.
+ * Trilinos' algebraic multigrid ML, for which MPI begins.
  * `automatic` takes what is faster at the size of the problem.
  * prepare() and solve() are collective.
  */

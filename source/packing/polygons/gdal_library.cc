@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifdef VOUSSOIR_WITH_GDAL
 #include <voussoir/base/exceptions.h>
 #include <voussoir/packing/polygons/gdal_library.h>
 
@@ -31,4 +30,3 @@ void *GdalLibrary::address_of(const char *name) const
   return address;
 }
 } // namespace Voussoir
-#endif

@@ -4,7 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/readers.h>
 
-#ifdef VOUSSOIR_WITH_GDAL
+#ifdef VOUSSOIR_GDAL_LIBRARY
 #include <voussoir/packing/polygons/gdal_library.h>
 #endif
 
@@ -13,7 +13,7 @@
 
 namespace Voussoir
 {
-#ifdef VOUSSOIR_WITH_GDAL
+#ifdef VOUSSOIR_GDAL_LIBRARY
 namespace
 {
 const GdalLibrary &gdal()
