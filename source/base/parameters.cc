@@ -66,7 +66,8 @@ void add_paths(const nlohmann::ordered_json &section,
 
 /**
  * "; did you mean 'Friction/Strength'?", or ".": one beside it if @p place,
- * "--set Friction/Strenght=1", names its section.
+ * "--set Friction/Strenght=1", names its section. Of a name that exists, but
+ * outside of the section in which it was sought, it says so.
  */
 std::string did_you_mean(const dealii::ParameterHandler &prm,
                          const std::string &name,
@@ -75,6 +76,8 @@ std::string did_you_mean(const dealii::ParameterHandler &prm,
 {
   std::vector<std::string> paths, beside;
   add_paths(tree_of(prm), "", of_sections, paths);
+  if (std::find(paths.begin(), paths.end(), name) != paths.end())
+    return ", but there is one outside of all sections.";
   for (const std::string &path : paths)
     if (place.find(' ' + path.substr(0, path.rfind('/') + 1) + name) !=
         std::string::npos)

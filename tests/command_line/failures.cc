@@ -52,6 +52,7 @@ int main()
   run({"scene.prm", "--set", "nonsense"});
   run({"scene.prm", "--set", "Friction/Strenght=1"});
   run({"scene.prm", "--set", "Frictions/Strength=1"});
+  run({"scene.prm", "--set", "Load factor/Analysis=state"});
   run({"scene.prm", "--set", "Packing/Generator=magic"});
 
   // The parameter file
