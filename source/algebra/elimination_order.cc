@@ -55,8 +55,8 @@ Order constrained_by_degree(cholmod_sparse &graph,
 }
 
 /**
- * Nested dissection of those that are not last. Their separators are as if the
- * last were the first separator of all, which is what they are.
+ * Nested dissection of those that are not last, which are the first separator
+ * of all.
  */
 Order constrained_by_dissection(cholmod_sparse &graph,
                                 const std::vector<bool> &is_last,

@@ -15,7 +15,8 @@ namespace Voussoir
  * It is found for the bodies, not for their unknowns, which follow each other:
  * the graph is smaller by the square of their number. CHOLMOD's minimum degree
  * (AMD) finds it, and where the factors would be large its nested dissection
- * (METIS) is tried as well.
+ * (METIS) is tried as well. Where bodies are to be last, minimum degree is told
+ * so (CAMD), and nested dissection orders the others alone.
  *
  * @param graph the pattern of the lower triangle of a matrix with one row for
  *   each body.
