@@ -179,8 +179,12 @@ Findings Study::find_factor(Given given)
   show_loads(terminal, scene);
   RunRecord record = record_of(scene);
   if (!search.answer.factor)
-    return {std::move(owned),
-            Collapse(record, prove(scene, std::move(search.answer.collapse)))};
+  {
+    Collapse collapse(record, prove(scene, std::move(search.answer.collapse)));
+    collapse.of_dead_loads =
+        load_factor.factor() == LoadFactorParameters::Factor::live_loads;
+    return {std::move(owned), std::move(collapse)};
+  }
 
   LoadFactor &factor = *search.answer.factor;
   record.formulation = "load factor";

@@ -2,6 +2,7 @@
 #include <voussoir/output/csv.h>
 #include <voussoir/output/text_lines.h>
 #include <voussoir/scene/jumps.h>
+#include <voussoir/scene/utilisation.h>
 
 #include <array>
 #include <cmath>
@@ -85,12 +86,13 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
                           : "")
       << ",branch_x,branch_y\n";
   const auto &interfaces = scene.packing.interfaces();
+  const Utilisation utilisation(scene, results.forces);
   write_lines(out, interfaces.size(), [&](TextLines &line, unsigned int e) {
     const Packing::Interface &i = interfaces[e];
     line.row(i.cell_minus, number_of_plus(scene.packing, i), i.start[0],
              i.start[1], i.end[0], i.end[1], i.normal[0], i.normal[1], i.length,
              results.forces.normal[e], results.forces.tangential[e],
-             scene.strength[e], utilisation(scene, results.forces, e));
+             scene.strength[e], utilisation(e));
     if (marked)
       line << ',' << int(results.never_pressed[e]) << ','
            << int(results.always_sliding[e]);

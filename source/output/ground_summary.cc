@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/ground_summary.h>
+#include <voussoir/scene/utilisation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +81,10 @@ double largest_reaction(const Results &results)
 /** The interfaces of which the most of the strength is used, in that order. */
 std::vector<std::pair<double, unsigned int>> most_used(const Results &results)
 {
+  const Utilisation utilisation(results.scene, results.forces);
   std::vector<std::pair<double, unsigned int>> joints;
   for (unsigned int e = 0; e < results.forces.normal.size(); ++e)
-    joints.emplace_back(-utilisation(results.scene, results.forces, e), e);
+    joints.emplace_back(-utilisation(e), e);
   const std::size_t n = std::min(n_most_used, joints.size());
   std::partial_sort(joints.begin(), joints.begin() + n, joints.end());
   joints.resize(n);

@@ -3,6 +3,7 @@
 #include <voussoir/output/vtu_file.h>
 #include <voussoir/output/vtu_values.h>
 #include <voussoir/scene/jumps.h>
+#include <voussoir/scene/utilisation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,8 +139,9 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
     });
   }
   add("strength", [&](std::size_t e) { return scalar(scene.strength[e]); });
+  const Utilisation utilisation(scene, forces);
   add("utilisation",
-      [&](std::size_t e) { return scalar(utilisation(scene, forces, e)); });
+      [utilisation](std::size_t e) { return scalar(utilisation(e)); });
   add("cell_minus", [&](std::size_t e) {
     return scalar(std::int32_t(interfaces[e].cell_minus));
   });

@@ -135,7 +135,13 @@ std::string message_of(const Collapse &collapse, const std::string &files)
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
   const bool crushes = !collapse.scene.compressive_strength.empty();
-  if (crushes)
+  const bool of_dead = collapse.of_dead_loads;
+  if (of_dead)
+    message << "The dead loads alone, without 'Live loads', are not carried: "
+               "along a mechanism of the blocks "
+            << (crushes ? "in which joints may crush they do "
+                        : "that closes no joint they do ");
+  else if (crushes)
     message << "The load is not carried: along a mechanism of the blocks in "
                "which joints may crush it does ";
   else
@@ -147,7 +153,8 @@ std::string message_of(const Collapse &collapse, const std::string &files)
   else
     message << "work that friction does not resist";
   message << ", so that no forces within the strengths of the interfaces "
-             "balance it";
+             "balance "
+          << (of_dead ? "them" : "it");
   if (std::isfinite(collapse.proof.work_over_dissipation))
     message
         << "; these would have to be at least that many times as large, and "
@@ -169,6 +176,9 @@ std::string message_of(const Collapse &collapse, const std::string &files)
             << " 'Loads' or raise 'Friction/"
             << (collapse.scene.coefficient.empty() ? "Strength" : "Coefficient")
             << "'.";
+  if (of_dead)
+    message << " Whether they are carried beside some factor of 'Live loads' "
+               "was not looked into.";
   return message.str();
 }
 } // namespace Voussoir

@@ -155,7 +155,8 @@ void write_summary_json(std::ostream &out, const Results &results)
       {"equilibrium_residual", certificate.equilibrium_residual},
       {"admissibility_violation", certificate.admissibility_violation},
       {"max_utilisation", certificate.max_utilisation},
-      {"max_torque", certificate.max_torque}};
+      {"max_torque", certificate.max_torque},
+      {"load_residual", certificate.load_residual}};
   if (results.scene.turns())
     summary["certificate"]["moment_residual"] = certificate.moment_residual;
   if (!certificate.unbalanced.empty() &&
@@ -196,8 +197,10 @@ void write_summary_json(std::ostream &out, const Collapse &collapse)
     parts.push_back({{"load", part.name}, {"work", part.work}});
   // JSON has no infinity: null stands for work that friction does not resist.
   summary["mechanism"] = {
+      {"loads", collapse.of_dead_loads ? "dead" : "all"},
       {"work_over_dissipation", collapse.proof.work_over_dissipation},
       {"closing_violation", collapse.proof.closing_violation},
+      {"load_residual", collapse.proof.load_residual},
       {"work_of_loads", parts}};
   write(out, std::move(summary), collapse);
 }

@@ -8,6 +8,7 @@
 #include <voussoir/python/arrays.h>
 #include <voussoir/result_writer.h>
 #include <voussoir/scene/reactions.h>
+#include <voussoir/scene/utilisation.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/study.h>
 #include <voussoir/unused_settings.h>
@@ -359,9 +360,7 @@ void add_forces(py::class_<PyResults> &of)
   add(
       "utilisation",
       [](const Results &r, const PyResults &) {
-        return filled(r.forces.normal.size(), [&](unsigned int e) {
-          return utilisation(r.scene, r.forces, e);
-        });
+        return filled(r.forces.normal.size(), Utilisation(r.scene, r.forces));
       },
       "The share of the strength of each joint that is used.");
   add(

@@ -2,6 +2,7 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/triangle_integral.h>
+#include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/convex_pieces.h>
 #include <voussoir/scene/body_force.h>
 
@@ -173,13 +174,10 @@ void BodyForce::add(
 
 void BodyForce::add(const Packing &packing,
                     const unsigned int cell,
-                    const Tensor<1, 2> &f,
-                    const double torque)
+                    const Tensor<1, 2> &f)
 {
   if (empty())
     allocate(packing);
-  if (torque != 0.)
-    add_torque(packing, cell, torque);
   for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
   {
     const Tensor<1, 2> a = packing.vertex(cell, i) - packing.centre(cell);
@@ -203,32 +201,29 @@ void BodyForce::add(const double factor, const BodyForce &other)
     moment_of_cell[c] += factor * other.moment_of_cell[c];
 }
 
-/** That of the force torque / I R(pi/2) (x - x_c), I the polar moment. */
-void BodyForce::add_torque(const Packing &packing,
-                           const unsigned int cell,
-                           const double torque)
+void BodyForce::add(const Packing &packing,
+                    const unsigned int cell,
+                    const Tensor<1, 2> &f,
+                    const Point<2> &place)
 {
-  const auto quarter_turn = [](const Tensor<1, 2> &x) {
-    return Tensor<1, 2>({-x[1], x[0]});
-  };
-  const unsigned int n = packing.n_sides(cell);
-  std::vector<Tensor<1, 2>> arms(n + 1);
-  for (unsigned int i = 0; i <= n; ++i)
-    arms[i] = packing.vertex(cell, i) - packing.centre(cell);
-  // The integral of the outer product of x - x_c with itself.
-  Tensor<2, 2> second_moment;
-  for (unsigned int i = 0; i < n; ++i)
-    for (const Tensor<1, 2> &x : {arms[i], arms[i + 1], arms[i] + arms[i + 1]})
-      second_moment += cross(arms[i], arms[i + 1]) / 24. * outer_product(x, x);
-  const double density = torque / trace(second_moment);
-  for (unsigned int i = 0; i < n; ++i)
+  add(packing, cell, f);
+  const AreaMoments of_area = area_moments(packing, cell);
+  const Tensor<1, 2> centroid = of_area.centroid();
+  const Tensor<2, 2> second = of_area.second_about_centroid();
+  const double torque = cross(place - packing.centre(cell) - centroid, f);
+  const double density = torque / trace(second);
+  for (unsigned int i = 0; i < packing.n_sides(cell); ++i)
+  {
+    const Tensor<1, 2> a = packing.vertex(cell, i) - packing.centre(cell);
+    const Tensor<1, 2> b = packing.vertex(cell, i + 1) - packing.centre(cell);
+    const Tensor<1, 2> arm = (a + b) / 3. - centroid;
     on_sub_cell[packing.first_side(cell) + i] +=
-        density * cross(arms[i], arms[i + 1]) / 6. *
-        quarter_turn(arms[i] + arms[i + 1]);
+        0.5 * density * cross(a, b) * Tensor<1, 2>({-arm[1], arm[0]});
+  }
   for (unsigned int j = 0; j < 2; ++j)
   {
-    moment_of_cell[cell][0][j] -= density * second_moment[1][j];
-    moment_of_cell[cell][1][j] += density * second_moment[0][j];
+    moment_of_cell[cell][0][j] -= density * second[1][j];
+    moment_of_cell[cell][1][j] += density * second[0][j];
   }
 }
 
@@ -257,5 +252,11 @@ Tensor<1, 2> BodyForce::force(const Packing &packing,
 Tensor<2, 2> BodyForce::moment(const unsigned int cell) const
 {
   return empty() ? Tensor<2, 2>() : moment_of_cell[cell];
+}
+
+double BodyForce::torque(const unsigned int cell) const
+{
+  const Tensor<2, 2> of = moment(cell);
+  return of[1][0] - of[0][1];
 }
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/formula/inaccuracies.h>
 #include <voussoir/formula/vector_expression.h>
+#include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/body_force_formulas.h>
@@ -22,7 +23,8 @@ void add_formula(const Packing &packing,
                  const VectorExpression &b,
                  const std::string &parameter,
                  BodyForce &force,
-                 std::vector<std::string> &warnings)
+                 std::vector<std::string> &warnings,
+                 Resultant &requested)
 {
   const auto value = [&](const Point<2> &p, const unsigned int cell) {
     const auto where = [&] {
@@ -36,12 +38,18 @@ void add_formula(const Packing &packing,
   if (b.is_constant())
   {
     for (const unsigned int c : cells)
-      force.add(packing, c, packing.area(c) * value(packing.centre(c), c));
+    {
+      const Tensor<1, 2> f = packing.area(c) * value(packing.centre(c), c);
+      force.add(packing, c, f);
+      requested.add(packing.centre(c) + area_moments(packing, c).centroid(), f);
+    }
     return;
   }
   Inaccuracies inaccuracies(parameter);
   force.add(packing, cells, value, Jumps({b.formula(0), b.formula(1)}, {}),
             &inaccuracies);
+  for (const unsigned int c : cells)
+    requested.add(packing.centre(c), force.force(packing, c), force.torque(c));
   for (std::string &warning : inaccuracies.warnings())
     warnings.push_back(std::move(warning));
 }
@@ -72,7 +80,8 @@ std::vector<unsigned int> new_cells(const Packing &packing,
 BodyForce body_force_of_formulas(const Packing &packing,
                                  const TextOfParameter &everywhere,
                                  const TextOfParameter &of_groups,
-                                 std::vector<std::string> &warnings)
+                                 std::vector<std::string> &warnings,
+                                 Resultant &requested)
 {
   BodyForce force;
   std::vector<bool> has_own(packing.n_cells(), false);
@@ -87,7 +96,7 @@ BodyForce body_force_of_formulas(const Packing &packing,
                        "' the body force '" + value +
                        "'; two components \"b_x; b_y\" are expected, and a "
                        "bar | before the next name.");
-    add_formula(packing, cells, b, parameter, force, warnings);
+    add_formula(packing, cells, b, parameter, force, warnings, requested);
   }
   std::vector<unsigned int> others;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -96,7 +105,7 @@ BodyForce body_force_of_formulas(const Packing &packing,
   add_formula(
       packing, others,
       VectorExpression(everywhere.value, {"x", "y"}, everywhere.parameter),
-      everywhere.parameter, force, warnings);
+      everywhere.parameter, force, warnings, requested);
   return force;
 }
 } // namespace Voussoir

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/cell_forces.h>
@@ -49,16 +50,6 @@ Point<2> pair_or_refuse(const std::string &text,
   return *pair;
 }
 
-/** The part of a force that acts on one cell at a place. */
-CellForce force_on_cell(const Packing &packing,
-                        const unsigned int c,
-                        const Tensor<1, 2> &force,
-                        const Point<2> &x,
-                        const std::string &name)
-{
-  return {name, {c}, force, cross(x - packing.centre(c), force)};
-}
-
 /** "at x, y: force". */
 void add_force_at(const Packing &packing,
                   const Point<2> &x,
@@ -88,8 +79,7 @@ void add_force_at(const Packing &packing,
              text_of_number(least * std::sqrt(packing.area(nearest))),
              " away. Correct the place, or name the cell."));
   for (const unsigned int c : there)
-    forces.push_back(force_on_cell(packing, c, force / double(there.size()), x,
-                                   text("cell ", c)));
+    forces.push_back({text("cell ", c), {c}, force / double(there.size()), x});
 }
 
 /** "name: force at x, y". */
@@ -114,9 +104,21 @@ CellForce force_in_cell(const Packing &packing,
     throw InputError(text(begin, text_of_point(x), ", which is not a place in ",
                           packing.describe(c), " at ",
                           text_of_point(packing.centre(c)), "."));
-  return force_on_cell(packing, c, force, x, name);
+  return {name, {c}, force, x};
 }
 } // namespace
+
+Point<2> CellForce::place_in(const Packing &packing,
+                             const unsigned int cell) const
+{
+  return place ? *place
+               : packing.centre(cell) + area_moments(packing, cell).centroid();
+}
+
+double CellForce::torque(const Packing &packing, const unsigned int cell) const
+{
+  return cross(place_in(packing, cell) - packing.centre(cell), force);
+}
 
 std::vector<CellForce> cell_forces_of_text(const Packing &packing,
                                            const std::string &list,

@@ -2,6 +2,8 @@
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/certificate.h>
 #include <voussoir/scene/jumps.h>
+#include <voussoir/scene/load_residual.h>
+#include <voussoir/scene/utilisation.h>
 
 #include <algorithm>
 #include <array>
@@ -172,7 +174,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     if (!is_finite(forces, e))
     {
       const double infinity = std::numeric_limits<double>::infinity();
-      return {infinity, infinity, infinity, infinity, infinity, {}};
+      return {infinity, infinity, infinity, infinity, infinity, infinity, {}};
     }
 
   const std::vector<unsigned int> group =
@@ -185,6 +187,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
       largest = std::max(largest, error / reference[group[cell]]);
   };
 
+  const Utilisation utilisation(scene, forces);
   std::vector<Tensor<1, 2>> sum = scene.load;
   sum.emplace_back(); // of the ground, which takes any force
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
@@ -196,7 +199,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     add(certificate.admissibility_violation, violation(scene, forces, e),
         i.cell_minus);
     certificate.max_utilisation =
-        std::max(certificate.max_utilisation, utilisation(scene, forces, e));
+        std::max(certificate.max_utilisation, utilisation(e));
   }
 
   const std::vector<double> torques = residual_torques(scene, forces);
@@ -208,6 +211,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   }
   if (scene.turns())
     certificate.moment_residual = certificate.max_torque;
+  certificate.load_residual = load_residual(scene);
   std::vector<double> of_cell(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     of_cell[c] = reference[group[c]];
@@ -220,7 +224,8 @@ bool proves_collapse(const MechanismCertificate &certificate)
 {
   return certificate.closing_violation <= largest_closing &&
          certificate.work_over_dissipation > 1. &&
-         certificate.share_of_closing < largest_share;
+         certificate.share_of_closing < largest_share &&
+         certificate.load_residual <= largest_load_residual;
 }
 
 namespace
@@ -276,6 +281,7 @@ MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
         work > of.dissipation
             ? of.all_closings * largest_load(scene) / (work - of.dissipation)
             : std::numeric_limits<double>::infinity();
+  certificate.load_residual = load_residual(scene);
   return certificate;
 }
 

@@ -8,16 +8,8 @@
 
 namespace Voussoir
 {
-using dealii::Tensor;
-
 namespace
 {
-/** The torque of a body force with the moment @p of b (x) (x - x_c). */
-double torque_of(const Tensor<2, 2> &moment)
-{
-  return moment[1][0] - moment[0][1];
-}
-
 /** Add the parts of the forces that act inside the cells. */
 void add_forces_inside(const Scene &scene,
                        const Motion &motion,
@@ -30,7 +22,7 @@ void add_forces_inside(const Scene &scene,
   {
     body.work += scene.body.force(scene.packing, c) * motion.displacement[c];
     if (!motion.rotation.empty())
-      body.work += torque_of(scene.body.moment(c)) * motion.rotation[c];
+      body.work += scene.body.torque(c) * motion.rotation[c];
   }
   for (const CellForce &f : scene.on_cells)
   {
@@ -39,7 +31,7 @@ void add_forces_inside(const Scene &scene,
     {
       part.work += f.force * motion.displacement[c];
       if (!motion.rotation.empty())
-        part.work += f.torque * motion.rotation[c];
+        part.work += f.torque(scene.packing, c) * motion.rotation[c];
     }
     body.work -= part.work;
     parts.push_back(part);

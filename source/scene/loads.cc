@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/edge_integral.h>
@@ -31,10 +32,13 @@ void Loads::add(const double factor, const Loads &other)
   for (CellForce force : other.on_cells)
   {
     force.force *= factor;
-    force.torque *= factor;
     on_cells.push_back(std::move(force));
   }
   warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
+  if (requested && other.requested)
+    requested->add(factor, *other.requested);
+  else
+    requested.reset();
 }
 
 void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -93,20 +97,21 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
 Loads LoadParameters::loads(const Packing &packing) const
 {
   Loads loads;
-  EdgeTractions on_edges = tractions(packing, loads.warnings);
-  loads.traction = std::move(on_edges.mean);
-  loads.traction_moment = std::move(on_edges.first_moment);
-  loads.body = body_force_of_formulas(
-      packing, {section + "/Body force", body},
-      {section + "/Group body forces", body_of_groups}, loads.warnings);
+  loads.requested.emplace(reference_point(packing));
+  add_tractions(packing, loads);
+  loads.body =
+      body_force_of_formulas(packing, {section + "/Body force", body},
+                             {section + "/Group body forces", body_of_groups},
+                             loads.warnings, *loads.requested);
   loads.on_cells =
       cell_forces_of_text(packing, cell_forces, section + "/Cell forces");
+  for (const CellForce &f : loads.on_cells)
+    for (const unsigned int c : f.cells)
+      loads.requested->add(f.place_in(packing, c), f.force);
   return loads;
 }
 
-EdgeTractions
-LoadParameters::tractions(const Packing &packing,
-                          std::vector<std::string> &warnings) const
+void LoadParameters::add_tractions(const Packing &packing, Loads &loads) const
 {
   const unsigned int n_edges = packing.boundary_edges().size();
   const std::vector<bool> chosen =
@@ -115,21 +120,25 @@ LoadParameters::tractions(const Packing &packing,
           : boundary_edges_where(packing, loaded_where, section + "/Where");
   EdgeTractions tractions(n_edges);
   if (kind == Kind::traction)
-    add_traction_of_expression(packing, chosen, tractions, warnings);
+    add_traction_of_expression(packing, chosen, tractions, loads);
   else
-    add_uniform_stress(packing, chosen, tractions);
+    add_uniform_stress(packing, chosen, tractions, loads);
   const std::string parameter = section + "/Segment tractions";
   for (const SegmentTraction &segment :
        segment_tractions_of_text(on_segments, parameter))
+  {
     add_segment_traction(packing, segment, parameter, tractions);
-  return tractions;
+    for (const auto &[place, force] : segment.resultants())
+      loads.requested->add(place, force);
+  }
+  loads.traction = std::move(tractions.mean);
+  loads.traction_moment = std::move(tractions.first_moment);
 }
 
-void LoadParameters::add_traction_of_expression(
-    const Packing &packing,
-    const std::vector<bool> &chosen,
-    EdgeTractions &tractions,
-    std::vector<std::string> &warnings) const
+void LoadParameters::add_traction_of_expression(const Packing &packing,
+                                                const std::vector<bool> &chosen,
+                                                EdgeTractions &tractions,
+                                                Loads &loads) const
 {
   const std::string parameter = section + "/Traction";
   const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
@@ -160,14 +169,18 @@ void LoadParameters::add_traction_of_expression(
       inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
                            [&] { return along_edge(edge.start, edge.end); });
     }
+    loads.requested->add(edge.midpoint(), edge.length * tractions.mean[b],
+                         cross((edge.end - edge.start) / edge.length,
+                               tractions.first_moment[b]));
   }
   for (std::string &warning : inaccuracies.warnings())
-    warnings.push_back(std::move(warning));
+    loads.warnings.push_back(std::move(warning));
 }
 
 void LoadParameters::add_uniform_stress(const Packing &packing,
                                         const std::vector<bool> &chosen,
-                                        EdgeTractions &tractions) const
+                                        EdgeTractions &tractions,
+                                        Loads &loads) const
 {
   Tensor<2, 2> S;
   dealii::Patterns::Tools::to_value(stress, S);
@@ -175,7 +188,14 @@ void LoadParameters::add_uniform_stress(const Packing &packing,
     throw InputError("'" + section + "/Stress' = '" + stress +
                      "' must be finite and symmetric: S_xy = S_yx.");
   for (unsigned int b = 0; b < chosen.size(); ++b)
-    if (chosen[b])
-      tractions.mean[b] += S * packing.boundary_edges()[b].normal;
+  {
+    if (!chosen[b])
+      continue;
+    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    tractions.mean[b] += S * edge.normal;
+    const Tensor<1, 2> side = edge.end - edge.start;
+    loads.requested->add(edge.midpoint(),
+                         S * Tensor<1, 2>({side[1], -side[0]}));
+  }
 }
 } // namespace Voussoir

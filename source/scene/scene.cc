@@ -158,13 +158,17 @@ Scene::Scene(Packing packing_in,
       kinematics(&kinematics_in), traction(std::move(loads.traction)),
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
-      has_body_force(!body.empty()), load(packing.n_cells()),
-      load_size(packing.n_cells(), 0.), group(connected_groups(packing))
+      has_body_force(!body.empty()), requested(loads.requested),
+      load(packing.n_cells()), load_size(packing.n_cells(), 0.),
+      group(connected_groups(packing))
 {
   traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
-      body.add(packing, c, f.force, f.torque);
+      if (f.place)
+        body.add(packing, c, f.force, *f.place);
+      else
+        body.add(packing, c, f.force);
   add_up_loads();
   check_balance();
   if (turns())
@@ -291,15 +295,6 @@ InterfaceForces::torque_on_cell_minus(const Packing::Interface &interface,
          cross(interface.end - centre, at_ends[e][1] * interface.normal);
 }
 
-double utilisation(const Scene &scene,
-                   const InterfaceForces &forces,
-                   const unsigned int e)
-{
-  return scene.friction->utilisation(
-      scene.limits(e).shear_strength(forces.normal[e]), forces.normal[e],
-      forces.tangential[e]);
-}
-
 std::vector<double> residual_torques(const Scene &scene,
                                      const InterfaceForces &forces)
 {
@@ -323,10 +318,7 @@ std::vector<double> residual_torques(const Scene &scene,
         cross((edge.end - edge.start) / edge.length, scene.traction_moment[b]);
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    const Tensor<2, 2> moment = scene.body.moment(c); // b (x) (x - x_c)
-    torques[c] += moment[1][0] - moment[0][1];
-  }
+    torques[c] += scene.body.torque(c);
   return torques;
 }
 } // namespace Voussoir

@@ -110,6 +110,14 @@ void add_part(const Packing &packing,
 }
 } // namespace
 
+std::array<SegmentTraction::Part, 2> SegmentTraction::resultants() const
+{
+  const Tensor<1, 2> line = end - start;
+  const double half = 0.5 * line.norm();
+  return {
+      {{start + line / 3., half * at_start}, {end - line / 3., half * at_end}}};
+}
+
 std::optional<Point<2>> pair_of_text(const std::string &text)
 {
   const auto words = dealii::Utilities::split_string_list(text, ',');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/scene/load_residual.h>
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
@@ -65,12 +66,24 @@ std::string earlier_forces_rejected(const SolverRecord &record,
               "empty to solve.");
 }
 
+void check_loads(const double residual)
+{
+  if (residual > largest_load_residual)
+    throw SolverError(
+        text("The loads on edges and cells differ from those that were asked "
+             "for by ",
+             residual,
+             " of the sum of their sizes, or by a moment of that. This is a "
+             "fault of the program: please report it, with the .prm file."));
+}
+
 void check_certificate(const Scene &scene,
                        const SolverRecord &record,
                        const Certificate &certificate,
                        const double tolerance,
                        Terminal &terminal)
 {
+  check_loads(certificate.load_residual);
   const double limit =
       std::max(largest_accepted_error, tolerance_allowance * tolerance);
   if (certificate.error() <= limit)
@@ -106,6 +119,7 @@ NotCarried prove(const Scene &scene, Motion motion)
   NotCarried found;
   found.motion = std::move(motion);
   found.proof = certify_mechanism(scene, found.motion);
+  check_loads(found.proof.load_residual);
   if (!proves_collapse(found.proof))
     throw SolverError(text("The solver proposes a collapse mechanism, but it "
                            "closes joints by ",

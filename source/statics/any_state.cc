@@ -97,14 +97,25 @@ std::vector<double> RowProblem::loads(std::vector<double> of_problem,
   return of_problem;
 }
 
+namespace
+{
+void divide_by_largest(std::vector<double> &u)
+{
+  const double size = largest_component(u);
+  if (size > 0.)
+    for (double &component : u)
+      component /= size;
+}
+} // namespace
+
 Motion RowProblem::motion_of(std::vector<double> u) const
 {
   u.resize(problem.n_dofs());
-  const double size = largest_component(u);
-  for (double &component : u)
-    component /= size;
+  // Divided before, too, since a rigid motion may be large beside the rest.
+  divide_by_largest(u);
   problem.hold_bodies(u);
-  return problem.motion_of_cells(u, problem.length_scale());
+  divide_by_largest(u);
+  return problem.motion_of_cells(u, 1.);
 }
 
 AnyForces find_any_forces(RowProblem &problem,

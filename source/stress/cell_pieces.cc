@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/none.h>
+#include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/convex_pieces.h>
 #include <voussoir/stress/cell_pieces.h>
 
@@ -32,19 +33,12 @@ struct Wrench
 /** A field b_0 + B (x - x_c) of the resultant and the moments of another. */
 struct LinearField
 {
-  /**
-   * @param area that of the cell; L^2.
-   * @param first the integral of x - x_c; L^3.
-   * @param second the integral of its outer product with itself; L^4.
-   */
-  LinearField(const double area,
-              const Tensor<1, 2> &first,
-              const Tensor<2, 2> &second,
+  LinearField(const AreaMoments &cell,
               const Tensor<1, 2> &force,
               const Tensor<2, 2> &moment)
-      : slope((moment - outer_product(force, first) / area) *
-              invert(second - outer_product(first, first) / area)),
-        constant((force - slope * first) / area)
+      : slope((moment - outer_product(force, cell.centroid())) *
+              invert(cell.second_about_centroid())),
+        constant((force - slope * cell.first) / cell.area)
   {}
 
   Tensor<1, 2> at(const Tensor<1, 2> &arm) const
@@ -59,18 +53,7 @@ struct LinearField
 /** The linear body force of a cell. */
 LinearField body_force_of(const Scene &scene, const unsigned int c)
 {
-  const Packing &packing = scene.packing;
-  Tensor<1, 2> first;
-  Tensor<2, 2> second;
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-  {
-    const Tensor<1, 2> a = packing.vertex(c, i) - packing.centre(c);
-    const Tensor<1, 2> b = packing.vertex(c, i + 1) - packing.centre(c);
-    first += cross(a, b) / 6. * (a + b);
-    for (const Tensor<1, 2> &x : {a, b, a + b})
-      second += cross(a, b) / 24. * outer_product(x, x);
-  }
-  return {packing.area(c), first, second, scene.body.force(packing, c),
+  return {area_moments(scene.packing, c), scene.body.force(scene.packing, c),
           scene.body.moment(c)};
 }
 

@@ -95,6 +95,21 @@ int main()
   // A mistake of units is likely.
   run("0.05", "least energy");
   check_proof();
+  // Dead loads that need the live ones: the words say whose collapse it is.
+  {
+    std::ostringstream out, error;
+    const int status = run_command_line(
+        {"scene.prm", "--set", "Friction/Strength=0.9", "--set",
+         "Analysis=load factor", "--set", "Live loads/Traction=-ny; 0"},
+        out, error);
+    std::cout << "a factor beside dead loads that collapse: exit status "
+              << status << std::endl
+              << error.str();
+    check_proof();
+    nlohmann::json summary;
+    std::ifstream("output/summary.json") >> summary;
+    check("  of the dead loads", summary["mechanism"]["loads"] == "dead");
+  }
   run("10", "analytic centre");
   const Table interfaces = read_table("output/interfaces.csv");
   bool right = true;

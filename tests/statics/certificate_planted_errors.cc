@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The certificate of the exact forces of a uniform stress is clean, and sees
-// one force, one sign, one strength and one NaN that are wrong.
+// one force, one sign, one strength and one NaN that are wrong. Loads that are
+// not those asked for are seen by their sum and by their moment. Forces that
+// are rounding use nothing of their strength.
+
+#include <voussoir/scene/load_residual.h>
 
 #include "tests.h"
 
@@ -19,8 +23,53 @@ void show(const std::string &what, const Certificate &c)
             << std::endl;
 }
 
+/**
+ * Certificate::load_residual of a force on a cell of a packing that is held all
+ * around, where another force, or at another place, was asked for.
+ */
+double residual_of_loads(const dealii::Tensor<1, 2> &excess,
+                         const dealii::Tensor<1, 2> &shift,
+                         const Kinematics &kinematics)
+{
+  Packing held = random_packing(50, 3);
+  held.support(std::vector<bool>(held.boundary_edges().size(), true));
+  const dealii::Point<2> place =
+      held.centre(7) + 0.1 * (held.vertex(7, 0) - held.centre(7));
+  const dealii::Tensor<1, 2> force({3., -4.});
+  Loads loads;
+  loads.on_cells = {{"one", {7}, force, place}};
+  loads.requested.emplace(reference_point(held));
+  loads.requested->add(place + shift, force + excess);
+  const std::vector<double> strength(held.interfaces().size(), 1.);
+  return certify(Scene(held, strength, loads, kinematics),
+                 {std::vector<double>(strength.size(), 0.),
+                  {},
+                  std::vector<double>(strength.size(), 0.)})
+      .load_residual;
+}
+
 int main()
 {
+  for (const Kinematics *kinematics : {&translations(), &rotations()})
+  {
+    const dealii::Tensor<1, 2> nothing, small({0.003, -0.004}),
+        along({0.03, -0.04}), across({0.04, 0.03});
+    check_error("loads as they were asked for",
+                residual_of_loads(nothing, nothing, *kinematics), 1e-15);
+    check_error("a force that is a thousandth less",
+                std::abs(residual_of_loads(small, nothing, *kinematics) /
+                             (0.001 / 1.001) -
+                         1.),
+                1e-11);
+    check_error("a force that is moved along its line",
+                residual_of_loads(nothing, along, *kinematics), 1e-15);
+    check_error("a force that is moved across, by 0.05 in a unit square",
+                std::abs(residual_of_loads(nothing, across, *kinematics) /
+                             (0.05 / std::sqrt(2.)) -
+                         1.),
+                1e-11);
+  }
+
   const auto S = tensor(-2, 0.3, 0.3, -1);
   Scene scene = scene_under_stress(random_packing(50, 3), 0.7, S);
   InterfaceForces exact;
@@ -48,6 +97,13 @@ int main()
   forces = exact;
   forces.normal[e] *= -1.;
   show("one tension", certify(scene, forces));
+
+  forces = exact;
+  forces.normal[e] = 0.;
+  forces.tangential[e] = 1e-13 * scene.strength[e];
+  scene.strength[e] = 1e-20;
+  show("one force of rounding, on no strength", certify(scene, forces));
+  scene.strength[e] = 0.7;
 
   forces = exact;
   forces.tangential[e] = std::numeric_limits<double>::quiet_NaN();

@@ -5,6 +5,7 @@
 // body forces, forces on cells and loaded parts of the boundary; bad values are
 // refused.
 
+#include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/friction.h>
 #include <voussoir/scene/loads.h>
@@ -175,12 +176,39 @@ int main()
         [&] { loads_on(named, "set Group body forces = fill: 0; -24"); });
   }
 
+  // Where x_c is not the centroid: a force evenly on a cell, or at a place in
+  // it, and its torque about x_c.
+  Packing held = packing;
+  held.support(std::vector<bool>(packing.boundary_edges().size(), true));
+  const std::vector<double> ones(held.interfaces().size(), 1.);
+  const dealii::Tensor<1, 2> f({3., -4.});
+  error = 0.;
+  for (unsigned int c = 0; c < held.n_cells(); ++c)
+  {
+    const dealii::Point<2> centroid =
+        held.centre(c) + area_moments(held, c).centroid();
+    for (const bool evenly : {true, false})
+    {
+      Loads one = loads_on(held, "");
+      one.on_cells = {{"one", {c}, f, held.vertex(c, 0)}};
+      if (evenly)
+        one.on_cells[0].place.reset();
+      const Scene scene(held, ones, one, rotations());
+      const dealii::Point<2> x = evenly ? centroid : held.vertex(c, 0);
+      error = std::max(
+          {error, (scene.load[c] - f).norm(),
+           std::abs(scene.load_torque[c] - cross(x - held.centre(c), f))});
+    }
+  }
+  check_error("forces off the centroid, and their torques", error, 1e-14);
+
   // Point loads by place: within a cell, on its boundary, where cells touch.
   {
     const Packing blocks = wall(2, 1, 3., 2.);
     const auto torque_about = [&](const CellForce &f,
                                   const dealii::Point<2> &x) {
-      return cross(blocks.centre(f.cells[0]) - x, f.force) + f.torque;
+      const unsigned int c = f.cells[0];
+      return cross(blocks.centre(c) - x, f.force) + f.torque(blocks, c);
     };
     for (const auto &[place, x, n] :
          {std::make_tuple("0.25, 1.5", dealii::Point<2>(0.25, 1.5), 1u),

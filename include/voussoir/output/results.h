@@ -74,6 +74,9 @@ struct Collapse : RunRecord, NotCarried
   Collapse(RunRecord run, NotCarried found)
       : RunRecord(std::move(run)), NotCarried(std::move(found))
   {}
+
+  /** True if the live loads are none of them: a factor was looked for. */
+  bool of_dead_loads = false;
 };
 } // namespace Voussoir
 

@@ -39,7 +39,7 @@ public:
             const Jumps &jumps = Jumps(),
             Inaccuracies *inaccuracies = nullptr);
 
-  /** The same on some @p cells, which have had none. */
+  /** Add a body force on some @p cells, which have had none. */
   void add(const Packing &packing,
            const std::vector<unsigned int> &cells,
            const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
@@ -47,15 +47,19 @@ public:
            const Jumps &jumps,
            Inaccuracies *inaccuracies);
 
+  /** Add the force @p f, per unit thickness, spread evenly over @p cell. */
+  void
+  add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
   /**
-   * Add the force @p f and the @p torque about x_c, per unit thickness, spread
-   * over @p cell: as a constant, and as a field that turns about x_c and grows
-   * with the distance from it.
+   * Add the force @p f that acts at a place, spread over @p cell: evenly, and
+   * its torque about the centroid x_g by the field torque / I R(pi/2) (x - x_g)
+   * with the polar moment I about x_g. Only about the centroid has that no
+   * resultant.
    */
   void add(const Packing &packing,
            unsigned int cell,
            const dealii::Tensor<1, 2> &f,
-           double torque = 0.);
+           const dealii::Point<2> &place);
 
   /** Add @p factor times another body force on the same packing. */
   void add(double factor, const BodyForce &other);
@@ -74,10 +78,11 @@ public:
    * ij is that of b_i (x - x_c)_j; S L^2.
    */
   dealii::Tensor<2, 2> moment(unsigned int cell) const;
+  /** The torque about x_c on @p cell, positive counterclockwise; S L^2. */
+  double torque(unsigned int cell) const;
 
 private:
   void allocate(const Packing &packing);
-  void add_torque(const Packing &packing, unsigned int cell, double torque);
 
   /** By packing.first_side(cell) + i. */
   std::vector<dealii::Tensor<1, 2>> on_sub_cell;

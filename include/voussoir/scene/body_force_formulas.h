@@ -4,6 +4,7 @@
 
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/body_force.h>
+#include <voussoir/scene/resultant.h>
 
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct TextOfParameter
  * @param of_groups "name: b_x; b_y | ..." of those of groups, or of cells by
  *   number.
  * @param warnings on integrals that are not exact are added.
+ * @param requested gets the force and its moment.
  * @throws InputError naming the place if a value is not a finite number or
  *   varies too fast for its integral; if a formula cannot be parsed, a name is
  *   that of no cell, or a cell is given two.
@@ -33,7 +35,8 @@ struct TextOfParameter
 BodyForce body_force_of_formulas(const Packing &packing,
                                  const TextOfParameter &everywhere,
                                  const TextOfParameter &of_groups,
-                                 std::vector<std::string> &warnings);
+                                 std::vector<std::string> &warnings,
+                                 Resultant &requested);
 } // namespace Voussoir
 
 #endif

@@ -6,12 +6,13 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace Voussoir
 {
-/** A force on each of some cells, which acts evenly over the area of each. */
+/** A force on each of some cells. */
 struct CellForce
 {
   /** The name that the user gave the cells. */
@@ -20,8 +21,20 @@ struct CellForce
   std::vector<unsigned int> cells;
   /** On each cell; per unit thickness. */
   dealii::Tensor<1, 2> force;
-  /** The torque about x_c of the place where it acts; per unit thickness. */
-  double torque = 0.;
+  /**
+   * Where it acts, in the only cell; a length. None: evenly over the area of
+   * each cell, so at its centroid.
+   */
+  std::optional<dealii::Point<2>> place = {};
+
+  /**
+   * How the force acts on @p cell.
+   *
+   * @return the place, or the centroid; a length.
+   */
+  dealii::Point<2> place_in(const Packing &packing, unsigned int cell) const;
+  /** The torque of that about x_c, positive counterclockwise; S L^2. */
+  double torque(const Packing &packing, unsigned int cell) const;
 };
 
 /**

@@ -52,8 +52,10 @@ struct Certificate
    * square root of the cell's area. Only blocks that turn balance it.
    */
   double max_torque = 0.;
-  /** The same where they turn, and it is an error; else zero. */
+  /** Certificate::max_torque where they turn, and it is an error; else zero. */
   double moment_residual = 0.;
+  /** load_residual() of the scene. */
+  double load_residual = 0.;
   /** The largest of the residuals and the violation. */
   double error() const
   {
@@ -102,11 +104,13 @@ struct MechanismCertificate
    * of the size of that load could take up the difference.
    */
   double share_of_closing = 0.;
+  /** load_residual() of the scene. */
+  double load_residual = 0.;
 };
 
 /**
- * True if the load does more work than friction can dissipate, and joints close
- * by rounding only, also beside that work.
+ * True if the load does more work than friction can dissipate, joints close by
+ * rounding only, also beside that work, and the load is that asked for.
  */
 bool proves_collapse(const MechanismCertificate &certificate);
 

@@ -5,10 +5,12 @@
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/body_force.h>
 #include <voussoir/scene/cell_forces.h>
+#include <voussoir/scene/resultant.h>
 #include <voussoir/scene/segment_tractions.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +29,22 @@ struct Loads
   std::vector<dealii::Tensor<1, 2>> traction_moment = {};
   /** Warnings to the user on integrals that are not exact. */
   std::vector<std::string> warnings = {};
+  /**
+   * What the user asked for, added up from the input before anything is put on
+   * edges and cells, about reference_point(); none where loads are not from
+   * parameters.
+   */
+  std::optional<Resultant> requested = {};
 
   /** Add @p factor times other loads on the same packing, their warnings too.*/
   void add(double factor, const Loads &other);
 };
+
+/** The point about which the moments of loads are added up; a length. */
+inline const dealii::Point<2> &reference_point(const Packing &packing)
+{
+  return packing.vertex(0, 0);
+}
 
 /** The section `Loads`, or another one of the same entries. */
 class LoadParameters
@@ -66,15 +80,15 @@ private:
     uniform_stress
   };
 
-  EdgeTractions tractions(const Packing &packing,
-                          std::vector<std::string> &warnings) const;
+  void add_tractions(const Packing &packing, Loads &loads) const;
   void add_traction_of_expression(const Packing &packing,
                                   const std::vector<bool> &chosen,
                                   EdgeTractions &tractions,
-                                  std::vector<std::string> &warnings) const;
+                                  Loads &loads) const;
   void add_uniform_stress(const Packing &packing,
                           const std::vector<bool> &chosen,
-                          EdgeTractions &tractions) const;
+                          EdgeTractions &tractions,
+                          Loads &loads) const;
 
   std::string name;
   /** Its path. */

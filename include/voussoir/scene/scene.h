@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -92,6 +93,8 @@ struct Scene
   BodyForce body;
   /** True if there is more in it than on_cells. */
   bool has_body_force;
+  /** Loads::requested. */
+  std::optional<Resultant> requested;
   /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
   /** The torque about x_c of the loads on each cell; S L^2, see turns(). */
@@ -167,10 +170,6 @@ struct InterfaceForces
                : 0.5 * interface.length * (at_ends[e][0] - at_ends[e][1]);
   }
 };
-
-/** FrictionLaw::utilisation() of an interface. */
-double
-utilisation(const Scene &scene, const InterfaceForces &forces, unsigned int e);
 
 /**
  * The torque about x_c of all forces on each cell, positive counterclockwise;

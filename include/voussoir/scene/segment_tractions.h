@@ -6,8 +6,10 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -42,6 +44,14 @@ struct SegmentTraction
   dealii::Tensor<1, 2> at_start;
   dealii::Tensor<1, 2> at_end;
   /** @} */
+
+  /** A force of the traction, and where it acts; a length and S L. */
+  using Part = std::pair<dealii::Point<2>, dealii::Tensor<1, 2>>;
+  /**
+   * Two forces of the same sum and moment as the traction: those of its two
+   * triangles, each at a third of the line from the end where it is largest.
+   */
+  std::array<Part, 2> resultants() const;
 };
 
 /** Two finite numbers "a, b"; nothing if the text is anything else. */

@@ -51,7 +51,7 @@ public:
    */
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;
-  /** The motion of the cells in @p u, of any size; L. */
+  /** The motion of the cells in @p u, of any size, as Mechanism::motion. */
   Motion motion_of(std::vector<double> u) const;
 
 private:

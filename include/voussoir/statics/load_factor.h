@@ -37,7 +37,7 @@ struct LoadFactor
   double bound = std::numeric_limits<double>::infinity();
   /** The forces at the factor `carried`. */
   InterfaceForces forces;
-  /** The mechanism that proves the bound; L. */
+  /** The mechanism that proves the bound, as Mechanism::motion. */
   Motion mechanism;
   /** Its errors as a proof. */
   FactorBound proof;
@@ -68,7 +68,7 @@ struct LoadFactorAnswer
 {
   /** The factor, if the dead loads are carried. */
   std::optional<LoadFactor> factor;
-  /** The mechanism in which the dead loads collapse; L. */
+  /** The mechanism in which the dead loads collapse, as Mechanism::motion. */
   Motion collapse;
 };
 

@@ -45,11 +45,11 @@ private:
 };
 
 /** The resultant on the cell c- of an interface, and where it acts. */
-struct Resultant
+struct JointResultant
 {
-  Resultant(const Packing::Interface &interface,
-            const InterfaceForces &forces,
-            const unsigned int e)
+  JointResultant(const Packing::Interface &interface,
+                 const InterfaceForces &forces,
+                 const unsigned int e)
       : force(forces.on_cell_minus(interface, e)),
         place(interface.midpoint() + forces.eccentricity(interface, e) *
                                          (interface.end - interface.start))
@@ -59,12 +59,12 @@ struct Resultant
   Point<2> place;
 };
 
-std::vector<Resultant> resultants_of(const Packing &packing,
-                                     const InterfaceForces &forces,
-                                     double &largest)
+std::vector<JointResultant> resultants_of(const Packing &packing,
+                                          const InterfaceForces &forces,
+                                          double &largest)
 {
   const auto &interfaces = packing.interfaces();
-  std::vector<Resultant> all;
+  std::vector<JointResultant> all;
   all.reserve(interfaces.size());
   largest = 0.;
   for (unsigned int e = 0; e < interfaces.size(); ++e)
@@ -157,7 +157,7 @@ double draw_resultants(Drawing &drawing,
                        const std::string &views)
 {
   double largest;
-  const std::vector<Resultant> all =
+  const std::vector<JointResultant> all =
       resultants_of(scene.packing, forces, largest);
   const Layer layer(drawing, "resultants", views);
   const double longest = resultant_in_cells * typical_size(scene.packing);
@@ -182,7 +182,8 @@ void draw_line_of_thrust(Drawing &drawing,
     return;
   const Packing &packing = scene.packing;
   double largest;
-  const std::vector<Resultant> all = resultants_of(packing, forces, largest);
+  const std::vector<JointResultant> all =
+      resultants_of(packing, forces, largest);
   std::vector<Point<2>> bearing;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {

@@ -32,11 +32,7 @@ std::vector<LoadArrow> load_arrows(const Scene &scene)
       const dealii::Tensor<1, 2> &f = given.force;
       if (f.norm() == 0.)
         continue;
-      // The point of its line of action that is nearest to the centre.
-      dealii::Point<2> place = packing.centre(c);
-      place[0] += given.torque * f[1] / f.norm_square();
-      place[1] -= given.torque * f[0] / f.norm_square();
-      arrows.push_back({Kind::cell_force, place, f, true});
+      arrows.push_back({Kind::cell_force, given.place_in(packing, c), f, true});
     }
   if (!scene.has_body_force)
     return arrows;

@@ -5,6 +5,7 @@
 #include <voussoir/output/report/views.h>
 #include <voussoir/output/vtu_values.h>
 #include <voussoir/scene/jumps.h>
+#include <voussoir/scene/utilisation.h>
 
 #include <algorithm>
 #include <array>
@@ -223,9 +224,7 @@ void add_joint_views(PictureMaker &maker, const Results &results)
       UnitNames::labelled("normal force of the joints, negative in compression",
                           maker.names.force),
       {ColourScale("n", forces.normal), forces.normal});
-  const auto used = [&](const unsigned int e) {
-    return utilisation(results.scene, forces, e);
-  };
+  const Utilisation used(results.scene, forces);
   add_joint_view(maker, "utilisation", "Utilisation",
                  "share of the strength that is used, 1 at the limit",
                  {ColourScale("u", 1.), for_each_joint(maker.packing, used)});
