@@ -1,5 +1,5 @@
-"""Questions that are asked of each kernel: the scenes of a directory, and
-random ones with their load factor and with states."""
+"""Questions that are asked of each kernel: the scenes of a directory, some of
+many cells, and random ones with their load factor and with states."""
 import dataclasses
 import pathlib
 
@@ -10,6 +10,8 @@ from judging.scenes import Scene, draw_loads
 QUICK = ("Accuracy=draft", "Output/Files=csv", "Output/Report=false")
 # Shares of the load factor at which states are asked for.
 SHARES = (0.5, 0.99)
+# Of the scenes with many cells.
+N_MANY = 3000
 # A scene whose run takes minutes.
 TOO_LARGE = ("million_cells",)
 
@@ -27,6 +29,32 @@ def of_directory(directory):
     return [Question(prm.stem, prm, QUICK)
             for prm in sorted(directory.glob("*.prm"))
             if prm.stem not in TOO_LARGE]
+
+
+def of_many_cells(directory):
+    """Random cells, so many that CHOLMOD's factors are dense blocks: with a
+    load that makes some slide, and up to the limit."""
+    tresca = {"Friction/Strength": "0.15"}
+    coulomb = {"Friction/Law": "associated Coulomb",
+               "Friction/Coefficient": "0.4", "Rotations": "true"}
+    deviator = {"Loads/Stress": "-1.2, 0; 0, -0.8"}
+    factor = {"Analysis": "load factor", "Loads/Stress": "-1, 0; 0, -1",
+              "Live loads/Boundary load": "uniform stress",
+              "Live loads/Stress": "-1, 0; 0, 1"}
+    prm = directory / "many_cells.prm"
+    prm.write_text("")
+    for name, entries in {
+            "sliding": {**tresca, **deviator}, "factor": {**tresca, **factor},
+            "factor_turning": {**coulomb, **factor},
+            "no_dilatancy": {**coulomb, **deviator,
+                             "Friction/Law": "Coulomb",
+                             "Friction/Coefficient": "0.15"}}.items():
+        entries = {"Packing/Generator": "Voronoi",
+                   "Packing/Voronoi/Number of points": N_MANY,
+                   "Loads/Boundary load": "uniform stress", **entries}
+        yield Question(f"many_cells_{name}", prm,
+                       (*QUICK, *(f"{entry}={value}"
+                                  for entry, value in entries.items())))
 
 
 def without_dilatancy(text):
