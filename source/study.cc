@@ -188,7 +188,10 @@ Findings Study::find_factor(Given given)
 
   LoadFactor &factor = *search.answer.factor;
   record.formulation = "load factor";
-  record.selection = "one of the states that carry the loads at the factor";
+  record.selection =
+      factor.trials.empty()
+          ? "one of the states that carry the loads at the factor"
+          : solver.coulomb().selection();
   record.outcome = factor.stop.words();
   record.passes = factor.passes;
   record.n_iterations = record.n_evaluations = factor.n_iterations;

@@ -55,10 +55,11 @@ class Run:
 class Program:
     """The program, run in a directory of its own."""
 
-    def __init__(self, path, directory, seconds=300):
+    def __init__(self, path, directory, seconds=300, environment=None):
         self.path = pathlib.Path(path).resolve()
         self.directory = pathlib.Path(directory)
         self.seconds = seconds
+        self.environment = environment
 
     def write(self, name, text):
         """A file that a .prm file names."""
@@ -68,12 +69,17 @@ class Program:
         """Run the text of a .prm file."""
         prm = self.directory / f"{name}.prm"
         prm.write_text(text)
-        results = self.directory / f"results_{name}"
+        return self.run_file(prm)
+
+    def run_file(self, prm, settings=()):
+        """Run a .prm file, with settings "Section/Entry=value" beside it."""
+        results = self.directory / f"results_{prm.stem}"
+        words = [word for setting in (f"Output directory={results}", *settings)
+                 for word in ("--set", setting)]
         try:
             done = subprocess.run(
-                [self.path, prm, "--quiet", "--set",
-                 f"Output directory={results}"],
-                capture_output=True, text=True, timeout=self.seconds)
+                [self.path, prm, "--quiet", *words], capture_output=True,
+                text=True, timeout=self.seconds, env=self.environment)
         except subprocess.TimeoutExpired:
             return Run(prm, results, None, "not done in time", {})
         summary = {}

@@ -12,6 +12,37 @@ namespace
 {
 /** A jump, over the largest displacement of a support, that is one. */
 constexpr double least_jump = 1e-6;
+
+/** What the factors that were tried say of each other. */
+std::string description_without_dilatancy(const LoadFactor &factor)
+{
+  const auto smaller = [&](const double tried) {
+    return std::abs(tried) < std::abs(factor.carried);
+  };
+  const FactorTrials &trials = factor.trials;
+  const unsigned int n_with = std::count_if(trials.with_state.begin(),
+                                            trials.with_state.end(), smaller);
+  const unsigned int n_without = std::count_if(
+      trials.without_state.begin(), trials.without_state.end(), smaller);
+  std::string words =
+      text(text_to_copy(factor.carried), " has a state without dilatancy, ");
+  if (n_without > 0)
+    words += text(
+        "but of ", n_with + n_without, " smaller factors tried ", n_without,
+        n_without > 1 ? " have none, the least of them " : " has none, ",
+        text_to_copy(trials.without_state.front()));
+  else if (n_with > 0)
+    words += n_with > 1
+                 ? text("and so have the ", n_with, " smaller factors tried")
+                 : "and so has the one smaller factor tried";
+  else
+    words += "the only factor tried that has one";
+  words += "; of others nothing is known, since no theorem holds";
+  return std::isfinite(factor.bound)
+             ? text(words, "; ", text_to_copy(factor.bound),
+                    " collapses, with it or without, which is proven")
+             : words + "; no mechanism was found that bounds it";
+}
 } // namespace
 
 CountOfRanges::CountOfRanges(const Ranges &ranges)
@@ -40,10 +71,8 @@ CountOfJumps::CountOfJumps(const Scene &scene, const Settlement &settlement)
 
 std::string description_of(const LoadFactor &factor)
 {
-  if (factor.passes.n > 0)
-    return text(text_to_copy(factor.carried),
-                " has a state without dilatancy; ", text_to_copy(factor.bound),
-                " collapses, with it or without");
+  if (!factor.trials.empty())
+    return description_without_dilatancy(factor);
   if (factor.is_unbounded)
     return text(text_to_copy(factor.carried),
                 " is carried, and so is any beyond it: the live loads balance "

@@ -89,6 +89,10 @@ Json summary_of_factor(const LoadFactor &factor)
                {"unbounded", factor.is_unbounded}};
   if (factor.has_mechanism())
     json["closing_violation"] = factor.proof.closing_violation;
+  if (!factor.trials.empty())
+    json["tried"] = {{"with_state", factor.trials.with_state},
+                     {"without_state", factor.trials.without_state}};
+  json["meaning"] = description_of(factor);
   return json;
 }
 

@@ -4,6 +4,7 @@
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/proximal_steps.h>
 #include <voussoir/statics/solver_controls.h>
+#include <voussoir/statics/yielding_joint.h>
 #include <voussoir/statics/yielding_joints.h>
 
 #include <deal.II/base/exceptions.h>
@@ -17,87 +18,17 @@ namespace Voussoir
 {
 namespace
 {
-/** How many ways to cut joints that crush are tried. */
-constexpr unsigned int n_rounds = 8;
-
-/** Elastic rows that yield at their bounds. */
-class YieldingJoint : public JointLaw
-{
-public:
-  /** The references must outlive this object. */
-  YieldingJoint(const BoundedRows &rows, const DiscreteProblem &problem)
-      : rows(rows)
-  {
-    stiffness.reserve(rows.n_all_rows());
-    origin.reserve(rows.n_all_rows());
-    for (unsigned int e = 0; e < rows.joints().size(); ++e)
-    {
-      const double total = rows.joints()[e].stiffness();
-      for (unsigned int r = 0; r < rows.n_contacts(); ++r)
-      {
-        const double share = rows.share(e, r);
-        stiffness.push_back(share * total);
-        origin.push_back(share * problem.tension(e));
-      }
-      stiffness.push_back(total);
-      origin.push_back(0.);
-    }
-  }
-
-  void find_forces(const unsigned int e,
-                   const double *jumps,
-                   double *forces) const override
-  {
-    for (unsigned int r = 0; r < rows.n_rows(); ++r)
-      forces[r] = std::clamp(elastic(e, r, jumps), bounds(e, r).least,
-                             bounds(e, r).greatest);
-  }
-
-  void find_second_derivatives(const unsigned int e,
-                               const double *jumps,
-                               double *second) const override
-  {
-    for (unsigned int r = 0; r < rows.n_rows(); ++r)
-    {
-      const double force = elastic(e, r, jumps);
-      const bool yields =
-          force < bounds(e, r).least || force > bounds(e, r).greatest;
-      second[r] = yields ? 0. : stiffness[number(e, r)];
-    }
-  }
-
-private:
-  std::size_t number(const unsigned int e, const unsigned int r) const
-  {
-    return std::size_t(e) * rows.n_rows() + r;
-  }
-  const BoundedRows::Bounds &bounds(const unsigned int e,
-                                    const unsigned int r) const
-  {
-    return rows.bounds()[number(e, r)];
-  }
-  /** The force without bounds, from that of the row without a jump. */
-  double
-  elastic(const unsigned int e, const unsigned int r, const double *jumps) const
-  {
-    return stiffness[number(e, r)] * jumps[r] - origin[number(e, r)];
-  }
-
-  const BoundedRows &rows;
-  std::vector<double> stiffness, origin;
-};
-
-/** Newton's method, with one way to cut the joints. */
+/** Newton's method for these joints. */
 class Attempt
 {
 public:
   /** @param start n_dofs() numbers. */
   Attempt(const DiscreteProblem &problem,
-          const BoundedRows &rows,
           const LinearSolver linear_solver,
           std::vector<double> start)
-      : rows(rows), law(rows, problem), system(rows, linear_solver),
-        newton(rows, law, system, std::move(start))
+      : problem(problem), structure(with_middle(problem)),
+        law(structure, problem), system(structure, linear_solver),
+        newton(structure, law, system, std::move(start))
   {}
 
   /**
@@ -118,7 +49,8 @@ public:
 private:
   bool step(ProximalSteps &steps);
 
-  const BoundedRows &rows;
+  const DiscreteProblem &problem;
+  const Structure structure;
   const YieldingJoint law;
   JointSystem system;
   Newton newton;
@@ -162,7 +94,7 @@ std::optional<Solution> Attempt::minimise(const double wanted,
   Solution found;
   found.stop =
       least <= wanted ? Stop::Reason::converged : Stop::Reason::rounding;
-  found.forces = rows.forces_of(forces);
+  found.forces = without_middle(problem, forces);
   return found;
 }
 } // namespace
@@ -176,39 +108,24 @@ Solution minimise_yielding(const DiscreteProblem &problem,
   Assert(std::all_of(problem.joints().begin(), problem.joints().end(),
                      [](const auto &joint) { return joint.coefficient == 0.; }),
          dealii::ExcMessage("Rows of Coulomb's friction have other shares."));
-  RowProblem by_rows(problem);
-  std::vector<double> u = std::move(start);
-  u.resize(problem.n_dofs(), 0.);
-  unsigned int n_iterations = 0, n_evaluations = 0;
-  std::optional<Solution> found, any;
-  for (unsigned int round = 0; round < n_rounds && !found; ++round)
-  {
-    if (round > 0)
-      by_rows.refine(u);
-    Attempt attempt(problem, by_rows.rows(), order.linear_solver, std::move(u));
-    found = attempt.minimise(order.tolerance, order.n_max_iterations, terminal);
-    u = attempt.u();
-    n_iterations += attempt.n_iterations();
-    n_evaluations += attempt.n_evaluations();
-    if (!found && !any)
-      any = find_state_or_collapse(problem, order.n_max_iterations, terminal);
-    // Strips that are cut otherwise may carry what these do not.
-    if (any && !(any->converged() && by_rows.rows().has_strips()))
-      break;
-  }
+  start.resize(problem.n_dofs(), 0.);
+  Attempt attempt(problem, order.linear_solver, std::move(start));
+  std::optional<Solution> found =
+      attempt.minimise(order.tolerance, order.n_max_iterations, terminal);
   if (found)
   {
+    std::vector<double> u = attempt.u();
     problem.remove_rigid_motions(u);
     found->motion = problem.motion_of_cells(u, displacement_unit);
   }
   else
   {
-    found = std::move(any);
+    found = find_state_or_collapse(problem, order.n_max_iterations, terminal);
     if (found->converged())
       found->selection = AnyState().selection();
   }
-  found->n_iterations += n_iterations;
-  found->n_evaluations += n_evaluations;
+  found->n_iterations += attempt.n_iterations();
+  found->n_evaluations += attempt.n_evaluations();
   return std::move(*found);
 }
 } // namespace Voussoir

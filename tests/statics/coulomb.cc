@@ -2,11 +2,12 @@
 
 // Coulomb's friction: states of blocks that slide without lifting, and their
 // factors, which friction with dilatancy bounds; factors of strengths; factors
-// that do not depend on the units of the loads, and that are zero; Anderson's
-// acceleration of a linear fixed point.
+// that do not depend on the units of the loads, and that are zero; what is said
+// of factors that were tried; Anderson's acceleration of a linear fixed point.
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/output/descriptions.h>
 #include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/least_energy.h>
@@ -118,6 +119,17 @@ void factors()
   const Scene at =
       wall_under(6, 5, 10. * found.factor->carried, -10., 0.65, 0.);
   check_error("its state", certify(at, found.factor->forces).error(), 1e-9);
+  const FactorTrials &trials = found.factor->trials;
+  check("it is the greatest tried that has one",
+        trials.with_state.back() == found.factor->carried);
+  check(
+      "smaller and greater ones were tried, in order",
+      trials.with_state.size() > 8 && trials.without_state.size() > 1 &&
+          std::is_sorted(trials.with_state.begin(), trials.with_state.end()) &&
+          std::is_sorted(trials.without_state.begin(),
+                         trials.without_state.end()));
+  check("of a factor with two proofs nothing was tried",
+        associated.factor->trials.empty());
 
   // Without dead loads: cohesion, and what friction adds to it.
   const LoadFactorAnswer cohesive = find_factor_without_dilatancy(
@@ -227,6 +239,25 @@ void scales_and_zero()
             zero.factor->width() <= 1e-8 && zero.factor->has_mechanism());
 }
 
+void words()
+{
+  LoadFactor factor;
+  factor.carried = 2.;
+  factor.bound = 3.;
+  factor.trials = {{0., 1., 2.}, {2.5, 3.}};
+  std::cout << description_of(factor) << std::endl;
+  factor.trials = {{0., 1., 2.}, {1.5, 2.5}};
+  std::cout << description_of(factor) << std::endl;
+  factor.trials = {{0., 2.}, {0.5, 1.5, 2.5}};
+  std::cout << description_of(factor) << std::endl;
+  factor.trials = {{0., 2.}, {2.5}};
+  std::cout << description_of(factor) << std::endl;
+  factor.carried = 0.;
+  factor.bound = std::numeric_limits<double>::infinity();
+  factor.trials = {{0.}, {1.}};
+  std::cout << description_of(factor) << std::endl;
+}
+
 void acceleration()
 {
   // x = M x + b with the eigenvalues 0.9, 0.5 and -0.8.
@@ -253,5 +284,6 @@ int main()
   strengths();
   arches();
   scales_and_zero();
+  words();
   acceleration();
 }

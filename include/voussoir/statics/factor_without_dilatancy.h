@@ -8,12 +8,15 @@
 namespace Voussoir
 {
 /**
- * Find the factor up to which CoulombState has a state, by bisection between
- * zero, or one, and the factor of associated friction, which bounds it: forces
- * that friction admits are the same whether blocks dilate or not.
+ * Find the greatest factor at which CoulombState has a state, among those that
+ * are tried: eighths of the factor of associated friction, which bounds it, and
+ * then by bisection between the greatest of them with a state and the next one.
+ * Forces that friction admits are the same whether blocks dilate or not, so
+ * that beyond the bound there is nothing to be found.
  *
- * The state is a proof of nothing but itself: no theorem says that such loads
- * cannot move the blocks, or that a greater factor has no other state.
+ * A state proves nothing but itself: no theorem says that such loads cannot
+ * move the blocks, that a greater factor has no other state, or that a smaller
+ * one has any. LoadFactor::trials says which factors were tried.
  *
  * @param dead the scene with the dead loads, with a coefficient of friction.
  * @param live the same scene with the live loads instead.
@@ -21,7 +24,8 @@ namespace Voussoir
  * @param controls of both methods.
  * @param factor_controls of the search for the bound.
  * @param terminal sees the iterations.
- * @return LoadFactor::bound and its mechanism by the associated friction.
+ * @return LoadFactor::bound and its mechanism by the associated friction; if
+ *   LoadFactor::trials is empty, all of it, since there was nothing to try.
  * @throws InputError, SolverError as find_load_factor() does, or if there is no
  *   state at all.
  */

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace Voussoir
 {
@@ -21,6 +22,19 @@ struct LoadFactorControls
   double tolerance = 1e-8;
   /** The number of iterations after which to give up. */
   unsigned int n_max_iterations = 300;
+};
+
+/**
+ * The factors at which find_factor_without_dilatancy() has looked for a state,
+ * each in the order of their sizes. Nothing is known of others between them.
+ */
+struct FactorTrials
+{
+  /** @{ */
+  std::vector<double> with_state, without_state;
+  /** @} */
+  /** True if there are none: the two bounds are proofs. */
+  bool empty() const { return with_state.empty() && without_state.empty(); }
 };
 
 /**
@@ -41,8 +55,11 @@ struct LoadFactor
   Motion mechanism;
   /** Its errors as a proof. */
   FactorBound proof;
+  /** @{ */
   /** Of find_factor_without_dilatancy(). */
   Passes passes = {};
+  FactorTrials trials = {};
+  /** @} */
   /** The number of iterations. */
   unsigned int n_iterations = 0;
   /** The reason for which the method stopped. */

@@ -10,16 +10,14 @@ namespace Voussoir
 {
 /**
  * Minimise the energy of elastic joints that bear tension or crush, with
- * Tresca's friction: each row of BoundedRows has its share of the stiffness of
- * the joint and yields at its bounds, without hardening.
+ * Tresca's friction, which yield at their limits without hardening; see
+ * YieldingJoint.
  *
- * Where blocks turn, joints that crush are cut into strips. Bent, they have the
- * energy of a stress that is linear along the joint, three times that of the
- * two forces at the ends that other joints have. Newton's method may get stuck,
- * as it does beyond the limit load. Then find_state_or_collapse() says whether
- * there is a state: if so strips are cut anew, and if that does not help either
- * that state, which is not one of least energy, is the solution and says so in
- * Solution::selection.
+ * Bent, joints that crush between blocks that turn have the energy of a stress
+ * that is linear along the joint, three times that of the two forces at the
+ * ends that other joints have. Newton's method may get stuck, as it does beyond
+ * the limit load. Then find_state_or_collapse() says whether there is a state,
+ * which is not one of least energy, and says so in Solution::selection.
  *
  * @param problem without coefficients of friction.
  * @param order the controls.
