@@ -1,7 +1,9 @@
-"""Drawings: a rectangle that is cut again and again into convex polygons.
+"""Drawings: a rectangle that is cut again and again into convex polygons, and
+bricks with mortar between them.
 
 Each cut goes through one polygon only, so that its ends are T-junctions.
 """
+import dataclasses
 import math
 
 import numpy
@@ -9,12 +11,12 @@ import numpy
 from judging.packing import moments_of, number
 
 
-def dissection(choice, width, height):
-    """The polygons of 4 to 50 cuts of a rectangle."""
+def dissection(choice, width, height, most):
+    """The polygons, 4 or more, of cuts of a rectangle."""
     upright = choice.random() < 0.3
     cells = [numpy.array([(0., 0.), (width, 0.), (width, height),
                           (0., height)])]
-    wanted = choice.randint(4, 50)
+    wanted = choice.randint(4, most)
     while len(cells) < wanted:
         areas = [moments_of(cell)[0] for cell in cells]
         k = choice.choices(range(len(cells)), [area**2 for area in areas])[0]
@@ -55,6 +57,33 @@ def half(polygon, side):
                 a, b, here, there = b, a, there, here
             points.append(a + (b - a) * (here / (here - there)))
     return numpy.array(points)
+
+
+@dataclasses.dataclass
+class BricksWithGaps:
+    """The bricks of a wall, and the width of the joints between them."""
+    polygons: list
+    gap: float
+
+
+def bricks_with_gaps(choice, width, height, courses, bricks):
+    """A running bond on a rectangle, each brick smaller than its place."""
+    step, rise = width / bricks, height / courses
+    gap = min(step, rise) * choice.uniform(0.02, 0.15)
+    polygons = []
+    for course in range(courses):
+        cuts = [k * step for k in range(bricks + 1)]
+        if course % 2:
+            cuts = [0., *(cut + 0.5 * step for cut in cuts[:-1]), width]
+        cuts[-1] = width
+        for left, right in zip(cuts, cuts[1:]):
+            x0 = left + 0.5 * gap * (left > 0.)
+            x1 = right - 0.5 * gap * (right < width)
+            y0 = course * rise + 0.5 * gap * (course > 0)
+            y1 = (course + 1) * rise - 0.5 * gap * (course + 1 < courses)
+            polygons.append(numpy.array([(x0, y0), (x1, y0), (x1, y1),
+                                         (x0, y1)]))
+    return BricksWithGaps(polygons, gap)
 
 
 def thickness_of(polygon):

@@ -97,6 +97,18 @@ class AdmissibleSet:
         return AdmissibleSet(scaled(self.lower), scaled(self.upper), self.rows,
                              self.limits * factor)
 
+    def no_more_than(self, size):
+        """Those of these forces that are no larger than a number."""
+        return AdmissibleSet(numpy.maximum(self.lower, -size),
+                             numpy.minimum(self.upper, size), self.rows,
+                             self.limits)
+
+    def within(self, rows, limits):
+        """Those of these forces with rows x <= limits besides."""
+        return AdmissibleSet(self.lower, self.upper,
+                             scipy.sparse.vstack([self.rows, rows]).tocsr(),
+                             numpy.concatenate([self.limits, limits]))
+
     def violation(self, x):
         """By how much forces are outside, at most."""
         return max(0., numpy.max(self.lower - x), numpy.max(x - self.upper),
@@ -105,7 +117,7 @@ class AdmissibleSet:
 
 def admissible_set(joints):
     """|q| <= s |e| + mu p with the strength or cohesion s, and p between the
-    tensile and the compressive strength; with rotations joints do not crush.
+    tensile and the compressive strength; of sections no more than that.
     """
     most = joints.strength * joints.length
     coulomb = numpy.nonzero(joints.coefficient > 0.)[0]
@@ -133,7 +145,7 @@ def friction_rows(joints, which, sign):
         (value, (row, column)), (len(which), n_forces * len(joints)))
 
 
-def resistance(joints, opening, sliding):
+def resistance(joints, sections, opening, sliding):
     """What joints dissipate in a motion, and by how much they close.
 
     The largest work of admissible forces, opening being contact by contact:
@@ -145,6 +157,9 @@ def resistance(joints, opening, sliding):
                    joints.coefficient * joints.tension) * numpy.abs(sliding)
     dissipation += (joints.tension / n * opening).sum(0)
     crushes = numpy.isfinite(joints.crushing)
-    dissipation[crushes] += ((joints.crushing + joints.tension)[crushes] / n *
-                             numpy.maximum(closing[:, crushes], 0.)).sum(0)
+    if joints.rotations:
+        dissipation[sections.which] += sections.resistance(-closing)
+    else:
+        dissipation[crushes] += ((joints.crushing + joints.tension)[crushes] *
+                                 numpy.maximum(closing[0, crushes], 0.))
     return dissipation.sum(), numpy.max(closing[:, ~crushes], initial=0.)

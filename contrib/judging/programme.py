@@ -11,6 +11,7 @@ import scipy.optimize
 import scipy.sparse
 
 from judging.joints import admissible_set
+from judging.sections import Sections
 
 TOLERANCE = 1e-10
 # A shortage of forces, over the loads: none, and one that is no rounding.
@@ -38,7 +39,9 @@ class Programme:
         self.joints = joints
         self.length = packing.size
         self.matrix = joints.equilibrium(packing.centre, self.length)
-        self.admissible = admissible_set(joints)
+        self.sections = Sections(joints)
+        self.admissible_ends = admissible_set(joints)
+        self.admissible = self.admissible_ends.within(*self.sections.rows())
         self.dead, self.live = self.rows_of(dead), self.rows_of(live)
         crushing = numpy.where(numpy.isfinite(joints.crushing),
                                joints.crushing, 0.)
@@ -55,6 +58,17 @@ class Programme:
         if not self.joints.rotations:
             return loads[:, :2].ravel()
         return (loads / (1., 1., self.length)).ravel()
+
+    def violation(self, x):
+        """By how much forces are not admissible, at most."""
+        return max(self.admissible.violation(x), self.sections.excess(x))
+
+    def cut(self, x, tolerance):
+        """Cut off forces that no section admits; whether there are any."""
+        if not self.sections.cut(x, tolerance):
+            return False
+        self.admissible = self.admissible_ends.within(*self.sections.rows())
+        return True
 
     def at(self, factor):
         return self.dead + factor * self.live

@@ -46,33 +46,41 @@ class MechanismProof:
         return (self.dissipation - self.dead_work) / self.live_work
 
 
-def state_proof(run, programme, loads):
-    """Of the forces in interfaces.csv, for these loads in rows."""
+def written_forces(run, joints):
+    """The forces in interfaces.csv."""
     rows = run.table("interfaces.csv")
-    names = ["normal_force_0", "normal_force_1"] \
-        if programme.joints.rotations else ["normal_force"]
+    names = ["normal_force_0", "normal_force_1"] if joints.rotations \
+        else ["normal_force"]
     columns = [numpy.array([float(row[name]) for row in rows])
                for name in [*names, "tangential_force"]]
-    x = programme.joints.in_order([-column for column in columns[:-1]],
-                                  columns[-1])
+    return joints.in_order([-column for column in columns[:-1]], columns[-1])
+
+
+def written_motion(run, programme, table):
+    """The displacements and angles in a table of the cells, by rows."""
+    keys = ["ux", "uy"] + ["rotation"] * programme.joints.rotations
+    motion = numpy.array([[float(row[key]) for key in keys]
+                          for row in run.table(table)])
+    if programme.joints.rotations:
+        motion[:, 2] *= programme.length
+    return motion.ravel()
+
+
+def state_proof(run, programme, loads):
+    """Of the forces in interfaces.csv, for these loads in rows."""
+    x = written_forces(run, programme.joints)
     force = numpy.abs(loads).max() or 1.
     return StateProof(numpy.abs(programme.matrix @ x + loads).max() / force,
-                      programme.admissible.violation(x) / force)
+                      programme.violation(x) / force)
 
 
 def mechanism_proof(run, programme):
     """Of the displacements and angles in mechanism.csv."""
-    keys = ["ux", "uy"] + ["rotation"] * programme.joints.rotations
-    motion = numpy.array([[float(row[key]) for key in keys]
-                          for row in run.table("mechanism.csv")])
-    if programme.joints.rotations:
-        motion[:, 2] *= programme.length
-    motion = motion.ravel()
+    motion = written_motion(run, programme, "mechanism.csv")
     jumps = (programme.matrix.T @ motion).reshape(
         len(programme.joints), -1)
-    dissipation, closing = resistance(programme.joints, jumps[:, :-1].T,
-                                      jumps[:, -1])
+    dissipation, closing = resistance(programme.joints, programme.sections,
+                                      jumps[:, :-1].T, jumps[:, -1])
     return MechanismProof(dissipation, programme.dead @ motion,
                           programme.live @ motion,
                           closing / numpy.abs(motion).max())
-

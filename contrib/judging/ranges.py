@@ -1,92 +1,141 @@
-"""The ranges of all forces of one scene, by the program and by HiGHS."""
+"""The ranges of the forces of one scene, by the program and by HiGHS.
+
+Where joints crush between blocks that turn the program's ends are those of
+sections in strips, and those of all states are farther by what it says at most.
+"""
 import numpy
 
-from judging.program import SOLVED
-from judging.programme import Programme, minimise
-from judging.scenes import Scene, draw_loads
+from judging.extremes import Extremes
+from judging.small_scenes import SmallJudgement
 
-# Of bounds, over the largest load on a row.
+# Of ends of ranges, over the largest load on a row.
 LARGEST_DIFFERENCE = 1e-8
-# HiGHS's words for an optimum and for none.
-OPTIMAL, UNBOUNDED = 0, 3
+# The same of the couple of a resultant about the end of its range, over the
+# length of the joint; and by how much less far it has to get.
+LARGEST_COUPLE, CLOSE = 1e-8, 1e-6
+# Of a scene so many joints are compared, chosen at random, and of these so many
+# ends with whole sections, which take long.
+MOST_JOINTS, SHARE_OF_SECTIONS = 8, 0.3
 
 
-class RangeJudgement:
-    """One scene: each force's least and greatest value over all states.
+class RangeJudgement(SmallJudgement):
+    """The least and the greatest value of forces over all states."""
+    question = "ranges"
 
-    Has what a Tally counts: of the kinds "bounded" are scenes that are
-    compared, and "not carried" the others.
-    """
+    def settings(self):
+        method = self.choice.choice(("automatic", "simplex", "interior point"))
+        where = self.choice.choice(("1", "1", "abs(ny) > 0.5123"))
+        reactions = str(self.scene.supports != "0").lower()
+        return ["subsection Ranges", f"set Where = {where}",
+                f"set Reactions = {reactions}", f"set Method = {method}", "end"]
 
-    def __init__(self, program, seed, k, report):
-        self.program = program
-        self.scene = Scene(seed, k)
-        self.report = report
-        self.n_states = 0
-        self.kind = "not carried"
-        self.difference = self.miss = 0.
-
-    def judge(self):
-        name = f"{self.scene.name}_ranges"
-        if self.scene.drawing:
-            self.program.write(f"{self.scene.name}.wkt", self.scene.drawing)
-        packing = self.program.run(f"{name}_packing", self.scene.text())
-        if packing.status != SOLVED:
-            self.report("fault", packing, "the packing is refused")
-            return
-        joints, cells = packing.packing()
-        loads, _ = draw_loads(self.scene, cells)
-        settings = ["set Formulation = least energy"] \
-            if self.scene.law == "Tresca" else []
-        text = self.scene.text(
-            [*settings, "subsection Ranges", "set Where = 1", "end"], loads)
-        run = self.program.run(name, text)
-        if run.verdict() != "carried":
-            if "range" in run.message:
-                self.report("undecided", run, run.message)
-            return
-        self.kind = "bounded"
-        written = loads.on(cells)
-        # Of live loads there is no question.
-        programme = Programme(joints, cells, written,
-                              numpy.ones_like(written))
-        self.compare(run, programme)
-
-    def compare(self, run, programme):
-        """Every end of a range."""
-        force = numpy.abs(programme.dead).max() or 1.
-        n = programme.joints.n_contacts
+    def compare(self, run):
+        self.extremes = Extremes(self.programme)
         rows = run.table("interfaces.csv")
-        for joint, row in enumerate(rows):
-            first = (n + 1) * joint
-            for symbol, which in (("p", range(first, first + n)),
-                                  ("q", [first + n])):
-                for end, sign in (("min", 1.), ("max", -1.)):
-                    cost = numpy.zeros(programme.matrix.shape[1])
-                    cost[list(which)] = sign
-                    self.compare_end(run, programme, force, cost, sign,
-                                     f"{symbol}_{end}", row, joint)
+        asked = [joint for joint, row in enumerate(rows) if row["p_min"]]
+        for joint in self.choice.sample(asked, min(len(asked), MOST_JOINTS)):
+            self.compare_joint(run, joint, rows[joint])
+        self.compare_reactions(run)
 
-    def compare_end(self, run, programme, force, cost, sign, name, row, joint):
-        """One of them."""
-        limits = programme.admissible.times(1. / force)
-        for method in ("highs", "highs-ds", "highs-ipm"):
-            found = minimise(cost, programme.matrix, -programme.dead / force,
-                             limits, method, [])
-            if found.status in (OPTIMAL, UNBOUNDED):
-                break
-        else:
-            self.report("doubtful", run, f"HiGHS on {name} of {joint}: "
-                        f"{found.message}")
+    def function(self):
+        """Zero, to be filled in, and a view of it joint by joint."""
+        zero = numpy.zeros(self.programme.matrix.shape[1])
+        return zero, zero.reshape(len(self.joints), -1)
+
+    def compare_joint(self, run, joint, row):
+        """All ends of one interface."""
+        n = self.joints.n_contacts
+        for symbol, of in (("p", slice(0, n)), ("q", slice(n, n + 1))):
+            function, rows = self.function()
+            rows[joint, of] = 1.
+            beyond = float(row.get(f"{symbol}_beyond") or 0.)
+            self.compare_ends(
+                run, function, [float(row[f"{symbol}_{end}"])
+                                for end in ("min", "max")],
+                beyond, f"{symbol} of interface {joint}")
+        if row.get("e_min"):
+            for end, sign in (("e_min", -1.), ("e_max", 1.)):
+                self.compare_place(run, joint, sign, float(row[end]),
+                                   f"{end} of interface {joint}")
+
+    def compare_reactions(self, run):
+        """Both components of the reaction of each straight support."""
+        joints = self.joints
+        for of in run.summary["ranges"]["reactions"]:
+            start, end = numpy.array(of["from"]), numpy.array(of["to"])
+            along = (end - start) / numpy.hypot(*(end - start))
+            middle = 0.5 * (joints.start + joints.end) - start
+            place = middle @ along
+            on_it = (joints.cells[:, 1] < 0) & (place > 0.) & \
+                (place < numpy.hypot(*(end - start))) & \
+                (numpy.abs(middle @ (-along[1], along[0])) <
+                 1e-6 * self.cells.size) & \
+                (numpy.abs(joints.tangent @ along) > 1. - 1e-6)
+            for i, name in enumerate("xy"):
+                function, rows = self.function()
+                rows[on_it, :-1] = -joints.normal[on_it, i, None]
+                rows[on_it, -1] = joints.tangent[on_it, i]
+                ends = [sign * numpy.inf if value is None else value
+                        for value, sign in zip(of[name], (-1., 1.))]
+                beyond = of["beyond"][i] if "beyond" in of else 0.
+                self.compare_ends(run, function, ends, beyond,
+                                  f"reaction {name} from {start}")
+
+    def compare_ends(self, run, function, ends, beyond, name):
+        """A range whose ends may be farther by a number."""
+        for value, sign in zip(ends, (-1., 1.)):
+            self.n_states += 1
+            # Values relative to themselves where they are large.
+            tolerance = LARGEST_DIFFERENCE * max(
+                1., abs(value) / self.extremes.force
+                if numpy.isfinite(value) else 1.)
+            self.judge_end(run, sign * function, sign * value, beyond,
+                           tolerance, name)
+
+    def judge_end(self, run, function, value, beyond, tolerance, name):
+        """A greatest value: that in strips, and no less by a number than all
+        states have."""
+        away = self.extremes.difference(function, value)
+        self.difference = max(self.difference, away or 0.)
+        if away is None:
+            self.report("doubtful", run, f"HiGHS has no answer on {name}")
+        elif not away <= tolerance:
+            self.report("fault", run, f"{name}: {value!r}, expected "
+                        f"{self.extremes.in_strips(function).value!r}")
+        if not self.is_asked_of_sections() or not numpy.isfinite(value):
             return
-        expected = -sign * numpy.inf if found.status == UNBOUNDED \
-            else sign * found.fun * force
+        more = self.extremes.excess(function, value + beyond, tolerance)
+        self.miss = max(self.miss, more or 0.)
+        if more is None:
+            self.report("doubtful", run, f"HiGHS has no answer on {name}")
+        elif more > tolerance:
+            self.report("fault", run, f"{name}: {value!r} and at most "
+                        f"{beyond!r} more, expected {more!r} more than that")
+
+    def is_asked_of_sections(self):
+        """Whether the next end is compared with whole sections, too."""
+        return self.programme.sections and \
+            self.choice.random() < SHARE_OF_SECTIONS
+
+    def compare_place(self, run, joint, sign, at, name):
+        """The end of the places of a resultant: no couple about it, and one
+        about a place that is a little less far."""
         self.n_states += 1
-        value = float(row[name])
-        if value == expected:
-            return
-        difference = abs(value - expected) / force
-        self.difference = max(self.difference, difference)
-        if not difference <= LARGEST_DIFFERENCE:
-            self.report("fault", run, f"{name} of interface {joint} is "
-                        f"{value!r}, expected {expected!r}")
+        about, rows = self.function()
+        rows[joint, :2] = -0.5 - at, 0.5 - at
+        couple = self.extremes.in_strips(sign * about).value
+        less, rows = self.function()
+        rows[joint, :2] = -0.5 - (at - sign * CLOSE), 0.5 - (at - sign * CLOSE)
+        attained = self.extremes.in_strips(sign * less).value
+        limit = LARGEST_COUPLE * self.extremes.force
+        more = 0.
+        if self.is_asked_of_sections():
+            more = self.extremes.excess(
+                sign * about, run.summary["ranges"]["beyond"], LARGEST_COUPLE)
+        if more is None or numpy.isnan(couple + attained):
+            self.report("doubtful", run, f"HiGHS has no answer on {name}")
+        elif couple > limit or attained < -limit or \
+                more > LARGEST_COUPLE:
+            self.report("fault", run, f"{name}: the couple about {at!r} is "
+                        f"{couple!r}, about one closer {attained!r}, and by "
+                        f"{more!r} more than is said")

@@ -32,20 +32,25 @@ void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
   const bool has_places = !ranges.eccentricity.empty();
   if (!ranges.wanted[e])
   {
-    line << (has_places ? ",,,,,,," : ",,,,,");
+    line << ",,,,," << (has_places ? ",," : "")
+         << (ranges.are_inner ? ",," : "");
     return;
   }
   line << ',' << 0. - ranges.normal[e].greatest << ','
        << 0. - ranges.normal[e].least << ',' << ranges.tangential[e].least
        << ',' << ranges.tangential[e].greatest << ','
        << int(ranges.is_determined(e));
-  if (!has_places)
-    return;
-  const Range &place = ranges.eccentricity[e];
-  if (std::isnan(place.least))
-    line << ",,";
-  else
-    line << ',' << place.least << ',' << place.greatest;
+  if (has_places)
+  {
+    const Range &place = ranges.eccentricity[e];
+    if (std::isnan(place.least))
+      line << ",,";
+    else
+      line << ',' << place.least << ',' << place.greatest;
+  }
+  if (ranges.are_inner)
+    line << ',' << ranges.normal[e].beyond << ','
+         << ranges.tangential[e].beyond;
 }
 
 /** The columns of samples. */
@@ -82,6 +87,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
       << (results.ranges && !results.ranges->eccentricity.empty()
               ? ",e_min,e_max"
               : "")
+      << (results.ranges && results.ranges->are_inner ? ",p_beyond,q_beyond"
+                                                      : "")
       << (results.samples ? ",p_mean,p_deviation,q_mean,q_deviation,correlation"
                           : "")
       << ",branch_x,branch_y\n";

@@ -87,9 +87,16 @@ std::string description_of(const LoadFactor &factor)
 std::string description_of(const Scene &scene, const Settlement &settlement)
 {
   const CountOfJumps count(scene, settlement);
-  return text("supports move by at most ", settlement.largest_displacement,
-              "; interfaces with a hinge: ", count.hinges,
-              ", open: ", count.open, ", sliding: ", count.sliding);
+  std::string words =
+      text("supports move by at most ", settlement.largest_displacement,
+           "; interfaces with a hinge: ", count.hinges, ", open: ", count.open,
+           ", sliding: ", count.sliding);
+  if (settlement.is_inner)
+    words += text("; as joints crush between blocks that turn, the greatest "
+                  "work of the ground is at least ",
+                  settlement.work, ", that of this state, and at most ",
+                  settlement.width, " more");
+  return words;
 }
 
 std::string description_of(const Ranges &ranges)
@@ -102,6 +109,10 @@ std::string description_of(const Ranges &ranges)
   if (!ranges.reactions.empty())
     words += text("; reactions of ",
                   counted(ranges.reactions.size(), "straight support"));
+  if (ranges.are_inner)
+    words += text("; as joints crush between blocks that turn, ranges are at "
+                  "least as wide, with ends at most ",
+                  ranges.proofs.width, " farther");
   return words;
 }
 

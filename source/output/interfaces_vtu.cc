@@ -80,6 +80,14 @@ void add_ranges(const std::vector<Packing::Interface> &interfaces,
       return place(e, ranges.eccentricity[e].greatest);
     });
   }
+  if (ranges.are_inner)
+  {
+    add("p_beyond",
+        [&ranges](std::size_t e) { return scalar(ranges.normal[e].beyond); });
+    add("q_beyond", [&ranges](std::size_t e) {
+      return scalar(ranges.tangential[e].beyond);
+    });
+  }
   add("determined", [&ranges](std::size_t e) {
     return scalar(ranges.wanted[e] ? std::int32_t(ranges.is_determined(e))
                                    : not_wanted);

@@ -18,8 +18,22 @@ constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
                  largest_width = 1e-9;
 /** The same of an interior point, which does not end in a vertex. */
 constexpr double largest_width_of_interior = 1e-8;
+/**
+ * By how much a motion may close joints, over the jumps of the function, at
+ * most one: of a motion without bound the errors that are relative to itself
+ * prove nothing.
+ */
+constexpr double largest_closing_of_jumps = 1e-6;
 /** What a ray leaves on a body, over its largest force. */
 constexpr double rounding_of_ray = 1e-9;
+
+double largest_displacement(const Motion &motion)
+{
+  double largest = 0.;
+  for (const dealii::Tensor<1, 2> &u : motion.displacement)
+    largest = std::max(largest, u.norm());
+  return largest;
+}
 } // namespace
 
 AllStates::AllStates(const Scene &scene)
@@ -67,15 +81,36 @@ bool AllStates::is_proven(const GreatestValue &value) const
   return is_proven(value, largest_width);
 }
 
-/** The strips of joints that crush leave a width of their own. */
+/** A value is proven by the bound of its own programme. */
 bool AllStates::is_proven(const GreatestValue &value,
                           const double largest_width) const
 {
   return value.error_of_state <= largest_error_of_state &&
          value.bound.closing_violation <= largest_closing &&
-         (by_rows.rows().has_strips() ||
-          std::abs(value.width()) <=
-              largest_width * std::max(force, std::abs(value.value)));
+         value.bound.closing_violation * largest_displacement(value.motion) <=
+             largest_closing_of_jumps &&
+         std::abs(value.width_of_programme()) <=
+             largest_width * std::max(force, std::abs(value.value));
+}
+
+/**
+ * The most of c . x that @p u proves for forces within their bounds: (V2) of
+ * the rows. Rows without a bound are judged as joints, ForceBound.
+ */
+double AllStates::bound_of_programme(const std::vector<double> &c,
+                                     const std::vector<double> &u) const
+{
+  const std::vector<double> jumps = by_rows.rows().jumps(u);
+  double bound = -dot(by_rows.loads(), u);
+  for (std::size_t k = 0; k < c.size(); ++k)
+  {
+    const BoundedRows::Bounds &limits = by_rows.rows().bounds()[k];
+    const double jump = c[k] + jumps[k];
+    const double most = jump > 0. ? limits.greatest : limits.least;
+    if (std::isfinite(most))
+      bound += most * jump;
+  }
+  return bound;
 }
 
 GreatestValue AllStates::found(StateProgram &program,
@@ -102,17 +137,22 @@ GreatestValue AllStates::judged(StateProgram::Optimum optimum,
                         "forces that balance by themselves prove that. Set "
                         "'Ranges/Where = 0' and 'Analysis = state' to have the "
                         "state alone.");
-    return {infinity, {infinity, 0.}, 0., {}, {}};
+    return {infinity, {infinity, 0.}, infinity, 0., {}, {}};
   }
   Solution state;
   state.forces = by_rows.rows().forces_of(optimum.x);
-  optimum.u.resize(problem.n_dofs());
   GreatestValue found;
   found.forces = dimensional_forces(problem, state);
   found.value = function(found.forces);
   found.error_of_state = certify(scene, found.forces).error();
+  const double more = bound_of_programme(c, optimum.u) - dot(c, optimum.x);
+  optimum.u.resize(problem.n_dofs());
   found.motion = problem.motion_of_cells(optimum.u, 1.);
   found.bound = bound_of(scene, function, found.motion);
+  found.bound_of_programme =
+      are_inner()
+          ? found.value + problem.stress_scale() * problem.length_scale() * more
+          : found.bound.bound;
   return found;
 }
 
@@ -138,7 +178,7 @@ GreatestValue AllStates::greatest(StateProgram &program,
         value.error_of_state,
         " of the largest load, its motion closes joints by ",
         value.bound.closing_violation, " of its size, and they differ by ",
-        value.width(),
+        value.width_of_programme(),
         ". Set 'Ranges/Where = 0' and 'Analysis = state' to have the state "
         "alone."));
   return value;

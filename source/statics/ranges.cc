@@ -99,6 +99,8 @@ public:
   RangeProofs proofs;
   /** AllStates::reference(). */
   double reference() const { return states.reference(); }
+  /** AllStates::are_inner(). */
+  bool are_inner() const { return states.are_inner(); }
 
 private:
   /** Let @p find do all parts, on all threads. */
@@ -164,6 +166,8 @@ void Search::find_forces(Part &part, const unsigned int kind, const double sign)
     left.erase(next);
     const GreatestValue value = greatest(part, functions[k].times(sign));
     (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
+    if (are_inner())
+      found[k].beyond = std::max(found[k].beyond, value.width());
     count();
     if (value.is_bounded())
       for (std::size_t i = 0; i < left.size(); ++i)
@@ -345,6 +349,7 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   Ranges ranges;
   ranges.proofs = search.proofs;
   ranges.reference = search.reference();
+  ranges.are_inner = search.are_inner();
   ranges.wanted = wanted.interfaces;
   ranges.normal.resize(n);
   ranges.tangential.resize(n);

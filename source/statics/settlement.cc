@@ -59,6 +59,7 @@ void choose_motion(const AllStates &states,
       continue;
     chosen.motion = loose.motion;
     chosen.bound = loose.bound;
+    chosen.bound_of_programme = loose.bound_of_programme;
     if (states.is_proven(chosen))
     {
       found = chosen;
@@ -105,6 +106,7 @@ Settlement find_settlement(const Scene &scene,
   settlement.forces = std::move(found.forces);
   settlement.work = size * found.value;
   settlement.width = size * found.width();
+  settlement.is_inner = states.are_inner();
   settlement.closing_violation = found.bound.closing_violation;
   settlement.largest_displacement = size;
   settlement.n_iterations = program.n_iterations();

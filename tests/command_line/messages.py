@@ -29,6 +29,7 @@ OTHERS = [
     "face each other across a gap near", "within the matching tolerance",
     "The packing, supports and strengths must be those of the run that the forces are from; "
     "leave 'Forces from' empty to solve.", "A file or directory cannot be used:",
+    "Clp, which solves the linear programmes of all states, has failed.",
     "There is not enough memory for this packing.", "Interrupted by", "no effect, since",
     "An unexpected error, which is a defect of the program, ended the run:",
     "nothing to balance", "stopped at a looser tolerance", "failed to restore feasibility",

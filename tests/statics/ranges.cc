@@ -3,8 +3,12 @@
 // Ranges of forces over all admissible states: a value from elsewhere, closed
 // forms of blocks, a scene in which statics determine all forces, and clamped
 // packings, whose forces have no bound. States that all formulations select lie
-// within the ranges, whose ends are attained and proven.
+// within the ranges, whose ends are attained and proven; where blocks turn and
+// joints crush true ends are within what is said of them. A library that fails
+// ends the program by a message.
 
+#include <voussoir/base/library_failure.h>
+#include <voussoir/output/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/statics/formulation.h>
@@ -12,6 +16,9 @@
 #include <voussoir/statics/ranges.h>
 
 #include "tests.h"
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace Voussoir;
 using dealii::Tensor;
@@ -224,6 +231,86 @@ void beside_wall()
   }
 }
 
+/** True if the end of a range is less far than the true one, as far as said. */
+bool encloses(const double end, const double beyond, const double exact)
+{
+  return end <= exact + 1e-9 && exact <= end + beyond + 1e-9;
+}
+
+/**
+ * A block of weight W = 1 on ground that holds it, beside a smooth wall, all
+ * joints crushing at f_c = 4. The resultant on the ground is at most 1/2 - W /
+ * 2 f_c from the middle, and the lowest force P of the wall at P / 2 f_c: so
+ * P^2 is at most W (f_c - W).
+ */
+void crushing_beside_wall()
+{
+  std::cout << "a block that crushes beside a wall" << std::endl;
+  Packing packing = wall(1, 1);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
+  packing.support(rests);
+  Scene scene = under_weight(packing, 10., 0., rotations());
+  const auto &interfaces = scene.packing.interfaces();
+  scene.compressive_strength.assign(interfaces.size(), 4.);
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
+  for (const RangeMethod method :
+       {RangeMethod::simplex, RangeMethod::interior_point})
+  {
+    const Ranges ranges = find_by(method, scene);
+    for (unsigned int e = 0; e < interfaces.size(); ++e)
+    {
+      const Range &normal = ranges.normal[e], &place = ranges.eccentricity[e];
+      if (interfaces[e].normal[1] < -0.5)
+      {
+        check("  the foot",
+              ranges.is_determined(normal) &&
+                  encloses(-place.least, ranges.proofs.width, 0.5 - 1. / 8.));
+        continue;
+      }
+      std::cout << "  the wall: " << -normal.least << " and up to "
+                << normal.beyond << " more" << std::endl;
+      check("  the root of three",
+            encloses(-normal.least, normal.beyond, std::sqrt(3.)));
+      check("  small forces", std::abs(place.greatest - 15. / 32.) < 1e-6);
+    }
+    std::cout << "  " << description_of(ranges) << std::endl;
+  }
+}
+
+/** The end of a process that fails in a library: its last words and status. */
+void show_failure(const int signal, const bool is_watched)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+    throw std::runtime_error("There is no pipe.");
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    dup2(ends[1], STDERR_FILENO);
+    {
+      const LibraryFailure failure("The library has failed.");
+      if (is_watched)
+        std::raise(signal);
+    }
+    std::raise(signal);
+    _exit(0);
+  }
+  close(ends[1]);
+  std::string words(100, ' ');
+  const ssize_t n = read(ends[0], &words[0], words.size());
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status))
+    std::cout << words.substr(0, n) << "status " << WEXITSTATUS(status)
+              << std::endl;
+  else
+    check("by the signal", WIFSIGNALED(status) && WTERMSIG(status) == signal);
+}
+
 void random_packings()
 {
   for (const unsigned int seed : {1, 2, 3})
@@ -293,6 +380,10 @@ int main()
   column(rotations());
   clamped();
   beside_wall();
+  crushing_beside_wall();
+  for (const int signal : {SIGABRT, SIGSEGV})
+    for (const bool is_watched : {true, false})
+      show_failure(signal, is_watched);
   random_packings();
   refusals();
 }

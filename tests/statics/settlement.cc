@@ -2,9 +2,10 @@
 
 // Supports that move: arches whose supports spread or close, by the thrust that
 // each joint allows and the kinematics of three hinges; blocks on a floor that
-// tilts and beside a wall that rises; the thrust is an end of its range; and
-// what is refused.
+// tilts and beside a wall that rises, or crushes; the thrust is an end of its
+// range; and what is refused.
 
+#include <voussoir/output/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/jumps.h>
 #include <voussoir/scene/reactions.h>
@@ -267,6 +268,32 @@ void wall_that_rises(const double strength)
               std::abs(found.work - 0.25 * std::min(strength, 1.)), 1e-10);
 }
 
+/**
+ * A block that crushes at four times its weight, which a smooth wall pushes as
+ * far as it yields: with the root of three times its weight, see
+ * statics/ranges.
+ */
+void wall_that_crushes()
+{
+  std::cout << "a wall that crushes" << std::endl;
+  Packing packing = wall(1, 1, 1., 1.);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
+  packing.support(rests);
+  Scene scene = under_weight(packing, 10., 0., rotations());
+  const auto &interfaces = scene.packing.interfaces();
+  scene.compressive_strength.assign(interfaces.size(), 4.);
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
+  const Settlement found =
+      find_settlement(scene, motion_of(packing, "nx > 0.5 ? -0.1 : 0; 0"));
+  const double exact = 0.1 * std::sqrt(3.);
+  check("  its work", found.is_inner && found.work <= exact + 1e-9 &&
+                          exact <= found.work + found.width + 1e-9);
+  std::cout << "  " << description_of(scene, found) << std::endl;
+}
+
 /** Dry friction: what is carried along needs no force. */
 void floor_that_slides()
 {
@@ -349,6 +376,7 @@ int main()
   floor_that_tilts();
   wall_that_rises(0.3);
   wall_that_rises(3.);
+  wall_that_crushes();
   floor_that_slides();
   random_walls();
   groups();

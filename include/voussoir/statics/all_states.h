@@ -18,6 +18,11 @@ struct GreatestValue
   double value;
   /** What the motion proves. */
   ForceBound bound;
+  /**
+   * What it proves of the states of the programme, AllStates::are_inner(),
+   * which are fewer; S L times the unit.
+   */
+  double bound_of_programme;
   /** Certificate::error() of the forces. */
   double error_of_state;
   /** A state that attains it; empty if there is none. */
@@ -27,8 +32,14 @@ struct GreatestValue
 
   /** False if forces balance by themselves of which the function has more. */
   bool is_bounded() const { return std::isfinite(value); }
-  /** What the bound is more than the value; zero if there is none. */
+  /** @{ */
+  /** What the bounds are more than the value; zero if there are none. */
   double width() const { return is_bounded() ? bound.bound - value : 0.; }
+  double width_of_programme() const
+  {
+    return is_bounded() ? bound_of_programme - value : 0.;
+  }
+  /** @} */
 };
 
 /**
@@ -36,6 +47,10 @@ struct GreatestValue
  * the forces has at most among them. Every value is attained by a state, and a
  * motion proves that no state has more; see bound_of(). Both are judged by code
  * that the simplex method does not share.
+ *
+ * Where joints crush between blocks that turn, the programmes have polygons
+ * within their sections, BoundedRows, and so fewer states: what they find is
+ * attained, and the motions prove by how much all states have more at most.
  */
 class AllStates
 {
@@ -78,6 +93,8 @@ public:
 
   /** The force that differences are relative to: the largest load on a cell. */
   double reference() const { return force; }
+  /** True if the programmes do not have all states. */
+  bool are_inner() const { return by_rows.rows().has_strips(); }
 
 private:
   std::vector<double> coefficients(const ForceFunction &function) const;
@@ -85,6 +102,8 @@ private:
   GreatestValue judged(StateProgram::Optimum optimum,
                        const std::vector<double> &c,
                        const ForceFunction &function) const;
+  double bound_of_programme(const std::vector<double> &c,
+                            const std::vector<double> &u) const;
   bool is_ray(const std::vector<double> &x) const;
 
   const Scene &scene;

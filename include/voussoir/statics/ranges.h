@@ -18,6 +18,8 @@ struct Range
 {
   double least = 0.;    /**< attained by a state, or minus infinity */
   double greatest = 0.; /**< attained by a state, or infinity */
+  /** By how much either end is farther at most; see Ranges::are_inner. */
+  double beyond = 0.;
 
   /** True if both are finite. */
   bool is_bounded() const
@@ -68,6 +70,12 @@ struct Ranges
   /** The two components of each of reactions(); empty if not wanted. */
   std::vector<std::array<Range, 2>> reactions;
 
+  /**
+   * True if joints crush between blocks that turn. The states are then those of
+   * polygons within the sections of these joints: the ranges of all states are
+   * at least as wide, and motions prove how much wider at most.
+   */
+  bool are_inner = false;
   /** The force that differences are relative to: the largest load on a cell. */
   double reference = 0.;
   /** What proves them. */
@@ -78,7 +86,8 @@ struct Ranges
   /** True if all states have the same. */
   bool is_determined(const Range &range) const
   {
-    return range.greatest - range.least <= least_range * reference;
+    return range.greatest - range.least + 2. * range.beyond <=
+           least_range * reference;
   }
   /** True if some force of interface @p e has no bound. */
   bool is_unbounded(const unsigned int e) const
@@ -96,7 +105,8 @@ struct Ranges
 /**
  * Find the ranges of forces over all admissible states of a scene, by two
  * linear programmes each. Every value is attained by a state, and a motion
- * proves that no state goes farther; see bound_of().
+ * proves that no state goes farther, or how far; see bound_of() and
+ * Ranges::are_inner.
  *
  * @param scene whose loads are carried.
  * @param wanted the forces.

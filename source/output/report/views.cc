@@ -238,9 +238,11 @@ void add_joint_views(PictureMaker &maker, const Results &results)
   std::vector<double> widths = for_each_joint(maker.packing, width);
   add_joint_view(
       maker, "ranges", "Ranges",
-      UnitNames::labelled("normal force of the joints: the greatest of all "
-                          "states less the least",
-                          maker.names.force),
+      UnitNames::labelled(
+          std::string("normal force of the joints: the greatest of all states "
+                      "less the least") +
+              (results.ranges->are_inner ? ", at least" : ""),
+          maker.names.force),
       {ColourScale("r", widths), widths});
 }
 
