@@ -43,13 +43,33 @@ install_packages() {
     fail "the packages cannot be installed."
 }
 
+# Whether the build directory was made for another one: the clone was copied or moved.
+is_of_another_clone() {
+  local cache="$directory/CMakeCache.txt" entry
+  [ -f "$cache" ] || return 1
+  for entry in "CMAKE_HOME_DIRECTORY $top" "CMAKE_CACHEFILE_DIR $directory"; do
+    [ "$(sed -n "s/^${entry%% *}:INTERNAL=//p" "$cache")" -ef "${entry#* }" ] ||
+      return 0
+  done
+  return 1
+}
+
 # Build a target in build/debug or build/release, with options NAME=VALUE for
 # CMake, which runs only if an option or the list of files has changed. The type
-# Debug:NAME is Debug in build/NAME.
+# Debug:NAME is Debug in build/NAME. In a clone that was copied or moved nothing is
+# kept, since paths in it lead to the sources of the other.
 build() {
   local type=${1%:*} name=${1#*:} target=$2 option stale=no
   shift 2
   directory="$top/build/${name,,}"
+  if is_of_another_clone; then
+    echo "$directory was copied or moved here, and is built anew"
+    find "$directory" -depth \( -name CMakeFiles -o -name CMakeCache.txt \) \
+      -exec rm -rf {} +
+    rm -f "$directory/Makefile" "$directory/voussoir"
+  fi
+  [ -e "$directory/voussoir" ] ||
+    echo "The first build of the program takes about five minutes on two cores"
   for option in "$@"; do
     grep -qs "^${option%%=*}:[A-Z]*=${option#*=}$" "$directory/CMakeCache.txt" ||
       stale=yes
@@ -63,6 +83,6 @@ build() {
     touch "$directory/Makefile"
   fi
   make --no-print-directory -C "$directory" -j "$(nproc)" "$target" |
-    { grep -E '^\[ *[0-9]+%\] (Building|Linking)|\*\*\*' || true; } ||
+    { grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|\*\*\*' || true; } ||
     fail "the build in $directory failed."
 }

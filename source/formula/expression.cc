@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/decimal_comma.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
@@ -66,7 +67,11 @@ Expression::Expression(const std::string &formula,
     parser.Eval(n_results);
     if (n_results != 1)
       refuse(formula, parameter, variables,
-             "one expression was expected, not several.");
+             "one expression was expected, not several" +
+                 (with_decimal_points(formula) != formula
+                      ? advice_on_decimal_comma(formula)
+                      : "") +
+                 ".");
     // Asked once, and of a valid formula: muParser parses anew for it, and is
     // content with names it does not know.
     implementation->is_constant = parser.GetUsedVar().empty();

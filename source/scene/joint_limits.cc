@@ -27,10 +27,20 @@ JointLimits::crushing_utilisation(const std::array<double, 2> &at_ends) const
 {
   if (!std::isfinite(crushing))
     return 0.;
-  const double p[] = {0.5 * tension - at_ends[0], 0.5 * tension - at_ends[1]};
-  const double N = p[0] + p[1];
-  return N > 0. ? N / (tension + crushing) * N / (2. * std::min(p[0], p[1]))
-                : 0.;
+  // With N and the lesser p at an end, both in units of f_t |e| + f_c |e|, and
+  // the parts t and c of that: the root u >= 0 of
+  // (N + u t)^2 = u (2 p + u t), that is c t u^2 + 2 (p - N t) u = N^2.
+  const double whole = tension + crushing;
+  const double t = tension / whole, c = crushing / whole;
+  const double N = -(at_ends[0] + at_ends[1]) / whole;
+  const double half = -std::max(at_ends[0], at_ends[1]) / whole - N * t;
+  const double root = std::hypot(half, N * std::sqrt(c * t));
+  if (half > 0.)
+    return N * N / (half + root);
+  if (N == 0. && half == 0.)
+    return 0.;
+  return t > 0. ? (root - half) / (c * t)
+                : std::numeric_limits<double>::infinity();
 }
 
 double JointLimits::excess(const std::array<double, 2> &at_ends) const

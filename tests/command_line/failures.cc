@@ -36,6 +36,45 @@ void run_points(const std::string &points)
            "  set Points file = points.txt\n end\nend\n");
 }
 
+/** Run a whole scene, as bytes. */
+void run_text(const std::string &text)
+{
+  std::ofstream("scene.prm", std::ios::binary) << text;
+  run({"scene.prm"});
+}
+
+/** What is wrong with sections and assignments, and other encodings. */
+void parameter_texts()
+{
+  const std::string wall = "subsection Packing\n set Generator = wall\n"
+                           " subsection wall\n";
+  run_text(wall + "  set Width = 4,0\n end\nend\n");
+  run_text(wall + "  set Openings = 0,25, 0, 0,5, 0,5\n end\nend\n");
+  run_text(wall + "  set Courses = 4,0\n end\nend\n");
+  run_text(wall + "  Width = 4\n end\nend\n");
+  run_text(wall + "  Width 4\n end\nend\n");
+  run_text(wall + "  set Width 4 # m\n end\nend\n");
+  run_text(wall + "  set Widht 4\n end\nend\n");
+  run_text(wall + " end\n");
+  run_text(wall);
+  run_text(wall + " end\nsubsection Loads\nend\n");
+  run_text(wall + " end\n set Title = Wall\n");
+  run_text(wall + "  set Generator = wall\n end\nend\n");
+  run_text(wall + " end\nend\n\nend\n");
+  run_text(wall + " end wall\nend\n");
+  run_text("\xEF\xBB\xBF" + wall + "  Width\n end\nend\n");
+  run_text({"\xFF\xFEs\0e\0t\0", 8});
+  run_text({"\0s\0e\0t", 6});
+  run_text("subsection Loads\n set Body force = 0; -0,5\nend\n");
+  run({"scene.prm", "--set", "Packing/wall/Width=4,0"});
+  run({"scene.prm", "--set", "Loads/Body force=0; -0.5", "--set",
+       "Friction/Strength=0,5"});
+  std::cout << "a byte order mark and ends of lines of Windows: ";
+  run_text(
+      "\xEF\xBB\xBFsubsection Packing\r\n set Generator = wall\r\nend\r\n");
+  fs::remove_all("output");
+}
+
 int main()
 {
   work_in_own_directory();
@@ -66,6 +105,7 @@ int main()
            "x\nend\n");
   run_with("subsection Packing\n subsection Voronoi\n"
            "  set Number of points = 0\n end\nend\n");
+  parameter_texts();
 
   // What the results would overwrite
   run_with("set Output directory = .\nsubsection Output\n"
@@ -90,6 +130,10 @@ int main()
   run_points("0.5 0.5\n0.25 0.25\n0.5 0.5\n");
   run_points("0.5 0.5\n0.25 2\n");
   run_points("# none\n");
+  run_points("\xEF\xBB\xBF"
+             "0,5 0,25\n");
+  run_points("0,5\t0,25,0\n");
+  run_points(std::string("0\0.\0", 4));
   fs::remove("points.txt");
   run_with("subsection Packing\n subsection Voronoi\n  set Points = file\n"
            "  set Points file = points.txt\n end\nend\n");

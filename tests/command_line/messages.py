@@ -56,8 +56,8 @@ JOINED = [
     "do not carry the load of this run: the certificate finds a residual of",
     "each within the matching tolerance",
     "has fewer than three vertices left of which no two are within the matching tolerance",
-    "The Z coordinates of", "The curves of", "There is no subsection to leave here",
-    "There are unequal numbers of 'subsection' and 'end' statements in the parameter file"]
+    "The Z coordinates of", "The curves of",
+    "but outside of all sections; add the 'end' that is missing before, or move it there"]
 # Read in deal.II's messages, and not printed.
 READ = ("The entry value", "for the entry named", "does not match the given pattern", "The line <",
         "No entry with name", "> was declared in", "There is no such", "> could not be parsed")

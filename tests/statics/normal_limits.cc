@@ -87,6 +87,13 @@ void compare(const std::string &name,
                        found.bound >= exact * (1. - 1e-10));
   check_error("  factor", std::abs(found.carried / exact - 1.), error);
   check_error("  bound", std::abs(found.bound / exact - 1.), error);
+  if (at.compressive_strength.empty())
+    return;
+  double most = 0.;
+  for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
+    most =
+        std::max(most, at.limits(e).crushing_utilisation(found.forces.ends(e)));
+  check_error("  a section is used up", std::abs(most - 1.), 2. * error);
 }
 
 /** A pressure whose resultant, one, is at @p e from the middle. */
@@ -374,9 +381,65 @@ void sections()
   check_error("even", distance(whole.forces(-0.1, -0.1), {-0.1, -0.1}), 1e-15);
 }
 
+/** The part of a section in use, of a force and of half of it. */
+void compare_utilisation(const std::string &name,
+                         const JointLimits &limits,
+                         const double N,
+                         const double moment,
+                         const double exact)
+{
+  double difference = 0.;
+  for (const double share : {1., 0.5})
+    for (const double sign : {1., -1.})
+    {
+      const double M = sign * share * moment;
+      const double found = limits.crushing_utilisation(
+          {{-0.5 * share * N - M, -0.5 * share * N + M}});
+      difference = std::max(difference, std::abs(found - share * exact));
+    }
+  check_error(name + " is used", difference, 4e-16);
+}
+
+void utilisations()
+{
+  JointLimits limits = {0.7};
+  limits.crushing = 2.;
+  compare_utilisation("a section under no force", limits, 0., 0., 0.);
+  compare_utilisation("pressed in the middle", limits, 0.5, 0., 0.25);
+  compare_utilisation("pressed at 0.2", limits, 1.2, 0.24, 1.);
+  check("the edge bears nothing",
+        std::isinf(limits.crushing_utilisation({{-1e-3, 0.}})));
+  limits.tension = 0.5;
+  compare_utilisation("with tension, under no force", limits, 0., 0., 0.);
+  compare_utilisation("pressed in the middle", limits, 1., 0., 0.5);
+  compare_utilisation("pulled in the middle", limits, -0.25, 0., 0.5);
+  // (N + T)(F - N) = 2 e (F + T) N, and without a resultant 2 (F + T) M = F T.
+  const double most = 0.5 * (0.25 + std::sqrt(0.0625 + 4.));
+  compare_utilisation("pressed at 0.25", limits, most, 0.25 * most, 1.);
+  compare_utilisation("bent", limits, 0., 0.2, 1.);
+  // Forces over their utilisation are at the limit, wherever they act.
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  double largest_beyond = 0., largest_below = 0.;
+  for (unsigned int k = 0; k < 1000; ++k)
+  {
+    const std::array<double, 2> ends = {{number(random), number(random)}};
+    const double used = limits.crushing_utilisation(ends);
+    const auto excess = [&](const double factor) {
+      return limits.excess(
+          {{factor / used * ends[0], factor / used * ends[1]}});
+    };
+    largest_beyond = std::max(largest_beyond, excess(1. - 1e-12));
+    largest_below = std::max(largest_below, excess(1. + 1e-6) > 0. ? 0. : 1.);
+  }
+  check("less is admitted", largest_beyond == 0.);
+  check("more is not", largest_below == 0.);
+}
+
 int main()
 {
   columns();
+  utilisations();
   hanging();
   without_dilatancy();
   states_of_least_energy();

@@ -36,8 +36,11 @@ struct JointLimits
     return std::max(strength - coefficient * normal, 0.);
   }
   /**
-   * The part in use of the compression that the section carries at this
-   * eccentricity; zero if it does not crush.
+   * The part of the section that is in use: the least u for which the limits of
+   * the normal forces, with u f_t and u f_c instead of f_t and f_c, admit them.
+   * So 1/u times these forces, at the same eccentricity, are at the limit, also
+   * where that is one of tension. Zero if the section does not crush; infinite
+   * if without tension the resultant is at an end or outside.
    *
    * @param at_ends the normal force at its ends, not positive in compression.
    */

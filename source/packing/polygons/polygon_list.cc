@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace Voussoir
 {
@@ -112,15 +113,11 @@ void hand_on_records(const PolygonList &polygons, CellLoops &cells)
 
 std::string read_polygon_text(const std::filesystem::path &file)
 {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
+  std::optional<std::string> text = read_text_file(file);
+  if (!text)
     throw InputError("The file of polygons '" + file.string() +
                      "' cannot be read. Paths in a .prm file start at the "
                      "directory of that file.");
-  std::string all((std::istreambuf_iterator<char>(in)), {});
-  const std::string byte_order_mark = "\xEF\xBB\xBF";
-  if (all.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
-    all.erase(0, byte_order_mark.size());
-  return all;
+  return std::move(*text);
 }
 } // namespace Voussoir

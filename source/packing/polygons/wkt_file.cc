@@ -195,7 +195,8 @@ private:
       refuse_line(
           "has the vertex " + quote(vertex) +
           "; every vertex must have two numbers \"x y\", or all of them "
-          "a Z or M as well, with commas between the vertices.");
+          "a Z or M as well, with commas between the vertices and a decimal "
+          "point in numbers.");
     return words[0] + " " + words[1];
   }
 

@@ -90,10 +90,9 @@ void check_group_names(PolygonList &polygons);
 void hand_on_records(const PolygonList &polygons, CellLoops &cells);
 
 /**
- * The text of a file of polygons, without the byte order mark that some
- * programs put first.
+ * The text of a file of polygons.
  *
- * @throws InputError if the file cannot be read.
+ * @throws InputError if the file cannot be read, or is in UTF-16.
  */
 std::string read_polygon_text(const std::filesystem::path &file);
 } // namespace Voussoir
