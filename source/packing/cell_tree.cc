@@ -97,17 +97,4 @@ CellTree::nearest(const unsigned int cell,
   }
   return found;
 }
-
-bool CellTree::is_in_cell(const Point<2> &x,
-                          const std::function<bool(unsigned int)> &counts) const
-{
-  namespace bg = boost::geometry;
-  const auto has = [&](const std::size_t c) {
-    const bg::model::ring<Point<2>, false, false> ring(rings[c].begin(),
-                                                       rings[c].end());
-    return counts(c) && bg::within(x, ring);
-  };
-  return tree.qbegin(bg::index::intersects(x) && bg::index::satisfies(has)) !=
-         tree.qend();
-}
 } // namespace Voussoir

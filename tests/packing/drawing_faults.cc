@@ -150,6 +150,24 @@ int main()
   run(square(0) + "\n" + square(1) +
           "\nPOLYGON ((2.01 0, 3 0, 3 1, 2.03 1, 2.01 0))\n",
       "    set Joint width = 0.03\n");
+  std::cout << "A joint width in the unit of the file" << std::endl;
+  run(square(0) + "\n" + square(1) +
+          "\nPOLYGON ((2.01 0, 3 0, 3 1, 2.03 1, 2.01 0))\n",
+      "    set Scale = 0.01\n"
+      "    set Joint width = 0.03\n");
+  std::cout << "Joints that cross" << std::endl;
+  run("POLYGON ((0 0, 4 0, 4 1, 0 1, 0 0))\n"
+      "POLYGON ((0 1.5, 4 1.5, 4 2.5, 0 2.5, 0 1.5))\n"
+      "POLYGON ((0 1, 1.75 1, 1.75 1.5, 0 1.5, 0 1))\n"
+      "POLYGON ((2.25 1, 4 1, 4 1.5, 2.25 1.5, 2.25 1))\n",
+      "    set Joint width = 0.6\n");
+  std::cout << "Two slates in a gap, whose ends leave its middle open"
+            << std::endl;
+  run("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
+      "POLYGON ((0 1.02, 1 1.02, 1 2, 0 2, 0 1.02))\n"
+      "POLYGON ((0 1.005, 0.49 1.005, 0.49 1.015, 0 1.015, 0 1.005))\n"
+      "POLYGON ((0.51 1.005, 1 1.005, 1 1.015, 0.51 1.015, 0.51 1.005))\n",
+      "");
   std::cout << "Nearly filled by a thin cell" << std::endl;
   run(square(0) + "\nPOLYGON ((1.02 0, 2 0, 2 1, 1.02 1, 1.02 0))\n"
                   "POLYGON ((1.005 0, 1.015 0, 1.015 1, 1.005 1, 1.005 0))\n",

@@ -102,11 +102,13 @@ void test_geometry()
         length > 3.9 && length < 2. * std::hypot(2., 0.2));
 
   std::cout << "A thin stone in a wide joint" << std::endl;
-  show_refusal([] {
-    joined({rectangle(0, 0, 2, 1), rectangle(0, 1.02, 2, 0.05),
-            rectangle(0, 1.1, 2, 1)},
-           0.2);
-  });
+  const Packing thin =
+      joined({rectangle(0, 0, 2, 1), rectangle(0, 1.02, 2, 0.05),
+              rectangle(0, 1.1, 2, 1)},
+             0.2);
+  check("is joined to both others, and these are not",
+        thin.interfaces().size() == 2 && thin.interfaces()[0].cell_plus == 1 &&
+            thin.interfaces()[1].cell_minus == 1);
 }
 
 /** A wall of which the joints are that wide, and overlap by 1 whatever that. */

@@ -35,10 +35,6 @@ public:
   nearest(unsigned int cell,
           const std::function<bool(unsigned int)> &counts) const;
 
-  /** True if one of the cells that @p counts has the point @p x inside. */
-  bool is_in_cell(const dealii::Point<2> &x,
-                  const std::function<bool(unsigned int)> &counts) const;
-
 private:
   using Box = dealii::BoundingBox<2>;
   static std::vector<Box>

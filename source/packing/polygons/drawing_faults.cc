@@ -30,7 +30,7 @@ std::string heading(const Kind kind)
   case Kind::too_small_to_match: return "too small for the matching tolerance";
   case Kind::duplicate: return "there twice";
   case Kind::overlap: return "overlaps";
-  case Kind::hidden_cell: return "one behind the other";
+  case Kind::impossible_joint: return "no joints";
   case Kind::floats: return "touching no other cell";
   case Kind::gap: break;
   }

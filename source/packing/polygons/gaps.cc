@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/cell_tree.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
-
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/numerics/rtree.h>
+#include <voussoir/packing/polygons/side_pairs.h>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +18,6 @@ namespace
 {
 using dealii::Point;
 using dealii::Tensor;
-using Box = dealii::BoundingBox<2>;
 
 /** The width of a gap, over the mean size of a cell, up to which it is told of.
  */
@@ -32,14 +28,6 @@ constexpr double narrow_for_touching = 10.;
 
 /** The largest sine of the angle between sides that face each other. */
 constexpr double largest_sine = 0.3;
-
-/** A side that no other cell has. */
-struct OpenSide
-{
-  unsigned int cell;
-  Point<2> start;
-  Point<2> end;
-};
 
 /** The vertices of a side, counted through all cells, in ascending order. */
 std::pair<unsigned int, unsigned int> ends_of(const CellLoops &cells,
@@ -52,129 +40,103 @@ std::pair<unsigned int, unsigned int> ends_of(const CellLoops &cells,
   return std::minmax({cells.corner(c, i), cells.corner(c, i + 1)});
 }
 
-/** The sides of one cell only, in the order of the cells. */
-std::vector<OpenSide> open_sides(const CellLoops &cells)
+/** The sides that no other cell has, in the order of the cells. */
+std::vector<PolygonSide> open_sides(const CellLoops &cells)
 {
-  struct Halfedge
-  {
-    unsigned int cell, start, end;
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_cells;
+  const auto visit_sides = [&](const auto &visit) {
+    for (unsigned int c = 0; c < cells.n_cells(); ++c)
+      for (unsigned int i = 0; i < cells.n_sides(c); ++i)
+        visit(c, i, std::minmax({cells.corner(c, i), cells.corner(c, i + 1)}));
   };
-  std::map<std::pair<unsigned int, unsigned int>, Halfedge> by_ends;
-  for (unsigned int c = 0; c < cells.n_cells(); ++c)
-    for (unsigned int i = 0; i < cells.n_sides(c); ++i)
-    {
-      const unsigned int a = cells.corner(c, i), b = cells.corner(c, i + 1);
-      const auto [entry, is_new] =
-          by_ends.emplace(std::minmax({a, b}), Halfedge{c, a, b});
-      if (!is_new)
-        entry->second.cell = none;
-    }
-
+  visit_sides(
+      [&](unsigned int, unsigned int, const auto &ends) { ++n_cells[ends]; });
   for (const auto &pair : cells.facing)
     for (const unsigned int side : pair)
-      by_ends.erase(ends_of(cells, side));
-
-  std::vector<OpenSide> open;
-  for (const auto &[ends, h] : by_ends)
-    if (h.cell != none)
-      open.push_back({h.cell, cells.vertices[h.start], cells.vertices[h.end]});
-  std::stable_sort(
-      open.begin(), open.end(),
-      [](const OpenSide &a, const OpenSide &b) { return a.cell < b.cell; });
+      n_cells[ends_of(cells, side)] = 2;
+  std::vector<PolygonSide> open;
+  visit_sides([&](unsigned int c, unsigned int i, const auto &ends) {
+    if (n_cells[ends] == 1)
+      open.emplace_back(c, cells.vertex(c, i), cells.vertex(c, i + 1));
+  });
   return open;
 }
 
-/** The gap between two sides that face each other, along more than its width.
- */
-std::optional<Gap>
-gap_between(const OpenSide &one, const OpenSide &other, const GapLimits &limits)
+/** The largest distance between two sides along a strip. */
+double width_of(const SidePair &pair)
 {
-  const double length = one.start.distance(one.end);
-  const Tensor<1, 2> along = (one.end - one.start) / length;
-  const Tensor<1, 2> back = other.start - other.end;
-  if (!(along * back > 0. &&
-        std::abs(cross(along, back)) <= largest_sine * back.norm()))
-    return {};
-  const auto position = [&](const Point<2> &p) {
-    return along * (p - one.start);
-  };
-  // Positive to the right, which is outside the cell.
-  const auto distance = [&](const Point<2> &p) {
-    return cross(p - one.start, along);
-  };
-  // The other side runs in the opposite direction.
-  const double begin = position(other.end), end = position(other.start);
-  const double low = std::max(0., begin), high = std::min(length, end);
-  const auto at = [&](const double s) {
-    return other.end + (s - begin) / (end - begin) * back;
-  };
-  const double at_low = distance(at(low)), at_high = distance(at(high));
-  const double width = std::max(at_low, at_high);
-  const double least = std::min(at_low, at_high);
-  if (!(high - low > width) || !(width > limits.touching) ||
-      width > limits.widest || least < -limits.touching)
-    return {};
-  return Gap{
-      {{one.cell, other.cell}},
-      width,
-      {{one.start + low * along, at(low), at(high), one.start + high * along}}};
+  return std::max(pair.gap(pair.low), pair.gap(pair.high));
 }
 
-/** The vertices of each cell. */
-std::vector<std::vector<Point<2>>> rings_of(const CellLoops &cells)
+/** True if the strip is a gap, and longer than it is wide. */
+bool is_gap(const SidePair &pair, const GapLimits &limits)
 {
-  std::vector<std::vector<Point<2>>> rings(cells.n_cells());
-  for (unsigned int c = 0; c < cells.n_cells(); ++c)
-    for (unsigned int i = 0; i < cells.n_sides(c); ++i)
-      rings[c].push_back(cells.vertex(c, i));
-  return rings;
+  const double width = width_of(pair);
+  return pair.length() > width && width > limits.touching &&
+         width <= limits.widest && pair.least_gap() >= -limits.touching;
+}
+
+/** The strip between two sides that face each other, beside the first. */
+std::optional<SidePair> strip_between(const std::vector<PolygonSide> &sides,
+                                      const std::array<std::size_t, 2> &side,
+                                      const GapLimits &limits)
+{
+  const Tensor<1, 2> &along = sides[side[0]].along,
+                     &back = sides[side[1]].along;
+  if (!(along * back < 0. && std::abs(cross(along, back)) <= largest_sine))
+    return {};
+  const SidePair pair(sides, side, along);
+  if (!(pair.length() > 0.) || !is_gap(pair, limits))
+    return {};
+  return pair;
 }
 } // namespace
 
 std::vector<Gap> find_gaps(const CellLoops &cells, const GapLimits &limits)
 {
-  const std::vector<OpenSide> sides = open_sides(cells);
-  std::vector<Box> boxes;
-  for (const OpenSide &side : sides)
-  {
-    boxes.emplace_back(std::array<Point<2>, 2>{{side.start, side.end}});
-    boxes.back().extend(0.5 * limits.widest);
-  }
-  const auto tree = dealii::pack_rtree_of_indices(boxes);
-
-  std::map<std::array<unsigned int, 2>, Gap> widest;
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    for (auto j = tree.qbegin(boost::geometry::index::intersects(boxes[i]));
-         j != tree.qend(); ++j)
-    {
-      if (!(sides[i].cell < sides[*j].cell))
-        continue;
-      const auto gap = gap_between(sides[i], sides[*j], limits);
-      if (!gap)
-        continue;
-      const auto [entry, is_new] = widest.emplace(gap->cells, *gap);
-      if (!is_new && gap->width > entry->second.width)
-        entry->second = *gap;
-    }
+  const std::vector<PolygonSide> open = open_sides(cells);
+  const SideTree tree(open, 0.);
+  std::vector<SidePair> strips;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (const std::size_t j : tree.near(i, limits.widest))
+      if (open[i].cell < open[j].cell)
+        if (const auto strip = strip_between(open, {{i, j}}, limits))
+          strips.push_back(*strip);
   std::vector<Gap> gaps;
-  if (widest.empty())
+  if (strips.empty())
     return gaps;
-  const CellTree tree_of_cells(rings_of(cells));
+
+  const std::vector<PolygonSide> sides = sides_of(cells);
+  const SideTree all(sides, limits.tolerance);
+  std::map<std::array<unsigned int, 2>, Gap> widest;
+  for (const SidePair &strip : strips)
+    for (const SidePair &part : all.uncovered(strip))
+    {
+      if (!is_gap(part, limits))
+        continue;
+      const std::vector<Point<2>> outline = part.outline();
+      Gap gap{{{open[part.side[0]].cell, open[part.side[1]].cell}},
+              width_of(part),
+              {}};
+      std::copy(outline.begin(), outline.end(), gap.outline.begin());
+      const auto [entry, is_new] = widest.emplace(gap.cells, gap);
+      if (!is_new && gap.width > entry->second.width)
+        entry->second = gap;
+    }
   for (const auto &[pair, gap] : widest)
-  {
-    const auto is_third = [&between = pair](const unsigned int c) {
-      return c != between[0] && c != between[1];
-    };
-    if (!tree_of_cells.is_in_cell(gap.place(), is_third))
-      gaps.push_back(gap);
-  }
+    gaps.push_back(gap);
   return gaps;
 }
 
-GapLimits limits_of_gaps(const PolygonList &polygons, const double touching)
+GapLimits limits_of_gaps(const PolygonList &polygons,
+                         const double tolerance,
+                         const double joint_width)
 {
-  return {touching, std::max(narrow_for_cell * mean_size(polygons),
-                             narrow_for_touching * touching)};
+  const double touching = std::max(tolerance, joint_width);
+  return {touching,
+          std::max(narrow_for_cell * mean_size(polygons),
+                   narrow_for_touching * touching),
+          tolerance};
 }
 
 std::string describe_gaps(const std::vector<Gap> &gaps)
@@ -222,13 +184,12 @@ void look_at_neighbours(PolygonList &polygons,
 }
 } // namespace
 
-void look_around(PolygonList &polygons, const double touching)
+void look_around(PolygonList &polygons, const GapLimits &limits)
 {
   std::vector<std::vector<Point<2>>> rings;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
     rings.push_back(polygon.is_broken ? std::vector<Point<2>>() : polygon.ring);
   const CellTree cells(rings);
-  const GapLimits limits = limits_of_gaps(polygons, touching);
   for (unsigned int c = 0; c < rings.size(); ++c)
     if (!rings[c].empty())
       look_at_neighbours(polygons, cells, c, limits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/convex_overlap.h>
 #include <voussoir/packing/convex_pieces.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
@@ -8,7 +9,6 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -22,61 +22,6 @@ using Box = dealii::BoundingBox<2>;
 
 /** The distance of vertices that are the same, over the size of a cell. */
 constexpr double same_within = 1e-3;
-
-/** Negative to the right of the line from @p a to @p b; length times length. */
-double left_of(const Point<2> &a, const Point<2> &b, const Point<2> &p)
-{
-  return cross(b - a, p - a);
-}
-
-/** The least distance that @p b reaches over a side of @p a. */
-double least_reach(const Ring &a, const Ring &b, const double enough)
-{
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < a.size() && least > enough; ++i)
-  {
-    const Point<2> &start = a[i], &end = a[(i + 1) % a.size()];
-    double inside_a = 0., inside_b = std::numeric_limits<double>::lowest();
-    for (const Point<2> &p : a)
-      inside_a = std::min(inside_a, left_of(start, end, p));
-    for (const Point<2> &p : b)
-      inside_b = std::max(inside_b, left_of(start, end, p));
-    least = std::min(least, (inside_b - inside_a) / start.distance(end));
-  }
-  return least;
-}
-
-/**
- * The depth of the overlap of two convex polygons; of one at most @p enough,
- * only that it is no more.
- */
-double depth(const Ring &a, const Ring &b, const double enough)
-{
-  const double reach = least_reach(a, b, enough);
-  return reach > enough ? std::min(reach, least_reach(b, a, enough)) : reach;
-}
-
-/** What two convex polygons have in common. */
-Ring common_part(Ring common, const Ring &other)
-{
-  for (std::size_t i = 0; i < other.size(); ++i)
-  {
-    const Point<2> &start = other[i], &end = other[(i + 1) % other.size()];
-    Ring kept;
-    for (std::size_t j = 0; j < common.size(); ++j)
-    {
-      const Point<2> &p = common[j], &q = common[(j + 1) % common.size()];
-      const double at_p = left_of(start, end, p), at_q = left_of(start, end, q);
-      if (at_p >= 0.)
-        kept.push_back(p);
-      if ((at_p > 0. && at_q < 0.) || (at_p < 0. && at_q > 0.))
-        kept.push_back(p + at_p / (at_p - at_q) * (q - p));
-    }
-    if (!kept.empty()) // else rounding on a side that is the same in both
-      common.swap(kept);
-  }
-  return common;
-}
 
 /** True if each vertex of one is next to one of the other. */
 bool are_the_same(const Ring &one, const Ring &other)
@@ -121,7 +66,7 @@ double common_area(const std::vector<Piece> &pieces,
   const auto [first_b, end_b] = pieces_of(pieces, other);
   for (auto a = first_a; a != end_a; ++a)
     for (auto b = first_b; b != end_b; ++b)
-      if (depth(a->ring, b->ring, 0.) > 0.)
+      if (overlap_depth(a->ring, b->ring, 0.) > 0.)
         area += signed_area(common_part(a->ring, b->ring));
   return area;
 }
@@ -133,7 +78,7 @@ void check_overlap(const PolygonList &polygons,
                    const Piece &b,
                    const double tolerance)
 {
-  const double overlap = depth(a.ring, b.ring, tolerance);
+  const double overlap = overlap_depth(a.ring, b.ring, tolerance);
   if (!(overlap > tolerance))
     return;
   const PolygonList::Polygon &one = polygons.polygons[a.cell];

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/facing_sides.h>
+#include <voussoir/packing/polygons/joint_checks.h>
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/packing/polygons/points_file.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
@@ -57,9 +58,12 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Joint width", joint_width,
       "The widest joint, drawn as a gap between blocks that keep their shapes: "
       "sides that face each other no further apart than this length touch, and "
-      "their forces act midway between them. Overlaps up to 'Matching "
-      "tolerance' are joints, too. 0: blocks touch where they share their "
-      "sides, within 'Matching tolerance'.",
+      "their forces act midway between them. Nothing is joined through a block "
+      "or a narrower joint. A length of the scene, after 'Scale'; more than "
+      "two "
+      "thirds of the mean size of a block, the root of its area, is an error. "
+      "Overlaps up to 'Matching tolerance' are joints, too. 0: blocks touch "
+      "where they share their sides, within 'Matching tolerance'.",
       Double(0.));
   prm.add_parameter(
       "Joint angle", joint_angle,
@@ -91,13 +95,16 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
   check_and_orient(polygons);
   const double used_tolerance =
       tolerance > 0. ? tolerance : automatic_tolerance(polygons);
-  const double touching = std::max(used_tolerance, joint_width);
+  const GapLimits gap_limits =
+      limits_of_gaps(polygons, used_tolerance, joint_width);
   check_tolerance(polygons, used_tolerance);
   check_overlaps(polygons, used_tolerance);
   check_group_names(polygons);
   if (polygons.faults.size() > 1)
-    look_around(polygons, touching);
+    look_around(polygons, gap_limits);
   polygons.refuse_faults();
+  if (joint_width > 0.)
+    check_joint_width(polygons, joint_width, scale);
   CellLoops cells =
       joint_width > 0.
           ? join_facing_sides(
@@ -105,7 +112,7 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
                 {joint_width, joint_angle * radians_per_degree, used_tolerance})
           : match_polygons(polygons, used_tolerance);
   hand_on_records(polygons, cells);
-  cells.gaps = find_gaps(cells, limits_of_gaps(polygons, touching));
+  cells.gaps = find_gaps(cells, gap_limits);
   if (!cells.gaps.empty())
     cells.notices.push_back(describe_gaps(cells.gaps));
   if (centres_file.empty())

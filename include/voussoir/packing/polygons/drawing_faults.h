@@ -32,8 +32,8 @@ public:
     too_small_to_match,
     duplicate,
     overlap,
-    /** A side faces two cells, one behind the other. */
-    hidden_cell,
+    /** Cells would be joined across an opening, or through another joint. */
+    impossible_joint,
     /** It touches nothing; a fault only if something else is wrong, too. */
     floats,
     /** Cells face each other across a gap; no fault. */
@@ -51,9 +51,9 @@ public:
   Kind kind;
   /** The cells that have it. */
   std::vector<unsigned int> cells;
-  /** The depth of an overlap or the width of a gap, a length; else 0. */
+  /** The depth of an overlap, the width of a gap or joint, a length; else 0. */
   double size = 0.;
-  /** What an overlap or a gap covers, counterclockwise; lengths. */
+  /** What an overlap, a gap or a joint covers, counterclockwise; lengths. */
   std::vector<dealii::Point<2>> outline = {};
 };
 

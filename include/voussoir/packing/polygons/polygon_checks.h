@@ -46,14 +46,6 @@ void check_tolerance(PolygonList &polygons, double tolerance);
  */
 void check_overlaps(PolygonList &polygons, double tolerance);
 
-/**
- * Name the cells that float, and the gaps between the others: no faults by
- * themselves, but what to look at beside the faults.
- *
- * @param touching the distance up to which cells touch; a length.
- */
-void look_around(PolygonList &polygons, double touching);
-
 /** What a drawing may leave open between two cells. */
 struct GapLimits
 {
@@ -61,7 +53,20 @@ struct GapLimits
   double touching;
   /** The widest gap; a length. */
   double widest;
+  /** How deep cells may overlap; a length. */
+  double tolerance;
 };
+
+/** The gaps up to a twentieth of the mean size of a cell. */
+GapLimits limits_of_gaps(const PolygonList &polygons,
+                         double tolerance,
+                         double joint_width);
+
+/**
+ * Name the cells that float, and the gaps between the others: no faults by
+ * themselves, but what to look at beside the faults.
+ */
+void look_around(PolygonList &polygons, const GapLimits &limits);
 
 /**
  * The gaps between sides that face each other, where nothing lies between and
@@ -72,9 +77,6 @@ struct GapLimits
  * @param cells before or after they are matched.
  */
 std::vector<Gap> find_gaps(const CellLoops &cells, const GapLimits &limits);
-
-/** The gaps up to a twentieth of the mean size of a cell. */
-GapLimits limits_of_gaps(const PolygonList &polygons, double touching);
 
 /** A sentence on gaps, how wide they are and what closes them; or none. */
 std::string describe_gaps(const std::vector<Gap> &gaps);
