@@ -48,6 +48,42 @@ def expect(what, found, quoted, ended=None):
         sys.exit(1)
 
 
+def expect_samples(program, scene, tutorial):
+    """
+    The samples in the tutorial. A walk that is reflected over and over follows the last
+    digits of a machine's functions: means must agree within four errors of their difference,
+    errors and spreads within a quarter.
+    """
+    ended = run(program, scene, "Ranges/Samples=1000")
+    line = re.compile(r"Samples +(\d+) of all states, a set of (\d+) dimensions, \d+ steps "
+                      r"apart, worth at least (\d+) independent ones; standard error of a mean "
+                      r"at most ([\d.]+)\n")
+    printed, quoted = (line.search(text) for text in
+                       (ended.stdout, quotation(tutorial, "Samples        2000 of all")))
+    if not printed or not quoted:
+        sys.exit(f"samples are not quoted as printed:\n{ended.stdout}{ended.stderr}")
+    expect("the samples in the tutorial", printed.group(1, 2), quoted.group(1, 2), ended)
+    expect("what they are worth", int(printed.group(3)) >= 1000, True)
+    expect("what they are quoted to be worth", int(quoted.group(3)) >= 1000, True)
+    expect("their largest error",
+           abs(float(printed.group(4)) / float(quoted.group(4)) - 1) < 0.25, True)
+    quoted = re.findall(r"^(\S+) to (\S+): (\S+) kN \+- (\S+), give or take (\S+)$",
+                        quotation(tutorial, r"0.00 to 0.50: .* give or take"), re.MULTILINE)
+    with open("quotations/interfaces.csv") as file:
+        found = [joint for joint in csv.DictReader(file) if joint["cell_plus"] == "-1"]
+    expect("the number of means in the tutorial", len(quoted), len(found))
+    for (start, end, mean, error, deviation), joint in zip(quoted, found):
+        expect("the place", (start, end), (f"{float(joint['x0']):.2f}", f"{float(joint['x1']):.2f}"))
+        own_error = float(joint["p_mean_error"])
+        difference = abs(float(joint["p_mean"]) - float(mean))
+        expect(f"{joint['p_mean']} as {mean}", difference < 0.05 + 4 * 2**0.5 * own_error, True)
+        expect(f"{own_error} as {error}", abs(own_error - float(error)) < 0.05 + own_error / 4,
+               True)
+        own_deviation = float(joint["p_deviation"])
+        expect(f"{own_deviation} as {deviation}",
+               abs(own_deviation / float(deviation) - 1) < 0.25, True)
+
+
 def main(program, top):
     readme = (top / "README.md").read_text("utf-8")
     tutorial = (top / "doc/tutorial.md").read_text("utf-8")
@@ -97,6 +133,7 @@ def main(program, top):
                  for joint in csv.DictReader(file) if joint["cell_plus"] == "-1"]
     expect("the forces on the ground in the tutorial", found,
            quotation(tutorial, "0.00 to 0.50").splitlines())
+    expect_samples(program, scene, tutorial)
     own = readme[readme.index("## Write your own scene"):]
     Path("readme.prm").write_text(quotation(own, "set Output directory"), "utf-8")
     ended = run(program, "readme.prm")
