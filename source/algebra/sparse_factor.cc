@@ -254,7 +254,9 @@ void SparseFactor::analyse()
   common->nmethods = 1;
   common->method[0].ordering = CHOLMOD_NATURAL;
   common->postorder = false;
-  common->supernodal = last.empty() ? CHOLMOD_AUTO : CHOLMOD_SUPERNODAL;
+  common->supernodal = !last.empty()  ? CHOLMOD_SUPERNODAL
+                       : without_blas ? CHOLMOD_SIMPLICIAL
+                                      : CHOLMOD_AUTO;
   factor = check(cholmod_analyze(matrix, common.get()));
 }
 

@@ -53,15 +53,21 @@ void add_ranges(TextLines &line, const Ranges &ranges, const unsigned int e)
          << ranges.tangential[e].beyond;
 }
 
-/** The columns of samples. */
+/** The columns of samples; empty if they have not settled. */
 void add_samples(TextLines &line,
                  const StateSamples &samples,
                  const unsigned int e)
 {
-  line << ',' << 0. - samples.normal[e].mean << ','
-       << samples.normal[e].deviation << ',' << samples.tangential[e].mean
-       << ',' << samples.tangential[e].deviation << ','
-       << samples.correlation[e];
+  if (!samples.have_settled())
+  {
+    line << ",,,,,,,";
+    return;
+  }
+  const Moments &normal = samples.normal[e],
+                &tangential = samples.tangential[e];
+  line << ',' << 0. - normal.mean << ',' << normal.error << ','
+       << normal.deviation << ',' << tangential.mean << ',' << tangential.error
+       << ',' << tangential.deviation << ',' << samples.correlation[e];
 }
 
 void add_limits(TextLines &line, const Scene &scene, const unsigned int e)
@@ -89,7 +95,8 @@ void write_interfaces_csv(std::ostream &out, const Results &results)
               : "")
       << (results.ranges && results.ranges->are_inner ? ",p_beyond,q_beyond"
                                                       : "")
-      << (results.samples ? ",p_mean,p_deviation,q_mean,q_deviation,correlation"
+      << (results.samples ? ",p_mean,p_mean_error,p_deviation,q_mean,"
+                            "q_mean_error,q_deviation,correlation"
                           : "")
       << ",branch_x,branch_y\n";
   const auto &interfaces = scene.packing.interfaces();

@@ -118,9 +118,16 @@ std::string description_of(const Ranges &ranges)
 
 std::string description_of(const StateSamples &samples)
 {
-  return text(samples.n, " of all states, a set of ",
-              counted(samples.dimension, "dimension"), "; mixing ",
-              samples.mixing);
+  if (samples.dimension == 0)
+    return "all states have the same forces";
+  const std::string of = text(samples.n, " of all states, a set of ",
+                              counted(samples.dimension, "dimension"), ", ",
+                              counted(samples.n_steps, "step"), " apart");
+  if (!samples.have_settled())
+    return of + "; they have not settled, and give no mean";
+  return text(of, ", worth at least ", std::floor(samples.effective),
+              " independent ones; standard error of a mean at most ",
+              samples.largest_error);
 }
 
 std::string description_of_law(const Scene &scene)

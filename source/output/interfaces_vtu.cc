@@ -104,11 +104,16 @@ void add_samples(const StateSamples &samples, const Add &add)
   add("p_mean", [&samples](std::size_t e) {
     return scalar(0. - samples.normal[e].mean);
   });
+  add("p_mean_error",
+      [&samples](std::size_t e) { return scalar(samples.normal[e].error); });
   add("p_deviation", [&samples](std::size_t e) {
     return scalar(samples.normal[e].deviation);
   });
   add("q_mean",
       [&samples](std::size_t e) { return scalar(samples.tangential[e].mean); });
+  add("q_mean_error", [&samples](std::size_t e) {
+    return scalar(samples.tangential[e].error);
+  });
   add("q_deviation", [&samples](std::size_t e) {
     return scalar(samples.tangential[e].deviation);
   });
@@ -165,7 +170,7 @@ void write_interfaces_vtu(std::ostream &out, const Results &results)
   };
   if (results.ranges)
     add_ranges(interfaces, *results.ranges, forces, add);
-  if (results.samples)
+  if (results.samples && results.samples->have_settled())
     add_samples(*results.samples, add);
   add_mark("never_pressed", results.never_pressed);
   add_mark("always_sliding", results.always_sliding);

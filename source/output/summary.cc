@@ -132,6 +132,20 @@ Json summary_of_ranges(const Results &results)
   return json;
 }
 
+Json summary_of_samples(const StateSamples &samples)
+{
+  Json summary = {{"settled", samples.have_settled()},
+                  {"number", samples.n},
+                  {"steps", samples.n_steps},
+                  {"effective_number", samples.effective},
+                  {"mixing", samples.mixing},
+                  {"dimension", samples.dimension},
+                  {"error_of_states", samples.error_of_states}};
+  if (samples.have_settled())
+    summary["largest_error"] = samples.largest_error;
+  return summary;
+}
+
 Json summary_of_settlement(const Results &results)
 {
   const Settlement &settlement = *results.settlement;
@@ -182,12 +196,7 @@ void write_summary_json(std::ostream &out, const Results &results)
   if (results.ranges)
     summary["ranges"] = summary_of_ranges(results);
   if (results.samples)
-    summary["samples"] = {
-        {"number", results.samples->n},
-        {"steps", results.samples->n_steps},
-        {"dimension", results.samples->dimension},
-        {"mixing", results.samples->mixing},
-        {"error_of_states", results.samples->error_of_states}};
+    summary["samples"] = summary_of_samples(*results.samples);
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   summary["most_used"] = most_used_summary(results);

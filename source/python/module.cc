@@ -3,6 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/parameters.h>
+#include <voussoir/output/messages.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
@@ -179,6 +180,8 @@ public:
       results->torques = residual_torques(*found.scene, results->forces);
       results->mean_stresses =
           cell_mean_stresses(*found.scene, results->forces);
+      for (const std::string &doubt : doubts_about(*results))
+        terminal.warning(doubt);
     }
     std::vector<std::string> warnings = unused_settings(tree);
     for (std::string &warning : terminal.take_warnings())
@@ -327,6 +330,45 @@ void add_joints(py::class_<PyResults> &of)
       "|e| of each joint; L.");
 }
 
+/** Of the samples, if there are any that have settled. */
+void add_samples(py::class_<PyResults> &of)
+{
+  using Forces = std::vector<Moments> StateSamples::*;
+  const auto add = [&](const std::string &name, const Forces forces,
+                       double Moments::*const moment, const double sign,
+                       const std::string &words) {
+    of.def_property_readonly(
+        name.c_str(),
+        [=](const PyResults &self) {
+          const Results &r = self.state(name);
+          if (!r.samples)
+            throw py::attribute_error(
+                "there are no samples, so that there is no '" + name +
+                "'; set 'Ranges/Samples'");
+          if (!r.samples->have_settled())
+            throw py::attribute_error(
+                "the samples have not settled, so that there is no '" + name +
+                "'; see 'warnings'");
+          const std::vector<Moments> &all = (*r.samples).*forces;
+          return filled(all.size(), [&](unsigned int e) {
+            return 0. + sign * (all[e].*moment);
+          });
+        },
+        words.c_str());
+  };
+  const auto add_force = [&](const std::string &letter, const Forces forces,
+                             const double sign, const std::string &what) {
+    add(letter + "_mean", forces, &Moments::mean, sign,
+        "The mean of " + what + " of each joint over the samples; S L.");
+    add(letter + "_mean_error", forces, &Moments::error, 1.,
+        "The standard error of that mean; S L.");
+    add(letter + "_deviation", forces, &Moments::deviation, 1.,
+        "The standard deviation of " + what + " over the samples; S L.");
+  };
+  add_force("p", &StateSamples::normal, -1., "the pressure -f_e^n");
+  add_force("q", &StateSamples::tangential, 1., "f_e^t");
+}
+
 void add_forces(py::class_<PyResults> &of)
 {
   const auto add = [&](const char *name, const auto &values,
@@ -441,7 +483,7 @@ PYBIND11_MODULE(voussoir, module)
                              "'solved', 'carried to within' or 'collapse'.")
       .def_property_readonly("summary", &PyResults::summary,
                              "What summary.json has, as a dict: certificate, "
-                             "load_factor, ground, ranges and others.")
+                             "load_factor, ground, ranges, samples and others.")
       .def_readonly("warnings", &PyResults::warnings, "Sentences.")
       .def_property_readonly(
           "loads",
@@ -474,4 +516,5 @@ PYBIND11_MODULE(voussoir, module)
   });
   add_joints(results);
   add_forces(results);
+  add_samples(results);
 }

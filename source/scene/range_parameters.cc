@@ -118,14 +118,18 @@ void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
       "How they are found.");
   prm.add_parameter(
       "Samples", of_samples.n,
-      "The number of states that are drawn from all admissible ones, with "
-      "equal probability for equal volumes of the set of forces, to have the "
-      "mean and the spread of each force. 0: none; else at least 100.",
+      "States are drawn from all admissible ones, with equal probability for "
+      "equal volumes of the set of forces, to have the mean and the spread of "
+      "each force: so many that the mean of each is worth that of this number "
+      "of independent states. 0: none; else at least 100, of which at least "
+      "400 are made.",
       dealii::Patterns::Integer(0));
   prm.add_parameter(
       "Steps between samples", of_samples.n_steps,
       "The number of steps of the random walk from one sample to the next; the "
-      "more, the less they depend on each other. 0: the dimension of the set.",
+      "more, the less they depend on each other. 0: as many as it takes, by "
+      "what the samples themselves tell, up to 256. Else as many samples are "
+      "drawn as 'Samples' says, whatever they are worth.",
       dealii::Patterns::Integer(0));
   prm.add_parameter("Seed", of_samples.seed,
                     "Of the random numbers: equal seeds give equal samples.",

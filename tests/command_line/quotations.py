@@ -38,6 +38,10 @@ PROGRAM = re.compile(r"(contrib/\w+|voussoir|awk|python3|cmake|make|git|sudo|exp
                      r"xvfb-run)( |$)")
 # a line of the output or a message on standard error,
 OUTPUT = re.compile(r"voussoir: |(?=.{15}\S)[A-Z][a-z]+(?: [a-z]+)? {2,}")
+# of samples: what is sampled, and the numbers,
+SAMPLES = re.compile(r"Samples +(\d+ of all states, a set of \d+ dimensions), \d+ steps apart, worth "
+                     r"at least (\d+) independent ones; standard error of a mean at most (\S+)$")
+SAMPLED = re.compile(r"(.*): (\S+) kN \+- (\S+), give or take (\S+)$")
 # or in a .prm file.
 PARAMETERS = re.compile("set |subsection |#")
 # Scenes that a page shows before it runs them, by how they begin.
@@ -160,6 +164,30 @@ def expect_printed(place, quoted, printed, whole=False):
            any(found[k:k + n] == wanted for k in range(len(found))), quoted, printed)
 
 
+def expect_sampled(place, quoted, printed):
+    """
+    Samples, which are others where the last digits of a machine's functions are: a walk that is
+    reflected over and over follows them. Means agree within four errors of their difference,
+    errors and spreads within a quarter, and numbers of samples are worth the thousand asked for.
+    """
+    def agree(a, b):
+        return abs(a - b) <= 0.05 + 0.25 * abs(b)
+
+    forms = [form for form in (SAMPLES, SAMPLED) if form.match(quoted[0])]
+    lines = [line for line in printed if forms and forms[0].match(line)]
+    expect(f"{place}: the samples", len(lines) == len(quoted), quoted, printed)
+    for line, wanted in zip(lines, quoted):
+        (what, *found), (as_quoted, *numbers) = (
+            forms[0].match(text).groups() for text in (line, wanted))
+        found, numbers = [float(x) for x in found], [float(x) for x in numbers]
+        if forms[0] is SAMPLES:
+            holds = min(found[0], numbers[0]) >= 1000 and agree(found[1], numbers[1])
+        else:
+            holds = (abs(found[0] - numbers[0]) <= 0.05 + 4 * 2**0.5 * numbers[1]
+                     and agree(found[1], numbers[1]) and agree(found[2], numbers[2]))
+        expect(f"{place}: the samples", what == as_quoted and holds, [wanted], [line])
+
+
 def expect_status(what, shell, command, status):
     found = shell.run(command)
     expect(what, found == status, [f"exit status {status}"],
@@ -175,7 +203,9 @@ def check_commands(shell, block):
         status = int(said.group(1)) if said and command == commands[0] else 0
         expect_status(f"{block.place}: the end", shell, command, status)
         printed += shell.printed
-    if block.output():
+    if block.output() and any(form.match(block.output()[0]) for form in (SAMPLES, SAMPLED)):
+        expect_sampled(block.place, block.output(), printed)
+    elif block.output():
         expect_printed(block.place, block.output(), printed,
                        whole=not re.match("contrib/run|voussoir", commands[-1]))
     return len(commands)

@@ -5,6 +5,7 @@
 import csv
 import gc
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -61,6 +62,46 @@ def check_like_the_program():
                      ("ux", found.displacement[:, 0]), ("rotation", found.rotation)):
         expect(name, np.array_equal(columns("arch/cells.csv", name)[0], of))
     expect("summary", found.summary["certificate"]["equilibrium_residual"] < 1e-9)
+
+
+def check_samples():
+    """Samples have the numbers that the program writes, with their errors, or none."""
+    file = f"{SOURCE}/prm/portal.prm"
+    subprocess.run([PROGRAM, file, "--quiet", "--set", "Output directory=samples",
+                    "--set", "Output/Files=csv", "--set", "Ranges/Samples=400"], check=True)
+    scene = voussoir.Scene(file)
+    expect("no samples", "set 'Ranges/Samples'" in raised(
+        AttributeError, "samples", lambda: scene.solve().p_mean))
+    scene["Ranges/Samples"] = 400
+    found = scene.solve()
+    for name in ("p_mean", "p_mean_error", "p_deviation", "q_mean", "q_mean_error",
+                 "q_deviation"):
+        expect(name, np.array_equal(columns("samples/interfaces.csv", name)[0],
+                                    getattr(found, name)))
+    samples = found.summary["samples"]
+    expect("effective", samples["settled"] and samples["effective_number"] >= 400)
+    expect("error", np.isclose(samples["largest_error"],
+                               max(found.p_mean_error.max(), found.q_mean_error.max())))
+    scene["Ranges/Steps between samples"] = 1
+    found = scene.solve()
+    expect("too few steps", not found.summary["samples"]["settled"] and
+           "largest_error" not in found.summary["samples"])
+    expect(f"warnings {found.warnings}", any(re.fullmatch(
+        r"The samples have not settled, and give no mean: with 1 step from one to the next 400 of "
+        r"them are worth \d+ independent ones for the worst force, and must be worth 100; the "
+        r"spread of a force in all chains together is [\d.]+ times that within each, and must be "
+        r"at most 1\.1\. Set 'Ranges/Steps between samples' to more than 1, or to 0, which finds "
+        r"how many it takes\.", warning) for warning in found.warnings))
+    subprocess.run([PROGRAM, file, "--quiet", "--set", "Output directory=samples",
+                    "--set", "Output/Files=csv vtu", "--set", "Ranges/Samples=400",
+                    "--set", "Ranges/Steps between samples=1"], check=True)
+    with open("samples/interfaces.csv", newline="") as lines:
+        expect("empty columns", all(
+            joint[name] == "" for joint in csv.DictReader(lines)
+            for name in ("p_mean", "p_mean_error", "p_deviation", "q_mean", "q_mean_error",
+                         "q_deviation", "correlation")))
+    expect("no mean", "have not settled" in raised(
+        AttributeError, "no mean", lambda: found.p_mean))
 
 
 def check_polygons():
@@ -149,6 +190,7 @@ def check_memory():
 
 
 check_like_the_program()
+check_samples()
 check_polygons()
 check_errors()
 check_views()

@@ -72,6 +72,12 @@ public:
                  double relative_shift = 0.,
                  const std::vector<FurtherRow> &further = {});
 
+  /**
+   * Factorise without BLAS, column by column: slower, and to the last bit the
+   * same whatever kernels a BLAS has. To be called before factorise().
+   */
+  void avoid_blas() { without_blas = true; }
+
   /** The number of unknowns: JointBlocks::n() times n_bodies. */
   unsigned int n() const;
 
@@ -142,6 +148,7 @@ private:
   const unsigned int n_bodies;
   const std::vector<unsigned int> last;
   const std::vector<bool> held;
+  bool without_blas = false;
   std::unique_ptr<cholmod_common_struct> common;
   cholmod_sparse_struct *matrix = nullptr;
   cholmod_factor_struct *factor = nullptr;

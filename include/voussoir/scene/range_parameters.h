@@ -37,10 +37,12 @@ struct RangesWanted
 /** How many states are drawn; see draw_samples(). */
 struct SamplesWanted
 {
-  /** The number of states. */
+  /** The number of independent states that their means are to be worth. */
   unsigned int n = 0;
-  /** The number of steps from one to the next; 0: the dimension of the set. */
+  /** The number of steps from one to the next; 0: as many as that takes. */
   unsigned int n_steps = 0;
+  /** The largest number of steps, if it is not given. */
+  unsigned int most_steps = 256;
   /** Of the random numbers. */
   unsigned int seed = 1;
 };

@@ -71,6 +71,8 @@ public:
   /** Set what @p loads, n_unknowns() numbers, has for held bodies to zero. */
   void clear_held(std::vector<double> &loads) const;
 
+  /** Factorise by SparseFactor::avoid_blas(); to be called before prepare(). */
+  void avoid_blas() { factor.avoid_blas(); }
   /**
    * Factorise A diag(k) A^T, with a relative shift of its diagonal that makes
    * it definite. The unknown of the function, if there is one, is eliminated

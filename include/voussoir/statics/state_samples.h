@@ -17,6 +17,8 @@ struct Moments
   double mean = 0.;
   /** The standard deviation. */
   double deviation = 0.;
+  /** The standard error of the mean; see ChainDiagnosis. */
+  double error = 0.;
 };
 
 /**
@@ -39,35 +41,46 @@ struct StateSamples
   unsigned int n = 0;
   /** The number of steps from one to the next. */
   unsigned int n_steps = 0;
-  /**
-   * The dimension of the set: the number of forces that vary, less that of the
-   * balances that they are in. More, if some of these follow from others.
-   */
+  /** True if that was given, and not found. */
+  bool is_given = false;
+  /** ExtremeStates::dimension(). */
   unsigned int dimension = 0;
-  /**
-   * The largest ratio, over all forces, of the spread of all chains together to
-   * that within each, after Gelman and Rubin (*Statistical Science* 7 (1992)
-   * 457): one if the chains have forgotten where they began.
-   */
+  /** The least ChainDiagnosis::effective of all forces. */
+  double effective = 0.;
+  /** The largest ChainDiagnosis::mixing of all forces. */
   double mixing = 1.;
+  /** The largest Moments::error of all forces; S L. */
+  double largest_error = 0.;
   /** The largest Certificate::error() of the last states of the chains. */
   double error_of_states = 0.;
-};
 
-/** StateSamples::mixing above which the chains are too short. */
-constexpr double largest_mixing = 1.1;
+  /** The largest mixing of chains that have settled. */
+  static constexpr double largest_mixing = 1.1;
+  /** The least effective number of samples that they have. */
+  static constexpr double least_effective = 100.;
+  /** False if the moments tell of the chains, and not of the states. */
+  bool have_settled() const
+  {
+    return mixing <= largest_mixing && effective >= least_effective;
+  }
+};
 
 /**
  * Whether states of a scene can be drawn, known before any is found.
  *
- * @throws InputError if interfaces bear tension or crush.
+ * @throws InputError if interfaces bear tension or crush, or there are too many
+ *   forces.
  */
 void check_can_be_sampled(const Scene &scene);
 
 /**
- * Draw them by hit-and-run (Smith, *Operations Research* 32 (1984) 1296): from
- * a state go a random way along a random direction that changes no balance. The
- * directions are scaled by the spread of each force among some extreme states.
+ * Draw them by four BilliardWalks beside each other, from near different
+ * vertices of the polytope of states. A quarter as many as are counted is left
+ * out first. Unless the number of steps from one sample to the next is given,
+ * twice as many samples as are wanted are drawn at one step, and then again,
+ * going on from there, at more, until for each force the effective number of
+ * samples is the one that is wanted.
+ *
  * Equal seeds give equal numbers, on any number of threads or processes.
  *
  * @param scene whose loads are carried.
@@ -75,8 +88,7 @@ void check_can_be_sampled(const Scene &scene);
  * @param terminal sees the progress.
  * @throws InputError as check_can_be_sampled() does, and if forces have no
  *   bound, so that there is no such measure.
- * @throws SolverError as AllStates does, or if friction is at its limit in all
- *   states.
+ * @throws SolverError as ExtremeStates and DikinEllipsoid do.
  */
 StateSamples draw_samples(const Scene &scene,
                           const SamplesWanted &wanted,
