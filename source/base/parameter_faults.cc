@@ -158,7 +158,11 @@ private:
   {
     const std::string named = " for the entry named ";
     const std::string pattern = " does not match the given pattern: ";
-    if (const auto value = between(message, "The entry value ", named))
+    const std::string begin = "The entry value";
+    // White space was joined: of an empty value nothing is left.
+    const bool is_empty = boost::starts_with(message, begin + named);
+    if (const auto value =
+            is_empty ? std::string() : between(message, begin + ' ', named))
     {
       const std::string rest = message.substr(message.rfind(named));
       return refused_value(*between(rest, named, pattern), *value,

@@ -13,6 +13,17 @@ namespace Voussoir
 {
 namespace
 {
+/** True if a line of @p text is listing_title(). */
+bool is_listing(const std::string &text)
+{
+  const std::string title = listing_title();
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+    if (line == title)
+      return true;
+  return false;
+}
+
 void parse(dealii::ParameterHandler &prm, const ParameterText &text)
 {
   std::istringstream in(text.lines);
@@ -101,7 +112,17 @@ subsections_in(const std::string &section,
   return names;
 }
 
-void read_parameters(dealii::ParameterHandler &prm,
+std::string listing_title()
+{
+  std::stringstream listing;
+  dealii::ParameterHandler().print_parameters(listing,
+                                              dealii::ParameterHandler::PRM);
+  std::string title;
+  std::getline(listing, title);
+  return title;
+}
+
+bool read_parameters(dealii::ParameterHandler &prm,
                      const std::filesystem::path &file)
 {
   const std::optional<std::string> text = read_text_file(file);
@@ -124,13 +145,15 @@ void read_parameters(dealii::ParameterHandler &prm,
                        "or on the command line with --set.");
   }
   parse(prm, {*text, file.string(), true});
+  return is_listing(*text);
 }
 
-void read_parameters_text(dealii::ParameterHandler &prm,
+bool read_parameters_text(dealii::ParameterHandler &prm,
                           const std::string &text,
                           const std::string &name)
 {
   parse(prm, {text, name, true});
+  return is_listing(text);
 }
 
 void assign_parameter(dealii::ParameterHandler &prm,
