@@ -15,7 +15,7 @@ LARGEST_DIFFERENCE = 1e-8
 LARGEST_COUPLE, CLOSE = 1e-8, 1e-6
 # Of a scene so many joints are compared, chosen at random, and of these so many
 # ends with whole sections, which take long.
-MOST_JOINTS, SHARE_OF_SECTIONS = 8, 0.3
+MOST_JOINTS, SHARE_OF_SECTIONS = 5, 0.3
 
 
 class RangeJudgement(SmallJudgement):
@@ -85,16 +85,15 @@ class RangeJudgement(SmallJudgement):
         """A range whose ends may be farther by a number."""
         for value, sign in zip(ends, (-1., 1.)):
             self.n_states += 1
-            # Values relative to themselves where they are large.
-            tolerance = LARGEST_DIFFERENCE * max(
-                1., abs(value) / self.extremes.force
-                if numpy.isfinite(value) else 1.)
-            self.judge_end(run, sign * function, sign * value, beyond,
-                           tolerance, name)
+            self.judge_end(run, sign * function, sign * value, beyond, name)
 
-    def judge_end(self, run, function, value, beyond, tolerance, name):
+    def judge_end(self, run, function, value, beyond, name):
         """A greatest value: that in strips, and no less by a number than all
         states have."""
+        # Relative to themselves where values are large.
+        tolerance = LARGEST_DIFFERENCE * max(
+            1., abs(value) / self.extremes.force
+            if numpy.isfinite(value) else 1.)
         away = self.extremes.difference(function, value)
         self.difference = max(self.difference, away or 0.)
         if away is None:
