@@ -47,7 +47,16 @@ void compare_uniform(const Tensor<2, 2> &S, const unsigned int seed)
 }
 
 /** On the ground, under weight and a traction on top that grows with x. */
-Scene on_the_ground(Packing packing, const double strength)
+/** The weight, linear in x and y if @p slope is not zero. */
+Tensor<1, 2> weight(const Point<2> &x, const double slope)
+{
+  return Tensor<1, 2>(
+      {slope * (0.3 * x[0] - 0.2 * x[1]), -2. - slope * (x[0] + 2. * x[1])});
+}
+
+Scene on_the_ground(Packing packing,
+                    const double strength,
+                    const double slope = 0.)
 {
   packing.support(boundary_edges_where(packing, "y < 1e-9", "Supports/Where"));
   Loads loads;
@@ -60,8 +69,8 @@ Scene on_the_ground(Packing packing, const double strength)
     loads.traction_moment.push_back(edge.length * edge.length / 12. *
                                     (edge.end - edge.start)[0] * slope);
   }
-  loads.body = BodyForce(packing, [](const Point<2> &, unsigned int) {
-    return Tensor<1, 2>({0., -2.});
+  loads.body = BodyForce(packing, [=](const Point<2> &x, unsigned int) {
+    return weight(x, slope);
   });
   const std::vector<double> strengths(packing.interfaces().size(), strength);
   return Scene(std::move(packing), strengths, std::move(loads), rotations());
@@ -84,8 +93,28 @@ cut_free(const Scene &scene, const CellForces &forces, const unsigned int c)
   return cell;
 }
 
+/** The mean of a linear function in a quadrilateral, by its two triangles. */
+Tensor<1, 2> mean_weight(const std::array<Point<2>, 4> &corners,
+                         const double slope)
+{
+  double whole = 0.;
+  Tensor<1, 2> mean;
+  for (const unsigned int m : {1U, 2U})
+  {
+    const double area =
+        std::abs(cross(corners[m] - corners[0], corners[3] - corners[0]));
+    const Point<2> centroid(
+        (Tensor<1, 2>(corners[0]) + corners[m] + corners[3]) / 3.);
+    mean += area * weight(centroid, slope);
+    whole += area;
+  }
+  return mean / whole;
+}
+
 /** The root mean square of div sigma + b in a cell; the largest one. */
-double error_of_divergence(const Scene &scene, const InterfaceForces &forces)
+double error_of_divergence(const Scene &scene,
+                           const InterfaceForces &forces,
+                           const double slope = 0.)
 {
   const StressField field =
       reconstruct_stress(scene, forces, fine, Terminal::silent());
@@ -103,9 +132,11 @@ double error_of_divergence(const Scene &scene, const InterfaceForces &forces)
                               packing.vertex(c, (i + 1) % packing.n_sides(c)));
         const SubCellStress &sub_cell =
             field.sub_cells[field.first(packing, c, i) + k];
-        square += 0.5 *
-                  cross(corners[3] - corners[0], corners[2] - corners[1]) *
-                  (sub_cell.divergence + Tensor<1, 2>({0., -2.})).norm_square();
+        const double area =
+            0.5 * cross(corners[3] - corners[0], corners[2] - corners[1]);
+        square +=
+            area *
+            (sub_cell.divergence + mean_weight(corners, slope)).norm_square();
       }
     largest = std::max(largest, std::sqrt(square / packing.area(c)));
   }
@@ -141,6 +172,18 @@ void compare_balance(const std::string &name, const Scene &scene)
         error_of_divergence(scene, at_midpoints) > 0.1);
 }
 
+/** A weight that varies is known by its mean in each triangle. */
+void compare_linear(const std::string &name, const Packing &packing)
+{
+  const double slope = 1.;
+  const Scene scene = on_the_ground(packing, 100., slope);
+  const InterfaceForces forces = Solver(least_energy, 1e-12).forces(scene);
+  check_error(name + ": div sigma + b, b linear",
+              error_of_divergence(scene, forces, slope) /
+                  weight({1., 1.}, slope).norm(),
+              0.02);
+}
+
 int main()
 {
   compare_uniform(tensor(-1., 0.3, 0.3, -1.2), 4);
@@ -149,4 +192,6 @@ int main()
   compare_uniform(tensor(-1., 0., 0., -1.), 7);
   compare_balance("random cells", on_the_ground(random_packing(100, 3), 5.));
   compare_balance("wall", on_the_ground(wall(8, 4), 5.));
+  compare_linear("random cells", random_packing(100, 3));
+  compare_linear("wall", wall(8, 4));
 }

@@ -25,8 +25,10 @@ namespace Voussoir
  *
  * the rigid acceleration that the unbalanced force and torque would give a
  * block of unit density: a = 0 where the forces balance, omega = 0 where their
- * torque does. So where blocks turn div sigma = -b to rounding in the mean of
- * every sub-cell, since the trace has the couples of the sides; what is left of
+ * torque does. A body force is known by its mean over the triangle of each
+ * side. So where blocks turn div sigma = -b to rounding in the mean of every
+ * sub-cell if b is uniform, since the trace has the couples of the sides; else
+ * what b varies by in a triangle is left. What is left of
  * the symmetry inside them is 0.01 of the stress in most cells of random
  * packings and 0.1 near hinges, and falls by refinement. The least norm is then
  * the mixed form of an elastic block of unit compliance with weak symmetry
