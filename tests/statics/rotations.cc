@@ -85,7 +85,7 @@ Scene corbel(const double distance)
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
   loads.body.add(packing, 0, Tensor<1, 2>({0., -1.}),
-                 packing.centre(0)[0] - distance);
+                 Point<2>(distance, packing.centre(0)[1]));
   const std::vector<double> strengths(packing.interfaces().size(), 100.);
   return Scene(std::move(packing), strengths, std::move(loads), rotations());
 }
@@ -110,8 +110,7 @@ Scene arch(const unsigned int n, const double thickness, const bool on_line)
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const Point<2> &x = packing.centre(c);
-    const Tensor<1, 2> arm = radius / x.norm() * x - x;
-    loads.body.add(packing, c, weight, arm[0] * weight[1] - arm[1] * weight[0]);
+    loads.body.add(packing, c, weight, Point<2>(radius / x.norm() * x));
   }
   const std::vector<double> strengths(packing.interfaces().size(), 100.);
   return Scene(std::move(packing), strengths, std::move(loads), rotations());
