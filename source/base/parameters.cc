@@ -100,7 +100,11 @@ std::string in_plain_words(const dealii::ParameterHandler &prm,
 {
   const std::string named = " for the entry named ";
   const std::string pattern = " does not match the given pattern: ";
-  if (const auto value = between(message, "The entry value ", named))
+  const std::string begin = "The entry value";
+  const bool is_empty =
+      message.compare(0, begin.size() + named.size(), begin + named) == 0;
+  if (const auto value =
+          is_empty ? std::string() : between(message, begin + ' ', named))
   {
     const std::string rest = message.substr(message.rfind(named));
     const auto name = between(rest, named, pattern);

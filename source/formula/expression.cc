@@ -27,6 +27,12 @@ struct Expression::Implementation
 
 namespace
 {
+std::string what_it_may_use(const std::vector<std::string> &variables)
+{
+  return "It may use the variables " + boost::algorithm::join(variables, ", ") +
+         ".";
+}
+
 [[noreturn]] void refuse(const std::string &formula,
                          const std::string &parameter,
                          const std::vector<std::string> &variables,
@@ -35,9 +41,8 @@ namespace
   if (reason.back() != '.') // some of muParser's messages have none
     reason += '.';
   throw InputError("The parameter '" + parameter + "' has the expression '" +
-                   formula + "', which is not valid: " + reason +
-                   " It may use the variables " +
-                   boost::algorithm::join(variables, ", ") + ".");
+                   formula + "', which is not valid: " + reason + ' ' +
+                   what_it_may_use(variables));
 }
 } // namespace
 
@@ -46,6 +51,10 @@ Expression::Expression(const std::string &formula,
                        const std::string &parameter)
     : implementation(std::make_unique<Implementation>())
 {
+  if (formula.find_first_not_of(" \t") == std::string::npos)
+    throw InputError("The parameter '" + parameter +
+                     "' has an empty expression; write one, such as 1. " +
+                     what_it_may_use(variables));
   // muParser would carry out an assignment, which is a comparison mistyped.
   if (std::regex_search(formula, std::regex("(^|[^=!<>])=([^=]|$)")))
     refuse(formula, parameter, variables, "write == to compare.");

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <boost/regex/pending/unicode_iterator.hpp>
 
 #include <algorithm>
@@ -97,6 +99,15 @@ void check_group_name(const std::string &name)
   if (!fault.empty())
     throw InputError("The name " + quoted_group_name(name) +
                      " of a group of cells " + fault + "; choose another.");
+}
+
+std::vector<std::string> split_names(const std::string &names)
+{
+  std::vector<std::string> parts;
+  boost::algorithm::split(parts, names, [](char c) { return c == ','; });
+  for (std::string &part : parts)
+    boost::algorithm::trim(part);
+  return parts;
 }
 
 std::vector<std::string> split_at_bars(const std::string &list)

@@ -84,7 +84,7 @@ void ContactParameters::add_strengths(const Packing &packing,
     strengths.compressive = means(
         packing,
         {"compressive strength", "Contact", compressive, "Compressive strength",
-         pair_compressive, "Pair compressive strengths", true},
+         pair_compressive, "Pair compressive strengths", true, true},
         strengths.warnings);
   if (is_none(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();

@@ -9,8 +9,6 @@
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/joint_quantity.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,9 +85,8 @@ GroupPair pair_of_names(const Packing &packing,
                         const std::string &names,
                         const std::string &parameter)
 {
-  const std::vector<std::string> words =
-      dealii::Utilities::split_string_list(names, ',');
-  if (words.size() > 2)
+  const std::vector<std::string> words = split_names(names);
+  if (words.size() > 2 || words.front().empty() || words.back().empty())
     throw InputError("The parameter '" + parameter + "' has '" + names +
                      "' where the names of two groups are expected, as in "
                      "\"brick, lintel: 0.5\".");
@@ -103,7 +100,7 @@ std::vector<double> means(const Packing &packing,
                           std::vector<std::string> &warnings)
 {
   std::optional<QuantityFormula> everywhere;
-  if (!quantity.everywhere.empty())
+  if (!quantity.everywhere.empty() || !quantity.may_be_empty)
     everywhere.emplace(quantity.everywhere,
                        quantity.section + "/" + quantity.parameter, quantity);
   const std::string parameter =

@@ -8,7 +8,6 @@
 #include <voussoir/scene/range_parameters.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
 namespace Voussoir
 {
@@ -53,8 +52,8 @@ void choose_named(const Packing &packing,
                   const std::string &names,
                   std::vector<bool> &chosen)
 {
-  const auto words = dealii::Utilities::split_string_list(names, ',');
-  if (words.empty() || words.size() > 2)
+  const std::vector<std::string> words = split_names(names);
+  if (words.size() > 2 || words.front().empty() || words.back().empty())
     throw InputError("The parameter '" + parameter_joints + "' has '" + names +
                      "' where one or two names are expected, as in \"keystone "
                      "| pier, ground\".");

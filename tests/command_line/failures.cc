@@ -84,6 +84,26 @@ int main()
   run_with("subsection Loads\n set Traction = nz; 0\nend\n");
   run_with("subsection Loads\n set Traction = 1\nend\n");
 
+  // Nothing where an expression, or another value, must be
+  run_with("");
+  fs::remove_all("output");
+  for (const char *setting :
+       {"Friction/Strength=", "Contact/Tensile strength=", "Loads/Where=",
+        "Supports/Where=", "Ranges/Where=", "Packing/Voronoi/Cell size=",
+        "Loads/Traction=", "Loads/Traction=; 0", "Loads/Body force=; 0",
+        "Loads/Body force=0; -1;", "Loads/Group body forces=block: ; 0",
+        "Friction/Pair strengths=block,: 1", "Packing/Groups=a: 1 |",
+        "Ranges/Joints=block,", "Ranges/Joints=block |",
+        "Loads/Stress=", "Solver/Tolerance=", "Friction/Law="})
+    run({"scene.prm", "--set", setting});
+  for (const char *setting : {"Friction/Coefficient=", "Friction/Cohesion="})
+    run({"scene.prm", "--set", "Friction/Law=associated Coulomb", "--set",
+         setting});
+  for (const char *setting :
+       {"Supports/Displacement=; 0", "Supports/Displacement=0; 1;",
+        "Supports/Group displacements=block: ; 0"})
+    run({"scene.prm", "--set", "Supports/Where=ny < -0.5", "--set", setting});
+
   // Points
   run_points("0.5 0.5\n0.25\n");
   run_points("0.5 0.5\n0.25 a\n");

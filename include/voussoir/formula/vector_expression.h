@@ -6,7 +6,8 @@
 #include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 
-#include <deal.II/base/utilities.h>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,16 @@ public:
   VectorExpression(const std::string &formulas,
                    const std::vector<std::string> &variables,
                    const std::string &parameter)
-      : components(dealii::Utilities::split_string_list(formulas, ';')),
-        parameter(parameter)
+      : parameter(parameter)
   {
-    for (const std::string &component : components)
+    // With an empty one behind the last semicolon, too, which is refused.
+    boost::algorithm::split(components, formulas,
+                            [](const char c) { return c == ';'; });
+    for (std::string &component : components)
+    {
+      boost::algorithm::trim(component);
       f.emplace_back(component, variables, parameter);
+    }
   }
 
   /** The number of components. */

@@ -38,6 +38,9 @@ split_named_list(const std::string &list,
                  const std::string &parameter,
                  bool of_vectors = false);
 
+/** The names between commas, one at least; empty where nothing stands. */
+std::vector<std::string> split_names(const std::string &names);
+
 /** The parts of @p list between bars; not between "||", the "or" of formulas.*/
 std::vector<std::string> split_at_bars(const std::string &list);
 } // namespace Voussoir

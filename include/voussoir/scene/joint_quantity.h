@@ -21,7 +21,7 @@ struct JointQuantity
   /** The section. */
   std::string section;
   /** @{ */
-  /** The value for all interfaces, and its parameter; empty: infinite. */
+  /** The value for all interfaces, and its parameter. */
   std::string everywhere;
   std::string parameter;
   /** @} */
@@ -32,6 +32,8 @@ struct JointQuantity
   /** @} */
   /** False if it may be zero. */
   bool is_positive = false;
+  /** True if nothing stands for an infinite value; else it is refused. */
+  bool may_be_empty = false;
 };
 
 /**
