@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
 #include <voussoir/base/reference.h>
 #include <voussoir/command_line.h>
 #include <voussoir/simulation.h>
@@ -194,15 +193,12 @@ void run(const Arguments &arguments, const Streams &streams, const Team &team)
   if (run_many(arguments, team, terminal))
     return;
   Simulation simulation(terminal, team);
-  dealii::ParameterHandler prm;
-  // Load cases have the names that the user gives them.
-  simulation.add_parameters(
-      prm, subsections_in("Load cases", arguments.file, arguments.assignments));
+  ParameterSources sources;
   if (!arguments.file.empty())
-    read_parameters(prm, arguments.file);
-  for (const std::string &assignment : arguments.assignments)
-    assign_parameter(prm, assignment);
-
+    sources.file = arguments.file;
+  sources.assignments = arguments.assignments;
+  simulation.read(sources);
+  const dealii::ParameterHandler &prm = simulation.entries();
   std::ostringstream text;
   if (arguments.print_reference)
   {
@@ -222,8 +218,7 @@ void run(const Arguments &arguments, const Streams &streams, const Team &team)
   // The directory of the file itself, should its name be a link; relative to
   // the working directory, for messages that a user recognises.
   namespace fs = std::filesystem;
-  simulation.run(prm,
-                 fs::proximate(fs::canonical(arguments.file).parent_path()));
+  simulation.run(fs::proximate(fs::canonical(arguments.file).parent_path()));
 }
 
 int fail(const Streams &streams,

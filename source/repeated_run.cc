@@ -1,72 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/repeated_run.h>
-#include <voussoir/result_writer.h>
 #include <voussoir/scene/reactions.h>
-#include <voussoir/study.h>
 
+#include <algorithm>
 #include <chrono>
+#include <memory>
+#include <optional>
 #include <sstream>
+#include <thread>
 #include <utility>
+#include <variant>
 
 namespace Voussoir
 {
-namespace
+RepeatedRun::RepeatedRun(std::filesystem::path file_in,
+                         std::vector<std::string> assignments_in,
+                         std::vector<std::string> names_in)
+    : file(std::move(file_in)), assignments(std::move(assignments_in)),
+      names(std::move(names_in)),
+      // As many as there are runs at a time.
+      packings(std::max(1U, std::thread::hardware_concurrency()))
 {
-/** The parameters of a run, and what they are bound to. */
-struct BoundRun
-{
-  BoundRun(const std::filesystem::path &file,
-           const std::vector<std::string> &assignments)
-      : terminal(nowhere), timer(nowhere,
-                                 dealii::TimerOutput::never,
-                                 dealii::TimerOutput::wall_times),
-        study(terminal, alone, timer), writer(terminal, alone, timer)
-  {
-    writer.add_entries(prm);
-    study.add_entries(prm);
-    study.add_sections(prm, subsections_in("Load cases", file, assignments));
-    writer.add_sections(prm);
-    read_parameters(prm, file);
-    for (const std::string &assignment : assignments)
-      assign_parameter(prm, assignment);
-  }
-
-  std::ostringstream nowhere;
-  Terminal terminal;
-  const Team alone;
-  dealii::TimerOutput timer;
-  dealii::ParameterHandler prm;
-  Study study;
-  ResultWriter writer;
-};
-
-bool starts_with(const std::string &text, const std::string &start)
-{
-  return text.compare(0, start.size(), start) == 0;
-}
-
-/** The directory of a file, where relative paths begin. */
-std::filesystem::path directory_of(const std::filesystem::path &file)
-{
-  return std::filesystem::proximate(
+  RunParameters parameters(Terminal::silent());
+  parameters.read({file, {}, assignments});
+  origin = std::filesystem::proximate(
       std::filesystem::canonical(file).parent_path());
-}
-} // namespace
-
-RepeatedRun::RepeatedRun(std::filesystem::path file,
-                         std::vector<std::string> assignments,
-                         std::vector<std::string> names)
-    : file(std::move(file)), assignments(std::move(assignments)),
-      names(std::move(names)), shares_packing(true)
-{
-  for (const std::string &name : this->names)
-    shares_packing = shares_packing && !starts_with(name, "Packing/") &&
-                     !starts_with(name, "Supports/");
-  const BoundRun bound(this->file, this->assignments);
-  directory = bound.prm.get("Output directory");
+  directory = parameters.entries().get("Output directory");
+  inputs = parameters.study.input_files(origin);
 }
 
 RunOutcome RepeatedRun::run(const std::vector<std::string> &values,
@@ -78,48 +40,16 @@ RunOutcome RepeatedRun::run(const std::vector<std::string> &values,
     all.push_back(names[k] + '=' + values[k]);
   if (!results.empty())
     all.push_back("Output directory=" + results);
-  BoundRun bound(file, all);
+  std::ostringstream nowhere;
+  Terminal terminal(nowhere);
+  RunParameters parameters(terminal);
+  parameters.read({file, {}, all});
 
   RunOutcome outcome;
   outcome.values = values;
-  const auto make_packing = [&] {
-    return bound.study.read_packing(directory_of(file));
-  };
-  const auto summary_of = [&](const auto &found) {
-    std::ostringstream json;
-    write_summary_json(json, found);
-    outcome.summary = nlohmann::json::parse(json.str());
-  };
   try
   {
-    if (shares_packing)
-    {
-      const std::lock_guard lock(making_packing);
-      if (!packing)
-        packing = std::make_unique<const Packing>(make_packing());
-    }
-    Findings findings = bound.study.answer(
-        bound.study.given(shares_packing ? *packing : make_packing()),
-        bound.study.earlier_run());
-    outcome.has_answer = true;
-    if (auto *const carried = std::get_if<Results>(&findings.found))
-    {
-      outcome.answer = carried->status.kind;
-      carried->reactions = reactions(*findings.scene, carried->forces);
-      summary_of(*carried);
-    }
-    else
-    {
-      outcome.answer = Status::Kind::collapse;
-      summary_of(std::get<Collapse>(findings.found));
-    }
-    if (!results.empty())
-    {
-      ResultDirectory files = bound.writer.open(bound.study.forces_from());
-      std::visit(
-          [&](auto &found) { bound.writer.write(files, found, bound.prm); },
-          findings.found);
-    }
+    answer(parameters, terminal, !results.empty(), outcome);
   }
   catch (const InputError &error)
   {
@@ -134,10 +64,46 @@ RunOutcome RepeatedRun::run(const std::vector<std::string> &values,
   {
     outcome.reason = error.what();
   }
+  outcome.warnings = terminal.take_warnings();
   outcome.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();
   return outcome;
+}
+
+/** Answer the question of the parameters, and write the answer if asked to. */
+void RepeatedRun::answer(RunParameters &parameters,
+                         Terminal &terminal,
+                         const bool writes,
+                         RunOutcome &outcome)
+{
+  for (const std::string &warning : parameters.unused())
+    terminal.warning(warning);
+  Study &study = parameters.study;
+  const std::unique_ptr<ResultDirectory> files(
+      writes ? new ResultDirectory(parameters.writer.open(study.forces_from()))
+             : nullptr);
+  if (writes)
+    for (const std::filesystem::path &input : study.input_files(origin))
+      files->spare(input);
+  std::optional<EarlierRun> earlier = study.earlier_run();
+  Findings findings =
+      study.answer(study.given(*packings.get(parameters, origin, terminal)),
+                   std::move(earlier));
+  outcome.has_answer = true;
+  outcome.answer = Status::Kind::collapse;
+  if (auto *const carried = std::get_if<Results>(&findings.found))
+  {
+    outcome.answer = carried->status.kind;
+    carried->reactions = reactions(*findings.scene, carried->forces);
+  }
+  std::visit(
+      [&](auto &found) {
+        outcome.summary = summary_of(found);
+        if (writes)
+          parameters.writer.write(*files, found, parameters.entries());
+      },
+      findings.found);
 }
 
 std::string words_of(const std::vector<std::string> &names,

@@ -192,9 +192,6 @@ void ResultWriter::write(ResultDirectory &files,
                          const dealii::ParameterHandler &prm)
 {
   results.title = title;
-  for (const std::string &warning : doubts_about(results))
-    terminal.warning(warning);
-
   timer.enter_subsection("stress");
   terminal.begin("Stress");
   const std::optional<StressPart> own_part = find_stresses(results);
@@ -356,6 +353,7 @@ void ResultWriter::publish(ResultDirectory &files,
     add(packing_centres, write_centres);
   files.write(parameters_prm, [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
+    out << listing_title() << '\n';
     prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
   });
   timer.leave_subsection();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameter_tree.h>
 #include <voussoir/scene_parameters.h>
 
 #include <utility>
@@ -31,6 +32,14 @@ Packing SceneParameters::read_packing(const std::filesystem::path &directory,
     terminal.warning(notice);
   supports.support(blocks);
   return blocks;
+}
+
+std::string SceneParameters::packing_key(const nlohmann::ordered_json &tree)
+{
+  std::string key;
+  for (const char *name : {"Rotations", "Packing", "Supports"})
+    key += values_in(tree.at(name));
+  return key;
 }
 
 Given SceneParameters::given(Packing blocks,

@@ -5,6 +5,7 @@
 #include <voussoir/factor_search.h>
 #include <voussoir/output/csv.h>
 #include <voussoir/output/ground_summary.h>
+#include <voussoir/output/messages.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/study.h>
@@ -66,11 +67,22 @@ std::optional<EarlierRun> Study::earlier_run() const
 
 Given Study::given(Packing packing) const
 {
-  return of_scene.given(std::move(packing), analysis == Analysis::load_factor,
-                        terminal);
+  Given given = of_scene.given(std::move(packing),
+                               analysis == Analysis::load_factor, terminal);
+  show_packing(terminal, given.packing);
+  return given;
 }
 
 Findings Study::answer(Given given, std::optional<EarlierRun> earlier)
+{
+  Findings findings = find(std::move(given), std::move(earlier));
+  if (const auto *const carried = std::get_if<Results>(&findings.found))
+    for (const std::string &warning : doubts_about(*carried))
+      terminal.warning(warning);
+  return findings;
+}
+
+Findings Study::find(Given given, std::optional<EarlierRun> earlier)
 {
   if (analysis == Analysis::state)
     return find_state(std::move(given), std::move(earlier));

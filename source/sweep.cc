@@ -5,8 +5,11 @@
 #include <voussoir/repeated_run.h>
 #include <voussoir/sweep.h>
 #include <voussoir/sweep_files.h>
+#include <voussoir/sweep_results.h>
 
 #include <deal.II/base/multithread_info.h>
+
+#include <mutex>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +17,7 @@
 #include <exception>
 #include <functional>
 #include <map>
+#include <set>
 #include <thread>
 
 namespace Voussoir
@@ -80,6 +84,9 @@ private:
   const unsigned int before;
 };
 
+/** The number of different warnings that the terminal shows. */
+constexpr std::size_t most_warnings = 10;
+
 /** All runs of a sweep or a search. */
 class Runner
 {
@@ -94,6 +101,8 @@ public:
     for (const std::string &result : wanted.results)
       check(result);
     files.spare(wanted.file);
+    for (const std::filesystem::path &input : scene.input_files())
+      files.spare(input);
   }
 
   /** Run all @p points. @return the number of the first of them in runs(). */
@@ -106,6 +115,8 @@ public:
     in_threads(points.size(), [&](const std::size_t k) {
       done[first + k] = scene.run(points[k], directory_of(first + k));
       const std::lock_guard lock(of_terminal);
+      if (first + k == 0)
+        look_at_results(done.front());
       terminal.progress(++n_done, points.size(), "runs");
     });
     return first;
@@ -113,9 +124,15 @@ public:
 
   const std::vector<RunOutcome> &runs() const { return done; }
 
-  /** Write the table of all runs and its page, and say so. */
+  /** Write the table of all runs and its page, and say so with the warnings. */
   void write()
   {
+    const std::vector<SharedWarning> warnings = warnings_of(done);
+    for (std::size_t k = 0; k < warnings.size() && k < most_warnings; ++k)
+      terminal.warning(warnings[k].description(names, done));
+    if (warnings.size() > most_warnings)
+      terminal.warning(text("There are ", warnings.size() - most_warnings,
+                            " more; '", sweep_csv, "' has all of them."));
     files.write(sweep_csv, [&](std::ostream &out) {
       write_sweep_csv(out, names, wanted.results, done);
     });
@@ -128,7 +145,42 @@ public:
                         "; ", sweep_html, " shows it in a browser"));
   }
 
+  /**
+   * Refuse a result that no run has, when all have ended: what one does not
+   * have another may.
+   */
+  void check_results() const
+  {
+    std::set<std::string> known;
+    for (const RunOutcome &run : done)
+      add_results(run.summary, known);
+    for (const std::string &result : wanted.results)
+      if (std::none_of(done.begin(), done.end(), [&](const RunOutcome &run) {
+            return has_result(run.summary, result);
+          }))
+        throw InputError(text(unknown_result(result, known),
+                              " The runs themselves are in '",
+                              scene.output_directory(), '/', sweep_csv, "'."));
+  }
+
 private:
+  /**
+   * Say which results the first run has not, but for a letter or two: long
+   * before check_results() knows.
+   */
+  void look_at_results(const RunOutcome &first)
+  {
+    std::set<std::string> known;
+    add_results(first.summary, known);
+    for (const std::string &result : wanted.results)
+    {
+      const std::string meant = misspelt_for(result, known);
+      if (!meant.empty() && !has_result(first.summary, result))
+        terminal.warning("The first run has no '" + result + "', but " + meant +
+                         ".");
+    }
+  }
+
   /** Refuse what is no name of a place in a summary. */
   static void check(const std::string &result)
   {
@@ -186,6 +238,7 @@ void sweep(const ManyRuns &wanted,
     if (!run.has_answer)
       throw SolverError("With " + words_of(names, run.values) + ": " +
                         run.reason);
+  runner.check_results();
 }
 
 void search(const ManyRuns &wanted,
@@ -255,5 +308,6 @@ void search(const ManyRuns &wanted,
                        " is carried, " + value_text(low_carries ? high : low) +
                        " collapses" +
                        (is_open ? "; between them the answer is open" : ""));
+  runner.check_results();
 }
 } // namespace Voussoir

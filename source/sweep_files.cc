@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/plot.h>
 #include <voussoir/report_page.h>
 #include <voussoir/sweep_files.h>
+#include <voussoir/sweep_results.h>
 #include <voussoir/sweep_values.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <ostream>
 #include <set>
 
@@ -17,8 +20,6 @@ namespace Voussoir
 {
 namespace
 {
-using Json = nlohmann::json;
-
 /** The columns of every sweep: their names, and where summary.json has them. */
 const std::vector<std::pair<std::string, std::string>> columns = {
     {"load_factor", "load_factor/carried"},
@@ -47,18 +48,6 @@ std::string field(const std::string &text)
   return quoted + '"';
 }
 
-/** A value of the summary; empty if it has none there. */
-std::string value_at(const Json &summary, const std::string &path)
-{
-  const Json::json_pointer place('/' + path);
-  if (!summary.contains(place) || summary.at(place).is_null())
-    return {};
-  const Json &value = summary.at(place);
-  if (value.is_number_float())
-    return value_text(value.get<double>());
-  return field(value.is_string() ? value.get<std::string>() : value.dump());
-}
-
 /** The numbers of @p path over the only parameter, by its values. */
 std::vector<PlotPoint> plotted_points(const std::string &path,
                                       const std::vector<RunOutcome> &runs)
@@ -70,7 +59,7 @@ std::vector<PlotPoint> plotted_points(const std::string &path,
     if (!boost::conversion::try_lexical_convert(run.values[0], point.x) ||
         !std::isfinite(point.x))
       return {}; // words
-    if (boost::conversion::try_lexical_convert(value_at(run.summary, path),
+    if (boost::conversion::try_lexical_convert(result_at(run.summary, path),
                                                point.y) &&
         std::isfinite(point.y))
     {
@@ -84,6 +73,18 @@ std::vector<PlotPoint> plotted_points(const std::string &path,
       points.begin(), points.end(),
       [](const PlotPoint &a, const PlotPoint &b) { return a.x < b.x; });
   return points;
+}
+
+/** How many runs have a number there that no plot can show. */
+std::size_t n_infinite(const std::string &path,
+                       const std::vector<RunOutcome> &runs)
+{
+  return std::count_if(runs.begin(), runs.end(), [&](const RunOutcome &run) {
+    double value;
+    return boost::conversion::try_lexical_convert(result_at(run.summary, path),
+                                                  value) &&
+           !std::isfinite(value);
+  });
 }
 
 /** True if positive values have much the same ratios. */
@@ -104,6 +105,35 @@ std::string word_of(const RunOutcome &run)
   return run.has_answer ? Status{run.answer, 0.}.word() : "failed";
 }
 
+std::string SharedWarning::description(const std::vector<std::string> &names,
+                                       const std::vector<RunOutcome> &all) const
+{
+  const std::string first = words_of(names, all[runs.front()].values);
+  if (runs.size() == 1)
+    return "With " + first + ": " + text;
+  if (runs.size() == all.size())
+    return "In all runs: " + text;
+  return Voussoir::text("In ", runs.size(), " of ", all.size(),
+                        " runs, the first with ", first, ": ", text);
+}
+
+std::vector<SharedWarning> warnings_of(const std::vector<RunOutcome> &runs)
+{
+  std::vector<SharedWarning> warnings;
+  std::map<std::string, std::size_t> place;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const std::string &text : runs[k].warnings)
+    {
+      const auto [found, is_new] = place.emplace(text, warnings.size());
+      if (is_new)
+        warnings.push_back({text, {}});
+      std::vector<std::size_t> &of = warnings[found->second].runs;
+      if (of.empty() || of.back() != k)
+        of.push_back(k);
+    }
+  return warnings;
+}
+
 void write_sweep_csv(std::ostream &out,
                      const std::vector<std::string> &names,
                      const std::vector<std::string> &results,
@@ -116,17 +146,18 @@ void write_sweep_csv(std::ostream &out,
     out << ',' << column.first;
   for (const std::string &result : results)
     out << ',' << field(result);
-  out << ",seconds,message\n";
+  out << ",seconds,message,warnings\n";
   for (const RunOutcome &run : runs)
   {
     for (const std::string &value : run.values)
       out << field(value) << ',';
     out << word_of(run);
     for (const auto &column : columns)
-      out << ',' << value_at(run.summary, column.second);
+      out << ',' << field(result_at(run.summary, column.second));
     for (const std::string &result : results)
-      out << ',' << value_at(run.summary, result);
-    out << ',' << value_text(run.seconds) << ',' << field(run.reason) << '\n';
+      out << ',' << field(result_at(run.summary, result));
+    out << ',' << value_text(run.seconds) << ',' << field(run.reason) << ','
+        << field(boost::algorithm::join(run.warnings, " ")) << '\n';
   }
 }
 
@@ -150,8 +181,13 @@ void write_sweep_html(std::ostream &out,
     if (k < columns.size() && worth_a_plot.count(name) == 0)
       continue;
     const std::vector<PlotPoint> points = plotted_points(path, runs);
-    if (points.size() > 1)
-      out << plot_svg(names[0], name, points, is_by_ratio(points));
+    if (points.size() < 2)
+      continue;
+    out << plot_svg(names[0], name, points, is_by_ratio(points));
+    if (const std::size_t n = n_infinite(path, runs))
+      out << "<p>" << html_text(name) << " has no bound in " << n << " of "
+          << counted(runs.size(), "run")
+          << ", which the plot leaves out.</p>\n";
   }
   out << "<table>\n<tr>";
   for (const std::string &name : names)
@@ -167,10 +203,14 @@ void write_sweep_html(std::ostream &out,
       out << "<td>" << html_text(value) << "</td>";
     out << "<td>" << word_of(run) << "</td>";
     for (const auto &column : shown)
-      out << "<td>" << html_text(value_at(run.summary, column.second))
+      out << "<td>" << html_text(result_at(run.summary, column.second))
           << "</td>";
     out << "</tr>\n";
   }
-  out << "</table>\n</body>\n</html>\n";
+  out << "</table>\n";
+  for (const SharedWarning &warning : warnings_of(runs))
+    out << "<p class=\"warning\">"
+        << html_text(warning.description(names, runs)) << "</p>\n";
+  out << "</body>\n</html>\n";
 }
 } // namespace Voussoir

@@ -4,12 +4,10 @@
 #include <voussoir/unused_settings.h>
 
 #include <boost/algorithm/string/join.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <nlohmann/json.hpp>
 
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace Voussoir
@@ -18,28 +16,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
-
-bool is_changed(const Json &entry)
-{
-  const std::string value = entry.at("value");
-  const std::string fallback = entry.at("default_value");
-  if (value == fallback)
-    return false;
-  double a, b;
-  return !(boost::conversion::try_lexical_convert(value, a) &&
-           boost::conversion::try_lexical_convert(fallback, b) && a == b);
-}
-
-/** The names, in quotes, of the entries of a section without their default. */
-Names changed_entries(const Json &section)
-{
-  Names names;
-  if (section.is_object()) // boost writes a section without entries as ""
-    for (const auto &[name, entry] : section.items())
-      if (is_entry(entry) && is_changed(entry))
-        names.push_back("'" + name + "'");
-  return names;
-}
 
 /**
  * The search for unused settings, in sections with paths such as
@@ -53,16 +29,33 @@ struct Search
   void look_beside(const std::string &path,
                    const std::string &choice,
                    const Uses &uses);
+  /** The names, in quotes, of the assigned entries of a section. */
+  Names assigned_in(const std::string &path) const;
+  bool is_assigned(const std::string &path) const
+  {
+    return assigned.contains(path.substr(1));
+  }
   const Json &at(const std::string &path) const
   {
     return all.at(Json::json_pointer(path));
   }
 
   const Json &all;
+  const AssignedEntries &assigned;
   std::set<std::string> unused_sections;
   /** Found, those on whole sections first, by the outermost section. */
   std::multimap<std::pair<bool, std::string>, std::string> sentences;
 };
+
+Names Search::assigned_in(const std::string &path) const
+{
+  Names names;
+  if (at(path).is_object()) // boost writes a section without entries as ""
+    for (const auto &[name, entry] : at(path).items())
+      if (is_entry(entry) && is_assigned(path + '/' + name))
+        names.push_back("'" + name + "'");
+  return names;
+}
 
 void Search::look_into(const std::string &path)
 {
@@ -109,9 +102,9 @@ void Search::look_beside(const std::string &path,
       if (!is_entry(node))
       {
         unused_sections.insert(used);
-        add(false, used, changed_entries(node));
+        add(false, used, assigned_in(used));
       }
-      else if (is_changed(node))
+      else if (is_assigned(used))
         entries.push_back("'" + name + "'");
     }
   add(true, path, entries);
@@ -132,14 +125,9 @@ void add_changed(const Json &section,
 }
 } // namespace
 
-std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm)
+std::vector<std::string> unused_settings(const AssignedEntries &assigned)
 {
-  return unused_settings(tree_of(prm));
-}
-
-std::vector<std::string> unused_settings(const Json &tree)
-{
-  Search search{tree, {}, {}};
+  Search search{assigned.tree(), assigned, {}, {}};
   search.look_into("");
   Names sentences;
   for (const auto &[place, sentence] : search.sentences)

@@ -2,14 +2,13 @@
 #ifndef voussoir_repeated_run_h
 #define voussoir_repeated_run_h
 
-#include <voussoir/packing/packing.h>
+#include <voussoir/run_parameters.h>
+#include <voussoir/shared_packings.h>
 #include <voussoir/statics/status.h>
 
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,10 @@ struct RunOutcome
   bool has_answer = false;
   /** The answer. */
   Status::Kind answer = Status::Kind::solved;
-  /** What summary.json has, without what belongs to the output. */
-  nlohmann::json summary;
+  /** summary_of() what was found, without what belongs to the output. */
+  nlohmann::ordered_json summary;
+  /** What a run alone would print. */
+  std::vector<std::string> warnings;
   /** The message of a solver that failed. */
   std::string reason;
   /** Wall clock time, in seconds. */
@@ -34,7 +35,7 @@ struct RunOutcome
 
 /**
  * A scene that is run again and again with other values of some parameters, in
- * any number of threads. The packing is made once, if no value changes it.
+ * any number of threads. Runs of the same packing share it.
  */
 class RepeatedRun
 {
@@ -50,6 +51,11 @@ public:
 
   /** The entry `Output directory`. */
   const std::string &output_directory() const { return directory; }
+  /** Files that the scene is read from, without the values. */
+  const std::vector<std::filesystem::path> &input_files() const
+  {
+    return inputs;
+  }
 
   /**
    * Run it with @p values, one for each name.
@@ -62,13 +68,18 @@ public:
                  const std::string &results);
 
 private:
+  void answer(RunParameters &parameters,
+              Terminal &terminal,
+              bool writes,
+              RunOutcome &outcome);
+
   const std::filesystem::path file;
   const std::vector<std::string> assignments, names;
+  /** Where relative paths begin. */
+  std::filesystem::path origin;
   std::string directory;
-  /** True if the packing is the same in all runs. */
-  bool shares_packing;
-  std::mutex making_packing;
-  std::unique_ptr<const Packing> packing;
+  std::vector<std::filesystem::path> inputs;
+  SharedPackings packings;
 };
 
 /** "Friction/Strength = 0.2, Rotations = true". */

@@ -13,6 +13,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <set>
 #include <string>
@@ -47,7 +49,8 @@ public:
     return packing.input_files(directory);
   }
   /**
-   * Make the packing, with its supports.
+   * Make the packing, with its supports. What it is made of stands in
+   * packing_key(), too.
    *
    * @param directory where relative paths begin.
    * @param terminal sees what is noticed.
@@ -55,6 +58,13 @@ public:
    */
   Packing read_packing(const std::filesystem::path &directory,
                        Terminal &terminal) const;
+  /**
+   * The values of all entries that read_packing() looks at: where they are the
+   * same, and the files are, so is the packing.
+   *
+   * @param tree all sections and entries, as tree_of() gives them.
+   */
+  static std::string packing_key(const nlohmann::ordered_json &tree);
   /**
    * Add the strengths and the loads to a packing with its supports.
    *

@@ -2,16 +2,12 @@
 #ifndef voussoir_simulation_h
 #define voussoir_simulation_h
 
-#include <voussoir/result_writer.h>
-#include <voussoir/study.h>
+#include <voussoir/run_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/timer.h>
 
 #include <filesystem>
-#include <set>
-#include <string>
 
 namespace Voussoir
 {
@@ -24,22 +20,22 @@ public:
   /** @param team the processes that help, beside this one, its root. */
   explicit Simulation(Terminal &terminal, const Team &team = Team());
 
-  /**
-   * Declare all parameters, with load cases of these names, and bind them to
-   * the parts of the simulation.
-   */
-  void add_parameters(dealii::ParameterHandler &prm,
-                      const std::set<std::string> &load_cases = {});
+  /** Read all parameters; see RunParameters::read(). */
+  void read(const ParameterSources &sources) { parameters.read(sources); }
+  /** The entries with their values. */
+  const dealii::ParameterHandler &entries() const
+  {
+    return parameters.entries();
+  }
 
   /**
-   * Run the scene that the parameters describe and write its results.
+   * Run the scene that the parameters describe and write its results, with the
+   * parameters beside them.
    *
-   * @param prm the parsed parameters, to be saved beside the results.
    * @param directory that of the .prm file, where relative paths begin.
    * @throws InputError, LoadNotCarried, SolverError.
    */
-  void run(const dealii::ParameterHandler &prm,
-           const std::filesystem::path &directory);
+  void run(const std::filesystem::path &directory);
 
 private:
   /**
@@ -50,10 +46,7 @@ private:
                        const std::filesystem::path &directory);
 
   Terminal &terminal;
-  const Team team;
-  dealii::TimerOutput timer;
-  Study study;
-  ResultWriter writer;
+  RunParameters parameters;
 };
 } // namespace Voussoir
 

@@ -66,11 +66,11 @@ public:
   {
     return of_scene.read_packing(directory, terminal);
   }
-  /** What the packing carries, and by what. */
+  /** What the packing carries, and by what; the terminal shows the packing. */
   Given given(Packing packing) const;
 
   /**
-   * Answer the question.
+   * Answer the question; the terminal shows what is doubtful about the answer.
    *
    * @param given the scene.
    * @param earlier where its forces are, if they are not to be found.
@@ -86,6 +86,7 @@ private:
     load_factor
   };
 
+  Findings find(Given given, std::optional<EarlierRun> earlier);
   Findings find_state(Given given, std::optional<EarlierRun> earlier);
   Findings find_factor(Given given);
   RunRecord record_of(const Scene &scene) const;

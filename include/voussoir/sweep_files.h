@@ -4,6 +4,7 @@
 
 #include <voussoir/repeated_run.h>
 
+#include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -18,6 +19,27 @@ inline const std::string sweep_html = "sweep.html";
 
 /** The status of a run in one word. */
 std::string word_of(const RunOutcome &run);
+
+/** A warning that some of many runs have. */
+struct SharedWarning
+{
+  /** The sentence. */
+  std::string text;
+  /** The runs that have it, by their numbers, ascending. */
+  std::vector<std::size_t> runs;
+
+  /**
+   * The sentence behind "In all runs: ", or which they are.
+   *
+   * @param names of the parameters.
+   * @param all the runs.
+   */
+  std::string description(const std::vector<std::string> &names,
+                          const std::vector<RunOutcome> &all) const;
+};
+
+/** Each warning of the runs once, in the order of the first run with it. */
+std::vector<SharedWarning> warnings_of(const std::vector<RunOutcome> &runs);
 
 /** @{ */
 /**

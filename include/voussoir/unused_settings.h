@@ -2,9 +2,9 @@
 #ifndef voussoir_unused_settings_h
 #define voussoir_unused_settings_h
 
-#include <deal.II/base/parameter_handler.h>
+#include <voussoir/base/assigned_entries.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <deal.II/base/parameter_handler.h>
 
 #include <string>
 #include <utility>
@@ -13,14 +13,11 @@
 namespace Voussoir
 {
 /**
- * Sentences for the user on entries that were given a value and that the run
- * does not look at, since they belong to another generator, formulation or
- * accuracy: one sentence for each section.
+ * Sentences for the user on entries that were assigned a value, be it the
+ * default, and that the run does not look at, since they belong to another
+ * generator, formulation or accuracy: one sentence for each section.
  */
-std::vector<std::string> unused_settings(const dealii::ParameterHandler &prm);
-
-/** The same of all sections and entries, as tree_of() gives them. */
-std::vector<std::string> unused_settings(const nlohmann::ordered_json &tree);
+std::vector<std::string> unused_settings(const AssignedEntries &assigned);
 
 /** Names, as in "Friction/Strength", and their values. */
 using NamesAndValues = std::vector<std::pair<std::string, std::string>>;

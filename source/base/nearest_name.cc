@@ -7,6 +7,36 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** Those of @p texts of which a part is nearest to @p name, and near enough. */
+template <typename Part>
+std::vector<std::string> nearest(const std::string &name,
+                                 const std::vector<std::string> &texts,
+                                 const std::size_t n_most,
+                                 const Part &part)
+{
+  // A third of the letters may be wrong, and two of a short name.
+  const unsigned int most = std::max<std::size_t>(2, name.size() / 3);
+  unsigned int least = most + 1;
+  std::vector<std::string> found;
+  for (const std::string &text : texts)
+  {
+    const unsigned int distance = edit_distance(name, part(text));
+    if (distance >= name.size())
+      continue;
+    if (distance < least)
+    {
+      found.clear();
+      least = distance;
+    }
+    if (distance == least && least <= most && found.size() < n_most)
+      found.push_back(text);
+  }
+  return found;
+}
+} // namespace
+
 unsigned int edit_distance(const std::string &a, const std::string &b)
 {
   const auto same = [](const char x, const char y) {
@@ -30,28 +60,19 @@ unsigned int edit_distance(const std::string &a, const std::string &b)
   return to.back();
 }
 
+std::vector<std::string> nearest_texts(const std::string &text,
+                                       const std::vector<std::string> &texts,
+                                       const std::size_t n_most)
+{
+  return nearest(text, texts, n_most, [](const std::string &of) { return of; });
+}
+
 std::vector<std::string> nearest_names(const std::string &name,
                                        const std::vector<std::string> &paths,
                                        const std::size_t n_most)
 {
-  // A third of the letters may be wrong, and two of a short name.
-  const unsigned int most = std::max<std::size_t>(2, name.size() / 3);
-  unsigned int least = most + 1;
-  std::vector<std::string> nearest;
-  for (const std::string &path : paths)
-  {
-    const unsigned int distance =
-        edit_distance(name, path.substr(path.rfind('/') + 1));
-    if (distance >= name.size())
-      continue;
-    if (distance < least)
-    {
-      nearest.clear();
-      least = distance;
-    }
-    if (distance == least && least <= most && nearest.size() < n_most)
-      nearest.push_back(path);
-  }
-  return nearest;
+  return nearest(name, paths, n_most, [](const std::string &path) {
+    return path.substr(path.rfind('/') + 1);
+  });
 }
 } // namespace Voussoir

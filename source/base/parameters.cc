@@ -162,6 +162,23 @@ std::string explain(const dealii::ParameterHandler &prm,
   return place + ": " + in_plain_words(prm, message, place);
 }
 
+/** True if a line of a text is listing_title(). */
+bool is_listing(std::istream &in)
+{
+  const std::string title = listing_title();
+  for (std::string line; std::getline(in, line);)
+    if (line == title)
+      return true;
+  return false;
+}
+
+/** Read the text again from its beginning. */
+void rewind(std::istream &in)
+{
+  in.clear();
+  in.seekg(0);
+}
+
 void parse(dealii::ParameterHandler &prm,
            std::istream &in,
            const std::string &name,
@@ -264,7 +281,17 @@ subsections_in(const std::string &section,
   return names;
 }
 
-void read_parameters(dealii::ParameterHandler &prm,
+std::string listing_title()
+{
+  std::stringstream listing;
+  dealii::ParameterHandler().print_parameters(listing,
+                                              dealii::ParameterHandler::PRM);
+  std::string title;
+  std::getline(listing, title);
+  return title;
+}
+
+bool read_parameters(dealii::ParameterHandler &prm,
                      const std::filesystem::path &file)
 {
   std::ifstream in(file);
@@ -285,17 +312,20 @@ void read_parameters(dealii::ParameterHandler &prm,
                        "' includes another file; give all parameters in one, "
                        "or on the command line with --set.");
   }
-  in.clear();
-  in.seekg(0);
+  rewind(in);
   parse(prm, in, file.string(), true);
+  rewind(in);
+  return is_listing(in);
 }
 
-void read_parameters_text(dealii::ParameterHandler &prm,
+bool read_parameters_text(dealii::ParameterHandler &prm,
                           const std::string &text,
                           const std::string &name)
 {
   std::istringstream in(text);
   parse(prm, in, name, true);
+  rewind(in);
+  return is_listing(in);
 }
 
 void assign_parameter(dealii::ParameterHandler &prm,

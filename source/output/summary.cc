@@ -74,19 +74,16 @@ Json summary_of(const RunRecord &run, const Status &status)
   return summary;
 }
 
-/** The number, or null, which stands for what is not finite. */
-Json finite(const double x)
-{
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
 /** The load factor between its proofs. */
 Json summary_of_factor(const LoadFactor &factor)
 {
-  Json json = {{"carried", factor.carried},
-               {"bound", finite(factor.bound)},
-               {"width", finite(factor.width())},
+  // The state that is written shows that any factor is carried, by one of them.
+  Json json = {{"carried", factor.is_unbounded ? factor.bound : factor.carried},
+               {"bound", factor.bound},
+               {"width", factor.width()},
                {"unbounded", factor.is_unbounded}};
+  if (factor.is_unbounded)
+    json["forces_at"] = factor.carried;
   if (factor.has_mechanism())
     json["closing_violation"] = factor.proof.closing_violation;
   return json;
@@ -98,7 +95,7 @@ Json summary_of_ranges(const Results &results)
   const Ranges &ranges = *results.ranges;
   const CountOfRanges count(ranges);
   const auto pair = [](const Range &range) {
-    return Json::array({finite(range.least), finite(range.greatest)});
+    return Json::array({range.least, range.greatest});
   };
   Json supports = Json::array();
   for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
@@ -135,17 +132,23 @@ Json summary_of_settlement(const Results &results)
           {"sliding", count.sliding}};
 }
 
-/** Add what stands last, and write. */
-void write(std::ostream &out, Json summary, const RunRecord &run)
+/** Add what stands last. */
+Json complete(Json summary, const RunRecord &run)
 {
   summary["timings"] = run.timings;
   summary["versions"] = library_versions();
+  return summary;
+}
+
+/** Write it; null stands for what is not finite, which JSON has no word for. */
+void write(std::ostream &out, const Json &summary)
+{
   out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 } // namespace
 
-void write_summary_json(std::ostream &out, const Results &results)
+Json summary_of(const Results &results)
 {
   const Certificate &certificate = results.certificate;
   Json summary = summary_of(results, results.status);
@@ -185,21 +188,30 @@ void write_summary_json(std::ostream &out, const Results &results)
                                       results.always_sliding.end(), true)}};
   summary["stress"] = {{"sub_cells", results.stress.n_sub_cells},
                        {"undetermined_cells", results.stress.undetermined}};
-  write(out, std::move(summary), results);
+  return complete(std::move(summary), results);
 }
 
-void write_summary_json(std::ostream &out, const Collapse &collapse)
+Json summary_of(const Collapse &collapse)
 {
   Json summary = summary_of(collapse, {Status::Kind::collapse, 0.});
   Json parts = Json::array();
   for (const LoadPart &part : collapse.parts)
     parts.push_back({{"load", part.name}, {"work", part.work}});
-  // JSON has no infinity: null stands for work that friction does not resist.
   summary["mechanism"] = {
       {"work_over_dissipation", collapse.proof.work_over_dissipation},
       {"closing_violation", collapse.proof.closing_violation},
       {"work_of_loads", parts}};
-  write(out, std::move(summary), collapse);
+  return complete(std::move(summary), collapse);
+}
+
+void write_summary_json(std::ostream &out, const Results &results)
+{
+  write(out, summary_of(results));
+}
+
+void write_summary_json(std::ostream &out, const Collapse &collapse)
+{
+  write(out, summary_of(collapse));
 }
 
 void show_packing(Terminal &terminal, const Packing &packing)

@@ -2,20 +2,15 @@
 #include <voussoir/base/blas.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameter_tree.h>
-#include <voussoir/base/parameters.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
-#include <voussoir/result_writer.h>
+#include <voussoir/run_parameters.h>
 #include <voussoir/scene/reactions.h>
+#include <voussoir/shared_packings.h>
 #include <voussoir/stress/cell_means.h>
-#include <voussoir/study.h>
-#include <voussoir/unused_settings.h>
 #include <voussoir/version.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <fstream>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <sstream>
@@ -103,56 +98,31 @@ public:
           const std::string &text,
           const std::vector<py::array_t<double>> &polygons,
           const py::dict &settings)
-      : terminal(output), timer(output,
-                                dealii::TimerOutput::never,
-                                dealii::TimerOutput::wall_times),
-        study(terminal, alone, timer), writer(terminal, alone, timer)
+      : terminal(output), parameters(terminal), packings(1)
   {
-    const std::filesystem::path file = given.value_or("");
-    std::vector<std::string> assignments;
-    for (const auto &[name, value] : settings)
-      assignments.push_back(py::str(name).cast<std::string>() + '=' +
-                            text_of(value));
-    writer.add_entries(prm);
-    study.add_entries(prm);
-    study.add_sections(prm, subsections_in("Load cases", file, assignments));
-    writer.add_sections(prm);
-    if (given)
-    {
-      read_parameters(prm, file);
-      directory = std::filesystem::canonical(file).parent_path();
-    }
-    if (!text.empty())
-      read_parameters_text(prm, text, "the text");
+    ParameterSources sources = {given, text};
     if (!polygons.empty())
     {
-      study.give(list_of(polygons));
-      assign_parameter(prm, "Packing/Generator=polygons");
+      parameters.study.give(list_of(polygons));
+      sources.assignments.push_back("Packing/Generator=polygons");
     }
-    for (const std::string &assignment : assignments)
-      assign_parameter(prm, assignment);
-    tree = tree_of(prm);
+    for (const auto &[name, value] : settings)
+      sources.assignments.push_back(py::str(name).cast<std::string>() + '=' +
+                                    text_of(value));
+    parameters.read(sources);
+    if (given)
+      directory = std::filesystem::canonical(*given).parent_path();
   }
 
   /** Change an entry. */
   void set(const std::string &name, const py::handle &value)
   {
-    assign_parameter(prm, name + '=' + text_of(value));
-    Json::json_pointer place;
-    std::vector<std::string> path =
-        dealii::Utilities::split_string_list(name, '/');
-    for (const std::string &part : path)
-      place /= part;
-    const std::string entry = path.back();
-    path.pop_back();
-    tree.at(place).at("value") = prm.get(path, entry);
-    for (const char *section : {"Packing", "Supports"})
-      if (name.compare(0, std::string(section).size(), section) == 0)
-        packing.reset();
+    parameters.assign(name + '=' + text_of(value));
   }
 
   std::string get(const std::string &name) const
   {
+    const Json &tree = parameters.tree();
     const Json::json_pointer place('/' + name);
     if (!tree.contains(place) || !is_entry(tree.at(place)))
       throw py::key_error("there is no entry '" + name + "'");
@@ -161,17 +131,22 @@ public:
 
   const Packing &get_packing()
   {
-    if (!packing)
-      packing = std::make_shared<Packing>(study.read_packing(directory));
+    packing = packings.get(parameters, directory, terminal);
     return *packing;
   }
 
   PyResults solve()
   {
     const py::gil_scoped_release others_may_go_on;
-    timer.reset(); // also of what an exception left
+    // What an exception, or a look at the packing, has left.
+    parameters.timer.reset();
+    terminal.take_warnings();
+    for (const std::string &warning : parameters.unused())
+      terminal.warning(warning);
+    Study &study = parameters.study;
+    std::optional<EarlierRun> earlier = study.earlier_run();
     Findings found =
-        study.answer(study.given(get_packing()), study.earlier_run());
+        study.answer(study.given(get_packing()), std::move(earlier));
     if (auto *const results = std::get_if<Results>(&found.found))
     {
       results->reactions = reactions(*found.scene, results->forces);
@@ -179,25 +154,17 @@ public:
       results->mean_stresses =
           cell_mean_stresses(*found.scene, results->forces);
     }
-    std::vector<std::string> warnings = unused_settings(tree);
-    for (std::string &warning : terminal.take_warnings())
-      warnings.push_back(std::move(warning));
     output.str("");
-    return {std::move(found), std::move(warnings)};
+    return {std::move(found), terminal.take_warnings()};
   }
 
   std::ostringstream output;
   Terminal terminal;
-  const Team alone;
-  dealii::TimerOutput timer;
-  dealii::ParameterHandler prm;
-  /** The same as JSON, which takes longer to make than small scenes to solve.
-   */
-  Json tree;
-  Study study;
-  ResultWriter writer;
+  RunParameters parameters;
   std::filesystem::path directory = ".";
-  std::shared_ptr<Packing> packing;
+  SharedPackings packings;
+  /** The one that was asked for last. */
+  std::shared_ptr<const Packing> packing;
 };
 
 /** The polygons of a packing as arrays. */
@@ -410,8 +377,8 @@ PYBIND11_MODULE(voussoir, module)
   py::class_<PyScene> scene(
       module, "Scene",
       "A packing with its supports, loads and strengths. The packing is made "
-      "when it is first needed, and again only if an entry of 'Packing' or "
-      "'Supports' is changed.");
+      "when it is first needed, and again only if an entry that it is made "
+      "from is changed: 'Rotations', or one of 'Packing' or 'Supports'.");
   scene
       .def(
           py::init<
@@ -442,8 +409,11 @@ PYBIND11_MODULE(voussoir, module)
                              "'solved', 'carried to within' or 'collapse'.")
       .def_property_readonly("summary", &PyResults::summary,
                              "What summary.json has, as a dict: certificate, "
-                             "load_factor, ground, ranges and others.")
-      .def_readonly("warnings", &PyResults::warnings, "Sentences.")
+                             "load_factor, ground, ranges and others; None "
+                             "stands for what is not finite, such as a load "
+                             "factor without bound.")
+      .def_readonly("warnings", &PyResults::warnings,
+                    "Sentences: what the program would print.")
       .def_property_readonly(
           "loads",
           [](const PyResults &self) {

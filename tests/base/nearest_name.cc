@@ -38,6 +38,9 @@ int main()
             Names({"Loads/Body force", "Live loads/Body force"}));
   check("not more than are wanted",
         nearest_names("Body forces", paths, 1).size() == 1);
+  check("of whole texts",
+        nearest_texts("Load/Stress", paths) == Names{"Loads/Stress"} &&
+            nearest_texts("Stress", paths).empty());
   check("none", nearest_names("Elasticity", paths).empty() &&
                     nearest_names("x", paths).empty());
 }

@@ -187,10 +187,158 @@ void check_search(const std::vector<std::string> &with,
             last_output.find("collapses") != std::string::npos);
 }
 
+/** Two blocks that touch where a corner of one meets a side of the other. */
+void write_corner()
+{
+  std::ofstream("corner.wkt") << "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n"
+                                 "POLYGON ((1 1, 1.5 2, 0.5 2, 1 1))\n";
+}
+
+/** The settings of that scene, of which the upper block has no weight. */
+std::vector<std::string> corner(const std::vector<std::string> &words)
+{
+  std::vector<std::string> all;
+  for (const char *setting :
+       {"Packing/Generator=polygons", "Packing/polygons/File=corner.wkt",
+        "Loads/Body force=0; y < 1 ? -1 : 0"})
+    all.insert(all.end(), {"--set", setting});
+  all.insert(all.end(), words.begin(), words.end());
+  return all;
+}
+
+/** What a packing is made from may be any entry, in any order. */
+void check_shared_packings()
+{
+  write_corner();
+  for (const char *order : {"false | true", "true | false"})
+  {
+    run(corner({"--sweep", "Friction/Strength=1 | 2", "--sweep",
+                std::string("Rotations=") + order, "--result",
+                "packing/interfaces"}),
+        false);
+    const std::vector<std::string> lines = lines_of("output/sweep.csv");
+    bool are_right = lines.size() == 5;
+    for (std::size_t k = 1; are_right && k < lines.size(); ++k)
+      are_right =
+          field(lines[k], "packing/interfaces", lines[0]) ==
+          (field(lines[k], "Rotations", lines[0]) == "true" ? "2" : "1");
+    check(std::string("corners bear where blocks turn: ") + order, are_right);
+  }
+  fs::remove_all("output");
+  // Alone it is refused where they do not turn, and so it is here.
+  run(corner({"--sweep", "Rotations=true | false", "--set",
+              "Loads/Body force=0; -1"}));
+  check("none is written", !fs::exists("output"));
+}
+
+/** Each warning of a run alone is one of the sweep, once. */
+void check_warnings()
+{
+  const std::vector<std::string> words =
+      corner({"--set", "Friction/Coefficient=0.6", "--sweep",
+              "Friction/Strength=1 | 2", "--sweep", "Rotations=false | true"});
+  run(words, false);
+  std::cout << last_output;
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  check("in each line", count(lines[1], "'Coefficient' in") == 1 &&
+                            count(lines[1], "corner only") == 0 &&
+                            count(lines[2], "'Coefficient' in") == 1 &&
+                            count(lines[2], "corner only") == 1 &&
+                            count(lines[4], "corner only") == 1);
+  std::ifstream in("output/sweep.html");
+  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  check("on the page", count(page, "class=\"warning\"") == 3);
+  // What is doubtful of forces, and the packing, as on the terminal of one run.
+  run({"--sweep", "Friction/Strength=4 | 5", "--set",
+       "Loads/Body force=0.6; -1"},
+      false);
+  check("of forces", count(last_output, "would overturn") == 1);
+  run({"--set", "Friction/Strength=4", "--set", "Loads/Body force=0.6; -1"},
+      false);
+  check("as alone", count(last_output, "would overturn") == 1);
+}
+
+/** A factor without a bound is infinite, and no point of a plot. */
+void check_unbounded()
+{
+  // Pushed by 1 and pressed by 2: friction follows from mu = 1/2 on.
+  run({"--sweep", "Friction/Coefficient=0.2 | 0.3 | 0.4 | 0.6 | 0.8", "--set",
+       "Friction/Law=associated Coulomb", "--set", "Loads/Body force=0; -1",
+       "--set", "Analysis=load factor", "--set", "Live loads/Body force=1; -2",
+       "--result", "load_factor/carried"},
+      false);
+  const std::vector<std::string> lines = lines_of("output/sweep.csv");
+  bool are_right = lines.size() == 6;
+  for (unsigned int k = 1; are_right && k < 6; ++k)
+  {
+    const std::string factor = field(lines[k], "load_factor", lines[0]);
+    const double mu = std::stod(lines[k]);
+    are_right =
+        factor == field(lines[k], "load_factor/carried", lines[0]) &&
+        (mu > 0.5
+             ? factor == "inf"
+             : std::abs(std::stod(factor) * (1. - 2. * mu) / mu - 1.) < 1e-8);
+  }
+  check("infinite where there is no bound", are_right);
+  std::ifstream in("output/sweep.html");
+  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  // Of the factor, twice, and of the utilisation, which all runs have.
+  check("three points, and words on two",
+        count(page, "<title>Friction/Coefficient = ") == 3 + 5 + 3 &&
+            count(page, "load_factor has no bound in 2 of 5 runs") == 1);
+  run({"--sweep", "Load factor/Direction=greatest | least", "--set",
+       "Loads/Body force=0; -1", "--set", "Analysis=load factor", "--set",
+       "Live loads/Body force=0; 1"},
+      false);
+  check("the least one", field(lines_of("output/sweep.csv")[2], "load_factor",
+                               lines_of("output/sweep.csv")[0]) == "-inf");
+}
+
+/** A result that no run has is refused, and the runs are written. */
+void check_results()
+{
+  for (const char *wrong : {"grund/reaction/1", "ground/reaction/2", "forces"})
+  {
+    fs::remove_all("output");
+    run({"--sweep", "Friction/Strength=1 | 2", "--result", wrong});
+    check("the runs are kept", lines_of("output/sweep.csv").size() == 3);
+  }
+  run({"--sweep", "Friction/Strength=1 | 2", "--result", "grund/reaction/1"},
+      false);
+  check("said after the first run",
+        last_output.find("The first run has no 'grund/reaction/1', but "
+                         "'ground/reaction/0', 'ground/reaction/1'.") <
+            last_output.find("Sweep "));
+  // What only some runs have is empty in the others.
+  check("of some runs",
+        run({"--sweep", "Friction/Strength=0.1 | 1", "--result",
+             "mechanism/closing_violation", "--result", "ground/reaction/1"},
+            false) == 0);
+  run({"--find", "Friction/Strength=0:10:1e-1", "--result", "grund/load"});
+}
+
+/** A file that the packing is read from is not overwritten. */
+void check_inputs()
+{
+  fs::remove_all("output");
+  fs::create_directories("output/run_2");
+  write_corner();
+  fs::copy("corner.wkt", "output/run_2/packing.wkt");
+  run(corner({"--sweep", "Friction/Strength=1 | 2", "--directories", "--set",
+              "Output/Packing=WKT", "--set",
+              "Packing/polygons/File=output/run_2/packing.wkt"}));
+  check("it is kept", lines_of("output/run_2/packing.wkt").size() == 2);
+}
+
 int main()
 {
   work_in_own_directory();
   check_sweep();
+  check_shared_packings();
+  check_warnings();
+  check_unbounded();
+  check_results();
+  check_inputs();
   check_packings();
   check_directories();
   check_both_ends();

@@ -94,6 +94,30 @@ int main()
             {"--set", "Accuracy=fine", "--set", "Stress/Refinements=1"})
             .empty());
 
+  // Set is what the user has set, be it the default; a listing sets nothing.
+  std::cout << quiet_warnings({"--set", "Friction/Coefficient=0.6"});
+  std::ofstream("sub/default.prm")
+      << read("sub/scene.prm")
+      << "subsection Friction\n set Law = Tresca\n set Cohesion = 0\nend\n";
+  run({"sub/default.prm"});
+  const auto warnings_of_file = [](const std::string &file) {
+    std::ostringstream out, error;
+    Voussoir::run_command_line({file, "--quiet"}, out, error);
+    return error.str();
+  };
+  std::cout << warnings_of_file("sub/default.prm");
+  fs::copy("output/scene/parameters.prm", "sub/again.prm");
+  check("a listing of all parameters warns of none",
+        warnings_of_file("sub/again.prm").empty());
+  std::ofstream("sub/printed.prm")
+      << run({"sub/scene.prm", "--print-parameters"});
+  check("nor does one that is printed",
+        warnings_of_file("sub/printed.prm").empty());
+  std::ofstream("sub/printed.prm")
+      << run({"sub/scene.prm", "--print-parameters", "--set",
+              "Friction/Coefficient=0.7"});
+  std::cout << warnings_of_file("sub/printed.prm");
+
   // What is not asked for is not written, and no older file stays.
   const auto files_with = [](const std::string &setting,
                              const std::string &other = "Title=files") {

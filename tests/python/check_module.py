@@ -99,11 +99,51 @@ def check_polygons():
     expect("by least energy", "least energy" in glued.summary["selection"])
 
 
+def check_packing():
+    """The packing is that of the entries, in whatever order they are set."""
+    blocks = [np.array([[0, 0], [2, 0], [2, 1], [0, 1]], float),
+              np.array([[1, 1], [1.5, 2], [0.5, 2]], float)]
+    scene = voussoir.Scene(polygons=blocks, settings={
+        "Supports/Where": "y < 1e-9", "Loads/Body force": "0; y < 1 ? -1 : 0",
+        "Friction/Strength": 1, "Formulation": "least energy"})
+    for turn in (False, True, False):
+        scene["Friction/Strength"] = 2
+        scene["Rotations"] = turn
+        found = scene.solve()
+        expect(f"a corner, Rotations = {turn}",
+               len(found.cell_plus) == len(scene.cell_plus) == (2 if turn else 1))
+        # Of a packing that is kept, too.
+        for again in (found, scene.solve()):
+            expect("a notice", sum("a corner only" in w for w in again.warnings) == turn)
+
+
+def check_warnings():
+    """They are those of the program."""
+    pushed = dict(STANDING, **{"Loads/Body force": "0.4; -1", "Friction/Strength": 10,
+                               "Friction/Coefficient": 0.6})
+    for _ in range(2):
+        scene = voussoir.Scene(polygons=SQUARES, settings=pushed)
+        for _ in range(2):
+            warnings = scene.solve().warnings
+            expect(warnings, len(warnings) == 2)
+            expect("unused", warnings[0] == "'Coefficient' in 'Friction' has no effect, "
+                                            "since 'Friction/Law' is 'Tresca'.")
+            expect("doubts", "would overturn" in warnings[1])
+    # A factor without bound is none.
+    scene = voussoir.Scene(polygons=SQUARES, settings=dict(STANDING, **{
+        "Analysis": "load factor", "Live loads/Body force": "0; -1"}))
+    factor = scene.solve().summary["load_factor"]
+    expect(factor, factor["unbounded"] and factor["carried"] is None
+           and factor["bound"] is None and factor["forces_at"] == 1)
+
+
 def check_errors():
     """The messages are those of the program."""
     message = raised(voussoir.InputError, "a name",
                      lambda: voussoir.Scene(settings={"Friction/Strenght": 1}))
     expect(message, "did you mean 'Friction/Strength'?" in message)
+    message = raised(voussoir.InputError, "no name", lambda: voussoir.Scene(""))
+    expect(message, "cannot be read" in message)
     expect("InputError is a ValueError", issubclass(voussoir.InputError, ValueError))
     overlapping = [SQUARES[0], SQUARES[0] + 0.5]
     message = raised(voussoir.InputError, "an overlap",
@@ -150,6 +190,8 @@ def check_memory():
 
 check_like_the_program()
 check_polygons()
+check_packing()
+check_warnings()
 check_errors()
 check_views()
 check_memory()

@@ -14,6 +14,14 @@ namespace Voussoir
 unsigned int edit_distance(const std::string &a, const std::string &b);
 
 /**
+ * Those of @p texts that are nearest to @p text, if they are near enough to be
+ * what was meant: at most @p n_most of them.
+ */
+std::vector<std::string> nearest_texts(const std::string &text,
+                                       const std::vector<std::string> &texts,
+                                       std::size_t n_most = 3);
+
+/**
  * Those of @p paths, "Section/Name", whose name is nearest to @p name, if they
  * are near enough to be what was meant: at most @p n_most of them.
  */

@@ -4,9 +4,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <nlohmann/json.hpp>
 
 #include <sstream>
+#include <string>
 
 namespace Voussoir
 {
@@ -24,6 +26,31 @@ inline nlohmann::ordered_json tree_of(const dealii::ParameterHandler &prm)
 inline bool is_entry(const nlohmann::ordered_json &node)
 {
   return node.contains("pattern_description");
+}
+
+/** True if an entry has another value than its default; 1.0 is 1. */
+inline bool is_changed(const nlohmann::ordered_json &entry)
+{
+  const std::string value = entry.at("value");
+  const std::string fallback = entry.at("default_value");
+  if (value == fallback)
+    return false;
+  double a, b;
+  return !(boost::conversion::try_lexical_convert(value, a) &&
+           boost::conversion::try_lexical_convert(fallback, b) && a == b);
+}
+
+/** The values of all entries in a section, or of an entry, a line each. */
+inline std::string values_in(const nlohmann::ordered_json &node)
+{
+  if (!node.is_object())
+    return {};
+  if (is_entry(node))
+    return node.at("value").get<std::string>() + '\n';
+  std::string values;
+  for (const auto &inner : node)
+    values += values_in(inner);
+  return values;
 }
 } // namespace Voussoir
 

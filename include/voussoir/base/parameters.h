@@ -99,20 +99,28 @@ subsections_in(const std::string &section,
                const std::vector<std::string> &assignments);
 
 /**
+ * The line that a listing of all parameters begins with, parameters.prm or what
+ * --print-parameters prints: deal.II's.
+ */
+std::string listing_title();
+
+/**
  * Read the file @p file into @p prm.
  *
+ * @return true if it has the line listing_title(): it assigns every entry, and
+ *   does not say which of them somebody has set.
  * @throws InputError if the file cannot be read, or has an entry that is not
  *   declared or a value that its pattern refuses; the message names the line.
  */
-void read_parameters(dealii::ParameterHandler &prm,
+bool read_parameters(dealii::ParameterHandler &prm,
                      const std::filesystem::path &file);
 
 /**
- * The same of a text of several lines.
+ * Read a text of several lines as read_parameters() reads a file.
  *
  * @param name of the text, for messages.
  */
-void read_parameters_text(dealii::ParameterHandler &prm,
+bool read_parameters_text(dealii::ParameterHandler &prm,
                           const std::string &text,
                           const std::string &name);
 

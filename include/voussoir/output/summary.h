@@ -5,6 +5,8 @@
 #include <voussoir/output/results.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <iosfwd>
 #include <string>
 
@@ -14,7 +16,13 @@ namespace Voussoir
 inline const std::string summary_json = "summary.json";
 
 /** @{ */
-/** The summary of a run as JSON, for programs. */
+/** The summary of a run, for programs; numbers may be infinite. */
+nlohmann::ordered_json summary_of(const Results &results);
+nlohmann::ordered_json summary_of(const Collapse &collapse);
+/** @} */
+
+/** @{ */
+/** Write the summary as JSON, with null for what is not finite. */
 void write_summary_json(std::ostream &out, const Results &results);
 void write_summary_json(std::ostream &out, const Collapse &collapse);
 /** @} */
