@@ -93,13 +93,17 @@ def check_samples():
         r"at most 1\.1\. Set 'Ranges/Steps between samples' to more than 1, or to 0, which finds "
         r"how many it takes\.", warning) for warning in found.warnings))
     subprocess.run([PROGRAM, file, "--quiet", "--set", "Output directory=samples",
-                    "--set", "Output/Files=csv vtu", "--set", "Ranges/Samples=400",
+                    "--set", "Output/Files=all", "--set", "Ranges/Samples=400",
                     "--set", "Ranges/Steps between samples=1"], check=True)
     with open("samples/interfaces.csv", newline="") as lines:
         expect("empty columns", all(
             joint[name] == "" for joint in csv.DictReader(lines)
             for name in ("p_mean", "p_mean_error", "p_deviation", "q_mean", "q_mean_error",
                          "q_deviation", "correlation")))
+    with open("samples/interfaces.vtu", "rb") as grid:
+        expect("no field", b"p_mean" not in grid.read())
+    with open("samples/report.html") as page:
+        expect("the report", "have not settled, and give no mean" in page.read())
     expect("no mean", "have not settled" in raised(
         AttributeError, "no mean", lambda: found.p_mean))
 
