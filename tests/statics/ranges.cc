@@ -299,11 +299,11 @@ void show_failure(const int signal, const bool is_watched)
     _exit(0);
   }
   close(ends[1]);
+  int status = 0;
+  waitpid(child, &status, 0);
   std::string words(100, ' ');
   const ssize_t n = read(ends[0], &words[0], words.size());
   close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
   if (WIFEXITED(status))
     std::cout << words.substr(0, n) << "status " << WEXITSTATUS(status)
               << std::endl;
