@@ -30,9 +30,10 @@ struct LoadFactorControls
  */
 struct FactorTrials
 {
-  /** @{ */
-  std::vector<double> with_state, without_state;
-  /** @} */
+  /** Those with one. */
+  std::vector<double> with_state;
+  /** Those without. */
+  std::vector<double> without_state;
   /** True if there are none: the two bounds are proofs. */
   bool empty() const { return with_state.empty() && without_state.empty(); }
 };

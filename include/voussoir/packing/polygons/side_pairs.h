@@ -17,15 +17,20 @@ namespace Voussoir
 /** A side of a cell, counterclockwise around it. */
 struct PolygonSide
 {
+  /** From @p start to @p end, of the cell of that number. */
   PolygonSide(unsigned int cell,
               const dealii::Point<2> &start,
               const dealii::Point<2> &end);
 
+  /** The number of the cell. */
   unsigned int cell;
+  /** Where the side begins; a length. */
   dealii::Point<2> start;
+  /** Where it ends; a length. */
   dealii::Point<2> end;
   /** The unit vector from start to end. */
   dealii::Tensor<1, 2> along;
+  /** The distance of the two; a length. */
   double length;
 };
 
@@ -69,8 +74,10 @@ public:
   std::array<std::size_t, 2> side;
   /** Their cells. */
   std::array<unsigned int, 2> cells;
-  /** The ends of the strip; there is none unless @p high is the larger one. */
-  double low, high;
+  /** The lower end of the strip. */
+  double low;
+  /** The upper end; there is no strip unless it is the larger one. */
+  double high;
 
   /** The length of the strip along the line. */
   double length() const { return high - low; }
