@@ -11,33 +11,59 @@ namespace Voussoir
 {
 namespace
 {
+/** "the forces on cell 3 at (1, 2) miss balance by 1e-9". */
+std::string fault(const Packing &packing, const LargestError &error)
+{
+  const std::string cell = packing.describe(error.cell) + " at " +
+                           text_of_point(packing.centre(error.cell));
+  switch (error.kind)
+  {
+  case LargestError::Kind::balance:
+    return text("the forces on ", cell, " miss balance by ", error.size);
+  case LargestError::Kind::moment:
+    return text("the moments on ", cell, " miss balance by ", error.size,
+                " times the root of its area");
+  default:
+    return text("a force on ", cell, " is beyond its limit by ", error.size);
+  }
+}
+
+/** On the cell that is balanced worst by its own measure. */
+std::string worst_of_light(const Packing &packing,
+                           const std::vector<UnbalancedCell> &cells)
+{
+  const UnbalancedCell &worst = *std::max_element(
+      cells.begin(), cells.end(),
+      [](const UnbalancedCell &a, const UnbalancedCell &b) {
+        return a.imbalance * b.own_force < b.imbalance * a.own_force;
+      });
+  return text(" Measured by their own loads, ", counted(cells.size(), "cell"),
+              cells.size() == 1 ? " is" : " are",
+              " not balanced: ", packing.describe(worst.cell), " at ",
+              text_of_point(packing.centre(worst.cell)), " lacks ",
+              worst.imbalance, " of ", worst.own_force,
+              ", the load on it or beside it, and may slide.");
+}
+
 /** The message on a load that is carried to a small error only. */
 std::string inexact(const Results &results)
 {
-  const Scene &scene = results.scene;
-  std::string where;
-  const std::vector<UnbalancedCell> &cells = results.certificate.unbalanced;
-  if (!cells.empty())
-  {
-    const UnbalancedCell &worst = *std::max_element(
-        cells.begin(), cells.end(),
-        [](const UnbalancedCell &a, const UnbalancedCell &b) {
-          return a.imbalance * b.own_force < b.imbalance * a.own_force;
-        });
-    where =
-        text(" Measured by their own loads, ", counted(cells.size(), "cell"),
-             cells.size() == 1 ? " is" : " are",
-             " not balanced: ", scene.packing.describe(worst.cell), " at ",
-             text_of_point(scene.packing.centre(worst.cell)), " lacks ",
-             worst.imbalance / worst.own_force,
-             " of the load on it or beside it, and may slide.");
-  }
-  return text("The load is carried to within ", results.status.within,
-              " of the largest load on a cell: neither forces that balance it "
-              "exactly nor a mechanism of collapse were found. It may be that "
-              "far above or below what the packing can carry, or "
-              "'Solver/Tolerance' is loose.",
-              where);
+  const Packing &packing = results.scene.packing;
+  const Certificate &certificate = results.certificate;
+  const std::string found = text(
+      "The load is carried to within ", results.status.within,
+      " of the largest load on a cell: ", fault(packing, certificate.largest));
+  if (results.status.within > largest_accepted_error)
+    return found + ", which 'Solver/Tolerance' admits. Lower it for forces "
+                   "that balance the load exactly.";
+  return found +
+         ", and neither a correction within all limits nor a mechanism of "
+         "collapse was found. The load may be that far below or above what "
+         "the packing can carry: set 'Analysis = load factor' to see how far "
+         "the limit is, or lower 'Solver/Tolerance'." +
+         (certificate.unbalanced.empty()
+              ? ""
+              : worst_of_light(packing, certificate.unbalanced));
 }
 
 /** A resistance to turning, over the moment, that is rounding. */

@@ -124,6 +124,42 @@ struct OwnForces
 };
 
 /**
+ * The imbalance of each cell that rounding leaves of forces that balance: n
+ * forces F that are rounded, as are the two products of each and their sum,
+ * leave at most (n + 4) / 2 times the precision times the sum of |F|, and of
+ * torques that of |F| times the arm and the coordinates that it is from.
+ */
+std::vector<double> rounding_of_forces(const Scene &scene,
+                                       const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  std::vector<double> sum = scene.load_size, torques(sum.size(), 0.);
+  std::vector<unsigned int> n(sum.size(), 1);
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const std::array<double, 2> ends = forces.ends(e);
+    const double size =
+        std::abs(ends[0]) + std::abs(ends[1]) + std::abs(forces.tangential[e]);
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      if (c != packing.ground())
+      {
+        ++n[c];
+        sum[c] += size;
+        torques[c] += size *
+                      (std::max(i.start.distance(packing.centre(c)),
+                                i.end.distance(packing.centre(c))) +
+                       i.midpoint().norm()) /
+                      std::sqrt(packing.area(c));
+      }
+  }
+  for (unsigned int c = 0; c < sum.size(); ++c)
+    sum[c] = std::numeric_limits<double>::epsilon() * 0.5 * (n[c] + 4.) *
+             (scene.turns() ? std::max(sum[c], torques[c]) : sum[c]);
+  return sum;
+}
+
+/**
  * The cells that are out of balance by their own measure.
  *
  * @param sum of all forces on each cell.
@@ -151,13 +187,14 @@ unbalanced_cells(const Scene &scene,
     for (const unsigned int c : {i.cell_minus, i.cell_plus})
       defect[c] = std::max(defect[c], violation(scene, forces, e));
   }
+  const std::vector<double> rounded = rounding_of_forces(scene, forces);
   std::vector<UnbalancedCell> unbalanced;
   for (unsigned int c = 0; c < own.size.size(); ++c)
   {
     const double rounding =
         own.near_light[c] ? rounding_of_imbalance : noise_of_imbalance;
     if (defect[c] > largest_accepted_error * own.size[c] &&
-        defect[c] > rounding * reference[c])
+        defect[c] > std::max(rounding * reference[c], rounded[c]))
       unbalanced.push_back({c, defect[c], own.size[c]});
   }
   return unbalanced;
@@ -174,17 +211,25 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     if (!is_finite(forces, e))
     {
       const double infinity = std::numeric_limits<double>::infinity();
-      return {infinity, infinity, infinity, infinity, infinity, infinity, {}};
+      certificate = {infinity, infinity, infinity, infinity,
+                     infinity, infinity, {},       {}};
+      return certificate;
     }
 
   const std::vector<unsigned int> group =
       connected_groups(packing, Ground::separates);
   const std::vector<double> reference = reference_forces(scene, forces, group);
   // Without a reference force there is nothing to be compared.
-  const auto add = [&](double &largest, const double error,
+  using Kind = LargestError::Kind;
+  const auto add = [&](double &largest, const Kind kind, const double error,
                        const unsigned int cell) {
-    if (reference[group[cell]] > 0.)
-      largest = std::max(largest, error / reference[group[cell]]);
+    if (!(reference[group[cell]] > 0.))
+      return;
+    const double relative = error / reference[group[cell]];
+    largest = std::max(largest, relative);
+    if (relative > certificate.largest.relative &&
+        (kind != Kind::moment || scene.turns()))
+      certificate.largest = {kind, cell, error, relative};
   };
 
   const Utilisation utilisation(scene, forces);
@@ -196,8 +241,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    add(certificate.admissibility_violation, violation(scene, forces, e),
-        i.cell_minus);
+    add(certificate.admissibility_violation, Kind::limit,
+        violation(scene, forces, e), i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(e));
   }
@@ -205,8 +250,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   const std::vector<double> torques = residual_torques(scene, forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    add(certificate.equilibrium_residual, sum[c].norm(), c);
-    add(certificate.max_torque,
+    add(certificate.equilibrium_residual, Kind::balance, sum[c].norm(), c);
+    add(certificate.max_torque, Kind::moment,
         std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
   if (scene.turns())

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/analytic_centre.h>
+#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
 #include <voussoir/statics/equilibrate.h>
 #include <voussoir/statics/find_collapse.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -49,19 +51,62 @@ constexpr unsigned int n_centre_iterations = 100;
 /** The distance of forces from their limits that no accepted error uses up. */
 constexpr double slack_beside_errors = 1e-3;
 
+/** The shares of other forces in a correction, tried in turn. */
+constexpr std::array<double, 3> shares = {{1e-6, 1e-4, 1e-2}};
+
 bool is_exact(const Scene &scene, const Certificate &certificate)
 {
   return certificate.error() <= rounding_of_balance(scene) &&
          certificate.unbalanced.empty();
 }
 
+/** Those of a state within all limits, or none if none was found. */
+std::vector<double> any_forces(const DiscreteProblem &problem)
+{
+  try
+  {
+    Solution found = AnyState().solve(problem, {}, Terminal::silent());
+    if (found.converged() && !found.mechanism)
+      return std::move(found.forces);
+  }
+  catch (const SolverError &)
+  {}
+  return {};
+}
+
+/** The forces @p share of the way from @p forces to @p others. */
+std::vector<double> mixed(const std::vector<double> &forces,
+                          const std::vector<double> &others,
+                          const double share)
+{
+  std::vector<double> mixture = forces;
+  for (std::size_t k = 0; k < mixture.size(); ++k)
+    mixture[k] += share * (others[k] - forces[k]);
+  return mixture;
+}
+
+/**
+ * Whether a correction makes forces exact: the smallest, or else one towards
+ * any state within all limits, which takes forces back that are beyond theirs.
+ */
 bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 {
   const DiscreteProblem problem(scene);
-  Solution solution;
-  solution.forces = equilibrate(problem, nondimensional_forces(problem, forces),
-                                slack_beside_errors);
-  return is_exact(scene, certify(scene, dimensional_forces(problem, solution)));
+  const auto succeeds = [&](std::vector<double> corrected) {
+    Solution solution;
+    solution.forces = std::move(corrected);
+    return is_exact(scene,
+                    certify(scene, dimensional_forces(problem, solution)));
+  };
+  const std::vector<double> corrected = equilibrate(
+      problem, nondimensional_forces(problem, forces), slack_beside_errors);
+  if (succeeds(corrected))
+    return true;
+  const std::vector<double> inside = any_forces(problem);
+  return !inside.empty() &&
+         std::any_of(shares.begin(), shares.end(), [&](const double share) {
+           return succeeds(mixed(corrected, inside, share));
+         });
 }
 
 /**

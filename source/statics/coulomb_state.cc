@@ -5,6 +5,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/coulomb_state.h>
+#include <voussoir/statics/equilibrate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,8 @@ constexpr double small_change = 1e-12;
 constexpr double acceptable_change = 1e-8;
 /** The imbalance of the last pass; others have that of the solver. */
 constexpr double tolerance_of_last = 1e-13;
+/** The distance from a limit, nondimensional, that no change uses up. */
+constexpr double slack_beside_changes = 1e-3;
 constexpr unsigned int n_patience = 10;
 constexpr unsigned int n_max_passes = 200, n_max_retreats = 8;
 
@@ -164,6 +167,9 @@ std::optional<Solution> FixedPoint::find()
     return {};
   state = std::move(best.state);
   polish(best.limits);
+  // The strengths are its own to Best::change only, and forces that slide may
+  // be beyond their limits by that.
+  state.forces = equilibrate(problem, state.forces, slack_beside_changes);
   state.passes = best.passes;
   state.n_iterations = iterations;
   state.n_evaluations = evaluations;

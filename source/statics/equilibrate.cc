@@ -3,6 +3,7 @@
 #include <voussoir/statics/equilibrate.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -18,6 +19,16 @@ constexpr double rounding = 1e-15;
 /** The ratio of the errors of two rounds below which another follows. */
 constexpr double worthwhile = 0.5;
 constexpr unsigned int n_max_rounds = 30;
+
+/** An error, nondimensional, that is small enough. */
+constexpr double small_error = 1e-13;
+/**
+ * Distances of friction from a limit that falls with the pressure, over the
+ * error of the forces, tried in turn until the error is small: a correction may
+ * take pressure away from a joint that slides, and is the larger the more
+ * joints do.
+ */
+constexpr std::array<double, 3> margins = {{1e1, 1e3, 1e5}};
 /** The refinements of a correction, for the shift and the rounding in it. */
 constexpr unsigned int n_refinements = 2;
 
@@ -87,6 +98,7 @@ double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 }
 
 void move_into_limits(const DiscreteProblem &problem,
+                      const double margin,
                       std::vector<double> &forces)
 {
   const unsigned int n = problem.n_contacts();
@@ -97,8 +109,11 @@ void move_into_limits(const DiscreteProblem &problem,
     for (unsigned int r = 0; r < n; ++r)
       of_joint[r] = std::min(of_joint[r], most);
     const OfJoint of(problem, e, forces);
+    const double strength = of.joint.coefficient > 0.
+                                ? std::max(of.strength - margin, 0.)
+                                : of.strength;
     of_joint[n] =
-        problem.friction().projection(of.strength, of.normal, of.tangential);
+        problem.friction().projection(strength, of.normal, of.tangential);
   }
 }
 
@@ -150,35 +165,52 @@ bool correct(const DiscreteProblem &problem,
   }
   return true;
 }
+/** The best forces met so far, and their error. */
+struct Best
+{
+  std::vector<double> forces;
+  double error;
+};
+
+/** Move forces to @p margin below their limits, and correct, while it helps. */
+void repeat(const DiscreteProblem &problem,
+            JointSystem &system,
+            const double ample,
+            const double margin,
+            Best &best)
+{
+  std::vector<double> trial = best.forces;
+  double before = std::numeric_limits<double>::infinity();
+  for (unsigned int k = 0; k < n_max_rounds && best.error > rounding; ++k)
+  {
+    move_into_limits(problem, margin, trial);
+    if (!correct(problem, system, trial, ample))
+      break;
+    const double now = error(problem, trial);
+    if (now < best.error)
+      best = {trial, now};
+    if (!(now < worthwhile * before))
+      break;
+    before = now;
+  }
+}
 } // namespace
 
 std::vector<double> equilibrate(const DiscreteProblem &problem,
                                 const std::vector<double> &forces,
                                 const double ample)
 {
-  std::vector<double> best = forces;
-  double least = error(problem, best);
-  if (problem.joints().empty() || !(least > rounding))
-    return best;
+  Best best = {forces, error(problem, forces)};
+  if (problem.joints().empty() || !(best.error > rounding))
+    return forces;
 
   JointSystem system(problem, LinearSolver::automatic);
-  std::vector<double> trial = forces;
-  double before = std::numeric_limits<double>::infinity();
-  for (unsigned int k = 0; k < n_max_rounds && least > rounding; ++k)
-  {
-    move_into_limits(problem, trial);
-    if (!correct(problem, system, trial, ample))
-      break;
-    const double now = error(problem, trial);
-    if (now < least)
-    {
-      best = trial;
-      least = now;
-    }
-    if (!(now < worthwhile * before))
-      break;
-    before = now;
-  }
-  return best;
+  repeat(problem, system, ample, 0., best);
+  if (std::any_of(problem.joints().begin(), problem.joints().end(),
+                  [](const Joint &joint) { return joint.coefficient > 0.; }))
+    for (const double margin : margins)
+      if (best.error > small_error)
+        repeat(problem, system, ample, margin * best.error, best);
+  return best.forces;
 }
 } // namespace Voussoir

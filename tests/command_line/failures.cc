@@ -182,6 +182,16 @@ int main()
            "subsection Friction\n set Strength = 0.3\nend\n"
            "subsection Solver\n set Maximum iterations = 1\nend\n");
 
+  // A state that is balanced as well as the tolerance says is one.
+  run_with("set Formulation = least energy\n"
+           "subsection Loads\n set Traction = -0.6*nx; -1.4*ny\nend\n"
+           "subsection Packing\n subsection Voronoi\n"
+           "  set Number of points = 200\n end\nend\n"
+           "subsection Friction\n set Strength = 0.3\nend\n"
+           "subsection Solver\n set Tolerance = 0.01\nend\n");
+  run({"scene.prm", "--quiet"});
+  fs::remove_all("output");
+
   // Load factors
   run_with("set Analysis = load factor\n");
   run_with("set Analysis = load factor\nset Forces from = output\n");

@@ -48,8 +48,59 @@ double residual_of_loads(const dealii::Tensor<1, 2> &excess,
       .load_residual;
 }
 
+/** A light block at the foot of a column of heavy ones. */
+void light_below_heavy()
+{
+  const unsigned int n = 200;
+  CellLoops cells;
+  for (unsigned int k = 0; k <= n; ++k)
+  {
+    cells.vertices.emplace_back(0., k);
+    cells.vertices.emplace_back(1., k);
+  }
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
+      cells.loops.push_back(v);
+    cells.first.push_back(cells.loops.size());
+  }
+  const Packing column = on_ground(Packing(cells));
+  Loads loads;
+  loads.traction.resize(column.boundary_edges().size());
+  for (unsigned int c = 0; c < n; ++c)
+    loads.body.add(column, c, dealii::Tensor<1, 2>({0., c == 0 ? -1e-8 : -1.}));
+  const Scene scene(column, std::vector<double>(n, 1.), loads);
+  InterfaceForces exact;
+  unsigned int foot = 0;
+  for (unsigned int e = 0; e < n; ++e)
+  {
+    const auto &i = column.interfaces()[e];
+    const bool is_foot = i.cell_plus == column.ground();
+    exact.normal.push_back(
+        is_foot ? -1e-8 - (n - 1.)
+                : -double(n - std::max(i.cell_minus, i.cell_plus)));
+    exact.tangential.push_back(0.);
+    if (is_foot)
+      foot = e;
+  }
+  const auto with = [&](const double error) {
+    InterfaceForces forces = exact;
+    forces.normal[foot] += error;
+    return certify(scene, forces);
+  };
+  check("light below heavy: balanced", with(0.).unbalanced.empty());
+  check("  but for the rounding of what presses on it",
+        with(1e-13).unbalanced.empty());
+  const Certificate planted = with(1e-11);
+  check("  and no more",
+        planted.unbalanced.size() == 1 && planted.unbalanced[0].cell == 0 &&
+            planted.largest.cell == 0 &&
+            planted.largest.kind == LargestError::Kind::balance);
+}
+
 int main()
 {
+  light_below_heavy();
   for (const Kinematics *kinematics : {&translations(), &rotations()})
   {
     const dealii::Tensor<1, 2> nothing, small({0.003, -0.004}),

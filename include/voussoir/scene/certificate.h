@@ -28,6 +28,30 @@ struct UnbalancedCell
   double own_force;
 };
 
+/** The largest error of a set of interface forces. */
+struct LargestError
+{
+  /** What is wrong. */
+  enum class Kind
+  {
+    /** The sum of the forces on a cell is not zero. */
+    balance,
+    /** The sum of their torques is not. */
+    moment,
+    /** A force of an interface is beyond its limit. */
+    limit
+  };
+
+  /** Of that kind. */
+  Kind kind = Kind::balance;
+  /** The cell; of an interface c-. */
+  unsigned int cell = 0;
+  /** The error as a force, a torque over the root of the area; S L. */
+  double size = 0.;
+  /** LargestError::size over the reference force. */
+  double relative = 0.;
+};
+
 /**
  * The errors of a set of interface forces (paper, eqs. 1, 12 and 13), computed
  * from the scene and the forces alone, in the user's units, by code that no
@@ -62,10 +86,13 @@ struct Certificate
     return std::max(
         {equilibrium_residual, moment_residual, admissibility_violation});
   }
+  /** Where error() is, and of what. */
+  LargestError largest;
   /**
    * The cells that are out of balance by more than largest_accepted_error of
-   * their own force, and by more than rounding: a small load beside a large
-   * one, which the reference force is that of, is judged by itself.
+   * their own force, and by more than the rounding of the forces on them: a
+   * small load beside a large one, which the reference force is that of, is
+   * judged by itself.
    */
   std::vector<UnbalancedCell> unbalanced;
 };

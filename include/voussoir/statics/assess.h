@@ -23,8 +23,9 @@ struct Assessment
 /**
  * Find out whether forces that the certificate accepts mean that the load is
  * carried. They do if they balance it to rounding, and each part to its own
- * forces. If not, they do if equilibrate() can make them so. Otherwise a proof
- * of collapse is looked for: of the whole, and of each part that is not
+ * forces. If not, they do if equilibrate() can make them so, or a step towards
+ * any state within all limits, since what is admitted is convex. Otherwise a
+ * proof of collapse is looked for: of the whole, and of each part that is not
  * balanced, with all heavier cells held, in a problem of its own scale.
  *
  * @param certificate of @p forces.

@@ -22,7 +22,8 @@ constexpr double ample_slack = 0.1;
  *
  * A weight w is one far from the limit and falls with the distance from it: a
  * force close to its limit hardly moves, one at its limit not at all. That is
- * repeated while it helps.
+ * repeated while it helps; with Coulomb's friction also from forces a little
+ * below their limits, which the correction may lower.
  *
  * @param ample the distance at which w is one; where all are that far, the
  *   system is one of Componentwise.
