@@ -15,8 +15,7 @@ namespace
 Given with_all_live(Given given)
 {
   given.live_loads.add(1., given.loads);
-  given.loads = {};
-  given.loads.traction.resize(given.packing.boundary_edges().size());
+  given.loads = no_loads(given.packing);
   return given;
 }
 

@@ -9,14 +9,13 @@
 
 #include <deal.II/base/multithread_info.h>
 
-#include <mutex>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 #include <thread>
 

@@ -2,9 +2,13 @@
 #ifndef voussoir_tests_polygons_h
 #define voussoir_tests_polygons_h
 
+#include <voussoir/packing/polygons/polygon_list.h>
 #include <voussoir/packing/polygons/polygons.h>
 
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 // What the tests of files of polygons share.
 
@@ -26,6 +30,18 @@ inline Voussoir::CellLoops imported_cells(
   for (const auto &[name, value] : parameters)
     prm.set(name, value);
   return generator.generate("", Voussoir::Terminal::silent());
+}
+
+/** Polygons by their vertices, as if a file had them line by line. */
+inline Voussoir::PolygonList
+list_of(const std::vector<std::vector<dealii::Point<2>>> &rings)
+{
+  Voussoir::PolygonList polygons;
+  polygons.file = "drawing.wkt";
+  for (const auto &ring : rings)
+    polygons.polygons.push_back(
+        {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
+  return polygons;
 }
 
 /** The number of cells, interfaces and boundary edges that are expected. */

@@ -57,6 +57,15 @@ inline void show_refusal(const std::function<void()> &action)
   }
 }
 
+/** A number with digits enough to be read back as it is. */
+inline std::string digits(const double x)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << x;
+  return out.str();
+}
+
 namespace Voussoir
 {
 /** Voronoi cells in a rectangle. */
@@ -162,6 +171,25 @@ inline Voussoir::Scene under_weight(
                         loads, kinematics);
   if (mu > 0.)
     scene.coefficient.assign(n, mu);
+  return scene;
+}
+
+/**
+ * A block of weight 1 on ground that holds it, beside a smooth wall on its
+ * right, which crush it at a stress of 4.
+ */
+inline Voussoir::Scene crushing_beside_smooth_wall()
+{
+  Voussoir::Packing packing = wall(1, 1);
+  std::vector<bool> rests;
+  for (const auto &edge : packing.boundary_edges())
+    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
+  packing.support(rests);
+  Voussoir::Scene scene = under_weight(packing, 10., 0., Voussoir::rotations());
+  const auto &interfaces = scene.packing.interfaces();
+  scene.compressive_strength.assign(interfaces.size(), 4.);
+  for (unsigned int e = 0; e < interfaces.size(); ++e)
+    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
   return scene;
 }
 

@@ -6,13 +6,12 @@
 #include <voussoir/run_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <mutex>
-
 #include <cstddef>
 #include <filesystem>
 #include <future>
 #include <list>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 

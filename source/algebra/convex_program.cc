@@ -5,10 +5,10 @@
 
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
-#include <mutex>
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <utility>
 

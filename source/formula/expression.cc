@@ -45,6 +45,24 @@ std::string what_it_may_use(const std::vector<std::string> &variables)
                    formula + "', which is not valid: " + reason + ' ' +
                    what_it_may_use(variables));
 }
+
+/** True if commas between digits are all that keeps it from being one. */
+bool is_one_with_decimal_points(const std::string &formula,
+                                const std::vector<std::string> &variables)
+{
+  const std::string corrected = with_decimal_points(formula);
+  if (corrected == formula)
+    return false;
+  try
+  {
+    const Expression valid(corrected, variables, "");
+    return true;
+  }
+  catch (const InputError &)
+  {
+    return false;
+  }
+}
 } // namespace
 
 Expression::Expression(const std::string &formula,
@@ -77,7 +95,7 @@ Expression::Expression(const std::string &formula,
     if (n_results != 1)
       refuse(formula, parameter, variables,
              "one expression was expected, not several" +
-                 (with_decimal_points(formula) != formula
+                 (is_one_with_decimal_points(formula, variables)
                       ? advice_on_decimal_comma(formula)
                       : "") +
                  ".");

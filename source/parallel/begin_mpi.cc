@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/parallel/begin_mpi.h>
 
-#include <mutex>
-
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <mpi.h>
+#include <mutex>
 
 namespace Voussoir
 {

@@ -2,7 +2,6 @@
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/certificate.h>
 #include <voussoir/scene/jumps.h>
-#include <voussoir/scene/load_residual.h>
 #include <voussoir/scene/utilisation.h>
 
 #include <algorithm>
@@ -256,7 +255,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   }
   if (scene.turns())
     certificate.moment_residual = certificate.max_torque;
-  certificate.load_residual = load_residual(scene);
+  certificate.load_residual = scene.load_residual;
   std::vector<double> of_cell(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     of_cell[c] = reference[group[c]];
@@ -326,7 +325,7 @@ MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
         work > of.dissipation
             ? of.all_closings * largest_load(scene) / (work - of.dissipation)
             : std::numeric_limits<double>::infinity();
-  certificate.load_residual = load_residual(scene);
+  certificate.load_residual = scene.load_residual;
   return certificate;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/geometry.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/edge_integral.h>
@@ -19,6 +18,14 @@ namespace Voussoir
 {
 using dealii::Point;
 using dealii::Tensor;
+
+Loads no_loads(const Packing &packing)
+{
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  loads.requested.emplace(reference_point(packing));
+  return loads;
+}
 
 void Loads::add(const double factor, const Loads &other)
 {
@@ -169,9 +176,7 @@ void LoadParameters::add_traction_of_expression(const Packing &packing,
       inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
                            [&] { return along_edge(edge.start, edge.end); });
     }
-    loads.requested->add(edge.midpoint(), edge.length * tractions.mean[b],
-                         cross((edge.end - edge.start) / edge.length,
-                               tractions.first_moment[b]));
+    loads.requested->add(edge, tractions.mean[b], tractions.first_moment[b]);
   }
   for (std::string &warning : inaccuracies.warnings())
     loads.warnings.push_back(std::move(warning));

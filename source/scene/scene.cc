@@ -158,9 +158,8 @@ Scene::Scene(Packing packing_in,
       kinematics(&kinematics_in), traction(std::move(loads.traction)),
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
-      has_body_force(!body.empty()), requested(loads.requested),
-      load(packing.n_cells()), load_size(packing.n_cells(), 0.),
-      group(connected_groups(packing))
+      has_body_force(!body.empty()), load(packing.n_cells()),
+      load_size(packing.n_cells(), 0.), group(connected_groups(packing))
 {
   traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
@@ -174,6 +173,8 @@ Scene::Scene(Packing packing_in,
   if (turns())
     check_moments();
   clear_single_cells();
+  if (loads.requested)
+    load_residual = residual_of_loads(*loads.requested);
 }
 
 void Scene::add_up_loads()
@@ -274,6 +275,33 @@ void Scene::clear_single_cells()
       if (turns())
         load_torque[c] = 0.;
     }
+}
+
+double Scene::residual_of_loads(const Resultant &requested) const
+{
+  // What acts on edges and in cells, of which the files and the stress are; and
+  // what is balanced, in which a force has a place only where blocks turn.
+  Resultant acting(reference_point(packing)), balanced = acting;
+  for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
+    acting.add(packing.boundary_edges()[b], traction[b], traction_moment[b]);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    if (!body.empty())
+      acting.add(packing.centre(c), body.force(packing, c), body.torque(c));
+    balanced.add(packing.centre(c), load[c], turns() ? load_torque[c] : 0.);
+  }
+  const double size = std::max(requested.size(), acting.size());
+  if (!(size > 0.))
+    return 0.;
+  const dealii::BoundingBox<2> box = packing.box();
+  const double diagonal = std::hypot(box.side_length(0), box.side_length(1));
+  const auto difference = [&](const Resultant &sum, const bool has_moment) {
+    const double force = (sum.force() - requested.force()).norm();
+    const double moment = std::abs(sum.moment() - requested.moment());
+    return std::max(force, has_moment ? moment / diagonal : 0.);
+  };
+  return std::max(difference(acting, true), difference(balanced, turns())) /
+         size;
 }
 
 Tensor<1, 2> InterfaceForces::on_cell_minus(const Packing::Interface &interface,

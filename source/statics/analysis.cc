@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/scene/load_residual.h>
 #include <voussoir/statics/analysis.h>
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>

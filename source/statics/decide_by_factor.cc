@@ -19,7 +19,6 @@ std::optional<LoadFactor> factor_of_all_loads(const Scene &scene,
                                               Terminal &terminal)
 {
   Scene bare = scene;
-  bare.requested.reset();
   bare.load.assign(scene.load.size(), {});
   bare.load_size.assign(scene.load_size.size(), 0.);
   bare.load_torque.assign(scene.load_torque.size(), 0.);

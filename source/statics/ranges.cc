@@ -9,10 +9,10 @@
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
-#include <mutex>
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <optional>
 
 namespace Voussoir

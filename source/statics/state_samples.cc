@@ -8,13 +8,12 @@
 
 #include <deal.II/base/parallel.h>
 
-#include <mutex>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <mutex>
 
 namespace Voussoir
 {

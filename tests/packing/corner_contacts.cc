@@ -10,6 +10,7 @@
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/statics/load_factor.h>
 
+#include "polygons.h"
 #include "tests.h"
 
 using namespace Voussoir;
@@ -20,11 +21,7 @@ using Ring = std::vector<Point<2>>;
 
 Packing packing_of(const std::vector<Ring> &rings)
 {
-  PolygonList polygons;
-  polygons.file = "drawing.wkt";
-  for (const Ring &ring : rings)
-    polygons.polygons.push_back(
-        {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
+  PolygonList polygons = list_of(rings);
   CellLoops cells = match_polygons(polygons, 1e-10);
   join_corners(cells);
   for (const std::string &notice : cells.notices)

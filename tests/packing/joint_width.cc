@@ -42,25 +42,6 @@ Ring rectangle(const double x0,
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-PolygonList list_of(const std::vector<Ring> &rings)
-{
-  PolygonList polygons;
-  polygons.file = "drawing.wkt";
-  for (const Ring &ring : rings)
-    polygons.polygons.push_back(
-        {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
-  return polygons;
-}
-
-/** A number as it is written, with all digits. */
-std::string digits(const double x)
-{
-  std::ostringstream out;
-  out.precision(17);
-  out << x;
-  return out.str();
-}
-
 CellLoops joined(const std::vector<Ring> &rings,
                  const double width,
                  const double scale = 1.,

@@ -5,8 +5,6 @@
 // not those asked for are seen by their sum and by their moment. Forces that
 // are rounding use nothing of their strength.
 
-#include <voussoir/scene/load_residual.h>
-
 #include "tests.h"
 
 using namespace Voussoir;

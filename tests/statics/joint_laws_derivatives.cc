@@ -2,12 +2,15 @@
 
 // The laws of least energy and of the analytic centre: forces are admissible,
 // second derivatives those of the forces, and the forces of the barrier those
-// that minimise over v the energy b v - w log(v - x) - w log(v + x).
+// that minimise over v the energy b v - w log(v - x) - w log(v + x). The forces
+// of a section that yields are sums over thin strips.
 
 #include <voussoir/statics/barrier_joint.h>
 #include <voussoir/statics/elastic_problem.h>
+#include <voussoir/statics/section.h>
 
 #include "tests.h"
+#include <random>
 #include <vector>
 
 using namespace Voussoir;
@@ -48,8 +51,62 @@ void check_law(const std::string &name,
   check_error(name + ": force above the strength, or tension", above, 0.);
 }
 
+/** The largest difference of two sections' forces. */
+double distance(const Section::Forces &a, const Section::Forces &b)
+{
+  return std::max(std::abs(a.at_start - b.at_start),
+                  std::abs(a.at_end - b.at_end));
+}
+
+void sections()
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  double of_forces = 0., of_stiffness = 0.;
+  for (unsigned int k = 0; k < 200; ++k)
+  {
+    const NormalLimits limits = {0.2 + 0.2 * number(random),
+                                 0.6 + 0.5 * number(random)};
+    const double stiffness = 1.5 + number(random);
+    const Section section(stiffness, limits);
+    const double g[] = {number(random), k % 10 == 0 ? 1e-9 : number(random)};
+    const Section::Forces found = section.forces(g[0], g[1]);
+    Section::Forces sum = {0., 0.};
+    const unsigned int n = 4000;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double s = (i + 0.5) / n;
+      const double stress = std::clamp(stiffness * ((1. - s) * g[0] + s * g[1]),
+                                       -limits.crushing, limits.tension) /
+                            n;
+      sum.at_start += (1. - s) * stress;
+      sum.at_end += s * stress;
+    }
+    of_forces = std::max(of_forces, distance(found, sum));
+    const Section::Stiffness slope = section.stiffness(g[0], g[1]);
+    const double h = 1e-6;
+    const Section::Forces start = section.forces(g[0] + h, g[1]),
+                          end = section.forces(g[0], g[1] + h);
+    of_stiffness = std::max({of_stiffness,
+                             distance({(start.at_start - found.at_start) / h,
+                                       (start.at_end - found.at_end) / h},
+                                      {slope.at_start, slope.mixed}),
+                             distance({(end.at_start - found.at_start) / h,
+                                       (end.at_end - found.at_end) / h},
+                                      {slope.mixed, slope.at_end})});
+  }
+  check_error("forces of a section", of_forces, 1e-6);
+  check_error("its stiffness", of_stiffness, 1e-4);
+  // All of it is crushed, is torn, or is under one stress.
+  const Section whole(2., {0.25, 1.});
+  check_error("crushed", distance(whole.forces(-1., -3.), {-0.5, -0.5}), 1e-15);
+  check_error("torn", distance(whole.forces(1., 3.), {0.125, 0.125}), 1e-15);
+  check_error("even", distance(whole.forces(-0.1, -0.1), {-0.1, -0.1}), 1e-15);
+}
+
 int main()
 {
+  sections();
   const Scene scene =
       scene_under_stress(random_packing(2, 1), 0.7, tensor(-1, 0, 0, -1));
   const DiscreteProblem problem(scene);

@@ -202,6 +202,14 @@ int main()
   }
   check_error("forces off the centroid, and their torques", error, 1e-14);
 
+  // What was asked for goes with the loads, also into those that begin empty.
+  Loads sum = no_loads(packing);
+  sum.add(-2., loads_on(packing, "set Cell forces = at 0.31, 0.42: 3, -4\n"
+                                 "set Boundary load = uniform stress\n"
+                                 "set Stress = -1, 0; 0, -1"));
+  check("what was asked for",
+        sum.requested && (sum.requested->force() + 2. * f).norm() < 1e-14);
+
   // Point loads by place: within a cell, on its boundary, where cells touch.
   {
     const Packing blocks = wall(2, 1, 3., 2.);

@@ -15,6 +15,7 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
 
+#include "polygons.h"
 #include "tests.h"
 #include <map>
 #include <numeric>
@@ -26,16 +27,6 @@ using dealii::Tensor;
 using Ring = std::vector<Point<2>>;
 
 constexpr double fifteen_degrees = 0.2617993877991494;
-
-PolygonList list_of(const std::vector<Ring> &rings)
-{
-  PolygonList polygons;
-  polygons.file = "drawing.wkt";
-  for (const Ring &ring : rings)
-    polygons.polygons.push_back(
-        {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
-  return polygons;
-}
 
 Packing joined(const std::vector<Ring> &rings,
                const double width,

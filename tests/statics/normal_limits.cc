@@ -3,16 +3,14 @@
 // Joints that bear tension and crush: the closed forms of columns under
 // eccentric loads and of blocks that hang, with both laws of friction; and the
 // resistance of a joint against the largest work of forces that are admitted,
-// found by trying; the forces of a section against sums over thin strips.
-// States of least energy with such joints, on which states without dilatancy
-// are built.
+// found by trying. States of least energy with such joints, on which states
+// without dilatancy are built.
 
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/any_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/load_factor.h>
-#include <voussoir/statics/section.h>
 
 #include "tests.h"
 #include <random>
@@ -328,59 +326,6 @@ void resistances()
                             limits.excess({{-1., 0.05}}) > 0.1);
 }
 
-/** The largest difference of two sections' forces. */
-double distance(const Section::Forces &a, const Section::Forces &b)
-{
-  return std::max(std::abs(a.at_start - b.at_start),
-                  std::abs(a.at_end - b.at_end));
-}
-
-void sections()
-{
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> number(-1., 1.);
-  double of_forces = 0., of_stiffness = 0.;
-  for (unsigned int k = 0; k < 200; ++k)
-  {
-    const NormalLimits limits = {0.2 + 0.2 * number(random),
-                                 0.6 + 0.5 * number(random)};
-    const double stiffness = 1.5 + number(random);
-    const Section section(stiffness, limits);
-    const double g[] = {number(random), k % 10 == 0 ? 1e-9 : number(random)};
-    const Section::Forces found = section.forces(g[0], g[1]);
-    Section::Forces sum = {0., 0.};
-    const unsigned int n = 4000;
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const double s = (i + 0.5) / n;
-      const double stress = std::clamp(stiffness * ((1. - s) * g[0] + s * g[1]),
-                                       -limits.crushing, limits.tension) /
-                            n;
-      sum.at_start += (1. - s) * stress;
-      sum.at_end += s * stress;
-    }
-    of_forces = std::max(of_forces, distance(found, sum));
-    const Section::Stiffness slope = section.stiffness(g[0], g[1]);
-    const double h = 1e-6;
-    const Section::Forces start = section.forces(g[0] + h, g[1]),
-                          end = section.forces(g[0], g[1] + h);
-    of_stiffness = std::max({of_stiffness,
-                             distance({(start.at_start - found.at_start) / h,
-                                       (start.at_end - found.at_end) / h},
-                                      {slope.at_start, slope.mixed}),
-                             distance({(end.at_start - found.at_start) / h,
-                                       (end.at_end - found.at_end) / h},
-                                      {slope.mixed, slope.at_end})});
-  }
-  check_error("forces of a section", of_forces, 1e-6);
-  check_error("its stiffness", of_stiffness, 1e-4);
-  // All of it is crushed, is torn, or is under one stress.
-  const Section whole(2., {0.25, 1.});
-  check_error("crushed", distance(whole.forces(-1., -3.), {-0.5, -0.5}), 1e-15);
-  check_error("torn", distance(whole.forces(1., 3.), {0.125, 0.125}), 1e-15);
-  check_error("even", distance(whole.forces(-0.1, -0.1), {-0.1, -0.1}), 1e-15);
-}
-
 /** The part of a section in use, of a force and of half of it. */
 void compare_utilisation(const std::string &name,
                          const JointLimits &limits,
@@ -444,5 +389,4 @@ int main()
   without_dilatancy();
   states_of_least_energy();
   resistances();
-  sections();
 }

@@ -246,16 +246,8 @@ bool encloses(const double end, const double beyond, const double exact)
 void crushing_beside_wall()
 {
   std::cout << "a block that crushes beside a wall" << std::endl;
-  Packing packing = wall(1, 1);
-  std::vector<bool> rests;
-  for (const auto &edge : packing.boundary_edges())
-    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
-  packing.support(rests);
-  Scene scene = under_weight(packing, 10., 0., rotations());
+  const Scene scene = crushing_beside_smooth_wall();
   const auto &interfaces = scene.packing.interfaces();
-  scene.compressive_strength.assign(interfaces.size(), 4.);
-  for (unsigned int e = 0; e < interfaces.size(); ++e)
-    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
   for (const RangeMethod method :
        {RangeMethod::simplex, RangeMethod::interior_point})
   {

@@ -276,16 +276,7 @@ void wall_that_rises(const double strength)
 void wall_that_crushes()
 {
   std::cout << "a wall that crushes" << std::endl;
-  Packing packing = wall(1, 1, 1., 1.);
-  std::vector<bool> rests;
-  for (const auto &edge : packing.boundary_edges())
-    rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
-  packing.support(rests);
-  Scene scene = under_weight(packing, 10., 0., rotations());
-  const auto &interfaces = scene.packing.interfaces();
-  scene.compressive_strength.assign(interfaces.size(), 4.);
-  for (unsigned int e = 0; e < interfaces.size(); ++e)
-    scene.strength[e] *= interfaces[e].normal[1] < -0.5;
+  const Scene scene = crushing_beside_smooth_wall();
   const Settlement found =
       find_settlement(scene, motion_of(packing, "nx > 0.5 ? -0.1 : 0; 0"));
   const double exact = 0.1 * std::sqrt(3.);

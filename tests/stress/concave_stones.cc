@@ -15,6 +15,7 @@
 #include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>
 
+#include "polygons.h"
 #include "tests.h"
 #include <map>
 
@@ -26,11 +27,7 @@ using Ring = std::vector<Point<2>>;
 
 Packing packing_of(const std::vector<Ring> &rings)
 {
-  PolygonList polygons;
-  polygons.file = "drawing.wkt";
-  for (const Ring &ring : rings)
-    polygons.polygons.push_back(
-        {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
+  PolygonList polygons = list_of(rings);
   return Packing(match_polygons(polygons, 1e-10));
 }
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -82,6 +83,12 @@ struct CellLoops
   unsigned int n_sides(const unsigned int cell) const
   {
     return first[cell + 1] - first[cell];
+  }
+  /** The cell of a side, which is counted through all cells. */
+  unsigned int cell_of_side(const unsigned int side) const
+  {
+    return std::upper_bound(first.begin(), first.end(), side) - first.begin() -
+           1;
   }
   /** Vertex @p i of a cell, counted modulo their number, by its number. */
   unsigned int corner(const unsigned int cell, const unsigned int i) const

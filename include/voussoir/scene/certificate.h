@@ -78,7 +78,7 @@ struct Certificate
   double max_torque = 0.;
   /** Certificate::max_torque where they turn, and it is an error; else zero. */
   double moment_residual = 0.;
-  /** load_residual() of the scene. */
+  /** Scene::load_residual. */
   double load_residual = 0.;
   /** The largest of the residuals and the violation. */
   double error() const
@@ -102,6 +102,13 @@ struct Certificate
  * as solved; more only if the user asked for a looser tolerance.
  */
 constexpr double largest_accepted_error = 1e-6;
+
+/**
+ * The largest Scene::load_residual of a result: what is left where the places
+ * of loads are written with few digits, up to a millionth of a cell or a line
+ * from where they act.
+ */
+constexpr double largest_load_residual = 1e-5;
 
 /**
  * Judge forces. Those that are not finite are infinitely wrong by all
@@ -131,7 +138,7 @@ struct MechanismCertificate
    * of the size of that load could take up the difference.
    */
   double share_of_closing = 0.;
-  /** load_residual() of the scene. */
+  /** Scene::load_residual. */
   double load_residual = 0.;
 };
 

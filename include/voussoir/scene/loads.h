@@ -46,6 +46,9 @@ inline const dealii::Point<2> &reference_point(const Packing &packing)
   return packing.vertex(0, 0);
 }
 
+/** Nothing that acts on @p packing, as it was asked for. */
+Loads no_loads(const Packing &packing);
+
 /** The section `Loads`, or another one of the same entries. */
 class LoadParameters
 {

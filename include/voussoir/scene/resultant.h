@@ -3,6 +3,7 @@
 #define voussoir_scene_resultant_h
 
 #include <voussoir/base/geometry.h>
+#include <voussoir/packing/packing.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -29,6 +30,20 @@ public:
     sum += f;
     sum_of_moments += cross(place - about, f) + couple;
     sum_of_sizes += f.norm();
+  }
+
+  /**
+   * Add the traction on an edge.
+   *
+   * @param mean of it, a stress.
+   * @param first_moment EdgeTractions::first_moment, S L^2.
+   */
+  void add(const Packing::BoundaryEdge &edge,
+           const dealii::Tensor<1, 2> &mean,
+           const dealii::Tensor<1, 2> &first_moment)
+  {
+    add(edge.midpoint(), edge.length * mean,
+        cross((edge.end - edge.start) / edge.length, first_moment));
   }
 
   /** Add @p factor times another one about the same point. */

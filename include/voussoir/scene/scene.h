@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -93,14 +92,20 @@ struct Scene
   BodyForce body;
   /** True if there is more in it than on_cells. */
   bool has_body_force;
-  /** Loads::requested. */
-  std::optional<Resultant> requested;
   /** F_c on each cell, the sum of all these, without reactions; S L. */
   std::vector<dealii::Tensor<1, 2>> load;
   /** The torque about x_c of the loads on each cell; S L^2, see turns(). */
   std::vector<double> load_torque;
   /** The sum of the sizes of all forces that F_c is the sum of; S L. */
   std::vector<double> load_size;
+  /**
+   * How far the loads that act differ from Loads::requested: the sums of the
+   * forces on edges and in cells, and of F_c and its torques, less that of the
+   * request, over the sum of the sizes of the loads; and those of the moments,
+   * over that times the diagonal of the packing, whichever is most. Zero where
+   * nothing is known of what was asked for.
+   */
+  double load_residual = 0.;
   /** connected_groups() of the packing, n_cells + 1 numbers. */
   std::vector<unsigned int> group;
 
@@ -109,6 +114,7 @@ private:
   void check_balance() const;
   void check_moments() const;
   void clear_single_cells();
+  double residual_of_loads(const Resultant &requested) const;
 };
 
 /**

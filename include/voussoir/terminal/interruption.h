@@ -2,9 +2,8 @@
 #ifndef voussoir_terminal_interruption_h
 #define voussoir_terminal_interruption_h
 
-#include <mutex>
-
 #include <functional>
+#include <mutex>
 #include <string>
 #include <thread>
 

@@ -4,12 +4,11 @@
 
 #include <voussoir/terminal/screen.h>
 
-#include <mutex>
-
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <iosfwd>
+#include <mutex>
 #include <string>
 #include <thread>
 

@@ -33,9 +33,7 @@ constexpr double largest_sine = 0.3;
 std::pair<unsigned int, unsigned int> ends_of(const CellLoops &cells,
                                               const unsigned int side)
 {
-  const unsigned int c =
-      std::upper_bound(cells.first.begin(), cells.first.end(), side) -
-      cells.first.begin() - 1;
+  const unsigned int c = cells.cell_of_side(side);
   const unsigned int i = side - cells.first[c];
   return std::minmax({cells.corner(c, i), cells.corner(c, i + 1)});
 }

@@ -81,9 +81,7 @@ std::optional<Obstacle> strip_of(const std::array<unsigned int, 2> &pair,
   std::array<std::array<Point<2>, 2>, 2> ends;
   for (unsigned int k = 0; k < 2; ++k)
   {
-    const unsigned int c =
-        std::upper_bound(cells.first.begin(), cells.first.end(), pair[k]) -
-        cells.first.begin() - 1;
+    const unsigned int c = cells.cell_of_side(pair[k]);
     strip.cells.push_back(c);
     for (unsigned int end = 0; end < 2; ++end)
       ends[k][end] = cells.vertex(c, pair[k] - cells.first[c] + end);
