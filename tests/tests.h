@@ -66,6 +66,12 @@ inline std::string digits(const double x)
   return out.str();
 }
 
+/** The same in brackets, for a formula. */
+inline std::string bracketed(const double x)
+{
+  return '(' + digits(x) + ')';
+}
+
 namespace Voussoir
 {
 /** Voronoi cells in a rectangle. */

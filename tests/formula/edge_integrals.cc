@@ -23,15 +23,6 @@ double between(Numbers &numbers, const double low, const double high)
   return std::uniform_real_distribution<double>(low, high)(numbers);
 }
 
-/** With all digits. */
-std::string digits(const double x)
-{
-  std::ostringstream out;
-  out.precision(17);
-  out << '(' << x << ')';
-  return out.str();
-}
-
 EdgeIntegral
 integral(const std::string &formula, const Point<2> &a, const Point<2> &b)
 {
@@ -86,8 +77,9 @@ void check_jumps()
       const double angle = between(numbers, 0., 2. * dealii::numbers::PI);
       const double nx = std::cos(angle), ny = std::sin(angle);
       const double across = nx * (b - a)[0] + ny * (b - a)[1];
-      return std::make_pair(digits(nx) + "*(x-" + digits(p[0]) + ")+" +
-                                digits(ny) + "*(y-" + digits(p[1]) + ") < 0",
+      return std::make_pair(bracketed(nx) + "*(x-" + bracketed(p[0]) + ")+" +
+                                bracketed(ny) + "*(y-" + bracketed(p[1]) +
+                                ") < 0",
                             across > 0.);
     };
     double t = between(numbers, 0., 1.);
@@ -98,8 +90,8 @@ void check_jumps()
     if (k % 2 == 0)
     {
       const auto [line, rises] = side_of_line(t);
-      formula = line + " ? " + digits(rises ? before : after) + " : " +
-                digits(rises ? after : before);
+      formula = line + " ? " + bracketed(rises ? before : after) + " : " +
+                bracketed(rises ? after : before);
       add_part(before, 0., t, mean, moment);
       add_part(after, t, 1., mean, moment);
     }
@@ -111,7 +103,7 @@ void check_jumps()
       const auto [last, last_rises] = side_of_line(end);
       formula = (first_rises ? "(" + first + ") == 0" : first) + " && " +
                 (last_rises ? last : "(" + last + ") == 0") + " ? " +
-                digits(after) + " : " + digits(before);
+                bracketed(after) + " : " + bracketed(before);
       add_part(before, 0., t, mean, moment);
       add_part(after, t, end, mean, moment);
       add_part(before, end, 1., mean, moment);
@@ -146,11 +138,12 @@ void check_smooth()
     // Along t from 0 to 1: exp(w t) times its value at the start.
     const double start = std::exp(u * a[0] + v * a[1]);
     const EdgeIntegral e =
-        integral("exp(" + digits(u) + "*x+" + digits(v) + "*y)", a, b);
+        integral("exp(" + bracketed(u) + "*x+" + bracketed(v) + "*y)", a, b);
     const double mean = start * std::expm1(w) / w;
     const double moment =
         start * (std::exp(w) / w - std::expm1(w) / w / w) - 0.5 * mean;
-    const EdgeIntegral s = integral("sin(" + digits(frequency) + "*x)", a, b);
+    const EdgeIntegral s =
+        integral("sin(" + bracketed(frequency) + "*x)", a, b);
     const double omega = frequency * (b[0] - a[0]);
     const double sine_mean =
         (std::cos(frequency * a[0]) - std::cos(frequency * b[0])) / omega;

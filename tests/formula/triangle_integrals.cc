@@ -27,15 +27,6 @@ double between(Numbers &numbers, const double low, const double high)
   return std::uniform_real_distribution<double>(low, high)(numbers);
 }
 
-/** With all digits. */
-std::string digits(const double x)
-{
-  std::ostringstream out;
-  out.precision(17);
-  out << '(' << x << ')';
-  return out.str();
-}
-
 Triangle random_triangle(Numbers &numbers)
 {
   for (;;)
@@ -188,7 +179,8 @@ void check_cuts()
     const Triangle triangle = random_triangle(numbers);
     const double inside = between(numbers, -1., 1.);
     const double outside = between(numbers, -1., 1.);
-    const std::string values = " ? " + digits(inside) + " : " + digits(outside);
+    const std::string values =
+        " ? " + bracketed(inside) + " : " + bracketed(outside);
     Area part;
     TriangleIntegral found;
     double *worst = nullptr;
@@ -198,8 +190,8 @@ void check_cuts()
       const Tensor<1, 2> n({std::cos(angle), std::sin(angle)});
       const double c = between(numbers, -1., 1.);
       part = part_below(triangle, n, c);
-      found = integral(digits(n[0]) + "*x+" + digits(n[1]) + "*y<" + digits(c) +
-                           values,
+      found = integral(bracketed(n[0]) + "*x+" + bracketed(n[1]) + "*y<" +
+                           bracketed(c) + values,
                        triangle);
       worst = &worst_line;
     }
@@ -208,7 +200,7 @@ void check_cuts()
       // Also discs inside the triangle, and small ones.
       const double r = std::pow(10., between(numbers, -3., 0.));
       part = part_in_disc(triangle, r);
-      found = integral("x^2+y^2<" + digits(r) + "^2" + values, triangle);
+      found = integral("x^2+y^2<" + bracketed(r) + "^2" + values, triangle);
       worst = &worst_disc;
     }
     if (is_accurate(found))
@@ -243,7 +235,7 @@ void check_smooth()
     const double u = waves * std::cos(angle), v = waves * std::sin(angle);
     const bool is_sine = k % 2 == 0;
     const std::string formula = std::string(is_sine ? "sin" : "exp") + "(" +
-                                digits(u) + "*x+" + digits(v) + "*y)";
+                                bracketed(u) + "*x+" + bracketed(v) + "*y)";
     const TriangleIntegral found = integral(formula, triangle);
     double value = 0., size = 0.;
     Tensor<1, 2> moment;
