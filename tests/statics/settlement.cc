@@ -277,8 +277,8 @@ void wall_that_crushes()
 {
   std::cout << "a wall that crushes" << std::endl;
   const Scene scene = crushing_beside_smooth_wall();
-  const Settlement found =
-      find_settlement(scene, motion_of(packing, "nx > 0.5 ? -0.1 : 0; 0"));
+  const Settlement found = find_settlement(
+      scene, motion_of(scene.packing, "nx > 0.5 ? -0.1 : 0; 0"));
   const double exact = 0.1 * std::sqrt(3.);
   check("  its work", found.is_inner && found.work <= exact + 1e-9 &&
                           exact <= found.work + found.width + 1e-9);
