@@ -21,8 +21,8 @@ using Joint = Structure::Joint;
 namespace
 {
 /** The residual of the conjugate gradients, relative to the right-hand side. */
-constexpr double tolerance = 1e-12;
-constexpr unsigned int n_max_iterations = 2000;
+constexpr double tolerance_of_cycles = 1e-12;
+constexpr unsigned int n_max_cycles = 2000;
 /**
  * ML's threshold below which a coupling counts as weak. For one component every
  * coupling counts (measured at 200,000 cells: 39 iterations, 52 with that for
@@ -110,8 +110,8 @@ std::vector<double> Multigrid::solve(const std::vector<double> &r,
   {
     std::copy_n(r.begin() + first, n_rows, right.begin());
     solution = 0.;
-    dealii::SolverControl control(n_max_iterations,
-                                  tolerance * right.l2_norm());
+    dealii::SolverControl control(n_max_cycles,
+                                  tolerance_of_cycles * right.l2_norm());
     dealii::SolverCG<dealii::TrilinosWrappers::MPI::Vector> gradients(control);
     try
     {

@@ -21,7 +21,7 @@ namespace
  */
 constexpr double largest_factor = 8.;
 /** More than that needs for any residual that is asked for. */
-constexpr unsigned int n_max_iterations = 30;
+constexpr unsigned int n_max_near_steps = 30;
 
 double sum_of_contacts(const double *a, const unsigned int n_contacts)
 {
@@ -114,7 +114,7 @@ std::vector<double> NearComponentwise::solve(const std::vector<double> &r,
   (void)n_columns;
   const Vector right(r.begin(), r.end());
   Vector u(right.size());
-  dealii::SolverControl control(n_max_iterations, residual * right.l2_norm());
+  dealii::SolverControl control(n_max_near_steps, residual * right.l2_norm());
   dealii::SolverCG<Vector> solver(control);
   try
   {

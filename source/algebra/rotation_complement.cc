@@ -21,13 +21,13 @@ namespace
  * The residual of the conjugate gradients, relative to the right-hand side,
  * which Newton's refinement squares; and to the largest one since prepare().
  */
-constexpr double tolerance = 1e-9, least_tolerance = 1e-13;
+constexpr double tolerance_of_complement = 1e-9, least_tolerance = 1e-13;
 /**
  * The iterations that take less time than a factorisation of all unknowns
  * would. Regular packings need some 30, uniform stress none, random Voronoi
  * packings under other loads up to 200.
  */
-constexpr unsigned int n_max_iterations = 50;
+constexpr unsigned int n_max_complement_steps = 50;
 
 } // namespace
 
@@ -188,9 +188,9 @@ std::vector<double> RotationComplement::solve(const std::vector<double> &r,
   const double square = std::inner_product(r.begin(), r.end(), r.begin(), 0.);
   const double right = std::sqrt(structure.team().sum(square));
   largest_right = std::max(largest_right, right);
-  dealii::SolverControl control(
-      n_max_iterations,
-      std::max(tolerance * right, least_tolerance * largest_right));
+  dealii::SolverControl control(n_max_complement_steps,
+                                std::max(tolerance_of_complement * right,
+                                         least_tolerance * largest_right));
   const Operator complement(*this);
   try
   {

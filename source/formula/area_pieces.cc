@@ -17,11 +17,11 @@ namespace
 /** The part of the area that is too small to be cut again. */
 constexpr double smallest_piece = 1e-13;
 /** The largest number of pieces. */
-constexpr unsigned int n_max_pieces = 2000;
+constexpr unsigned int n_max_area_pieces = 2000;
 
 /** The distance of an argument from its level, over the size of what it is a
  * difference of, that is rounding. */
-constexpr double rounding = 1e-14;
+constexpr double rounding_of_area = 1e-14;
 /** The same of the slope of an argument that is linear. */
 constexpr double rounding_of_slope = 1e-12;
 
@@ -41,7 +41,8 @@ distances(const Corners &corners, const Jumps &jumps, const Crossing &crossing)
   for (const Point<2> &corner : corners)
   {
     const double d = jumps.distance(crossing, corner);
-    distance.push_back(std::abs(d) <= rounding * crossing.scale ? 0. : d);
+    distance.push_back(std::abs(d) <= rounding_of_area * crossing.scale ? 0.
+                                                                        : d);
   }
   return distance;
 }
@@ -63,7 +64,7 @@ Corners clip(const Corners &corners, const std::vector<double> &value)
   return part;
 }
 
-struct Cutter
+struct AreaCutter
 {
   const Jumps &jumps;
   const double area;
@@ -100,7 +101,7 @@ struct Cutter
           return done.push_back(std::move(part));
         }
     if (signed_area(part.corners) <= smallest_piece * area ||
-        open.size() + done.size() > n_max_pieces)
+        open.size() + done.size() > n_max_area_pieces)
     {
       part.is_uncertain = true;
       return done.push_back(std::move(part));
@@ -162,6 +163,6 @@ struct Cutter
 
 std::vector<AreaPiece> area_pieces(const Corners &corners, const Jumps &jumps)
 {
-  return Cutter{jumps, signed_area(corners)}.cut(corners);
+  return AreaCutter{jumps, signed_area(corners)}.cut(corners);
 }
 } // namespace Voussoir

@@ -16,21 +16,21 @@ using dealii::Point;
 
 namespace
 {
-using Function = std::function<double(const Point<2> &)>;
+using EdgeFunction = std::function<double(const Point<2> &)>;
 
 /** The tolerance of integrate(), relative to the mean size of the function. */
 constexpr double tolerance = 1e-13;
 
 /** The points of the rule in each part. */
-constexpr unsigned int n_points = 15;
+constexpr unsigned int n_edge_points = 15;
 
 /** The length of a piece in which a hidden peak would not count. */
-constexpr double shortest_piece = 1e-12;
+constexpr double shortest_half = 1e-12;
 /** The error of a first look at a piece, over the size of the function there,
  * with which not even the estimate can be trusted. */
-constexpr double roughness = 1e-2;
+constexpr double roughness_of_edge = 1e-2;
 /** The largest number of pieces that are made for peaks. */
-constexpr unsigned int n_max_pieces = 200;
+constexpr unsigned int n_max_halves = 200;
 
 /**
  * LinearFit::unevenness() in the points of Gauss' rule of degree seven, over
@@ -38,14 +38,14 @@ constexpr unsigned int n_max_pieces = 200;
  * exponentials and powers its errors, also of the moment, are then at most
  * 2e-13 of that size.
  */
-constexpr double smallest_unevenness = 1e-4;
+constexpr double smallest_edge_unevenness = 1e-4;
 
-struct Integrator
+struct EdgeIntegrator
 {
   using Sums = Integrals<2>;
 
   const Point<2> a, b;
-  const Function &f;
+  const EdgeFunction &f;
   const Jumps &jumps;
   Samples samples = {};
   double mean_size = 0.;
@@ -63,7 +63,7 @@ struct Integrator
     {
       // Halves may follow at the end of the list.
       Integral<Sums> found;
-      while (!look_at(pieces[k], found) && pieces.size() < n_max_pieces)
+      while (!look_at(pieces[k], found) && pieces.size() < n_max_halves)
       {
         const double middle = 0.5 * (pieces[k].begin + pieces[k].end);
         pieces.push_back(pieces[k]);
@@ -95,9 +95,10 @@ struct Integrator
     if (look_quickly(piece, found) && !may_hide_a_peak(piece))
       return true;
     samples = Samples();
-    found = integrate_once<n_points>([this](const double t) { return at(t); },
-                                     piece.begin, piece.end);
-    return found.error <= roughness * found.size && !may_hide_a_peak(piece);
+    found = integrate_once<n_edge_points>(
+        [this](const double t) { return at(t); }, piece.begin, piece.end);
+    return found.error <= roughness_of_edge * found.size &&
+           !may_hide_a_peak(piece);
   }
 
   /** True if the quick rule is good. */
@@ -116,14 +117,14 @@ struct Integrator
       found.size += weight * std::abs(values[q]);
     }
     return rule.fit.unevenness(values) * length <=
-           smallest_unevenness * found.size;
+           smallest_edge_unevenness * found.size;
   }
 
   /** True if the bounds allow a peak that the last samples did not show. */
   bool may_hide_a_peak(const EdgePiece &piece) const
   {
     const double length = piece.end - piece.begin;
-    if (!jumps.has_formulas() || !piece.is_smooth || length < shortest_piece)
+    if (!jumps.has_formulas() || !piece.is_smooth || length < shortest_half)
       return false;
     const Patch patch = {a + 0.5 * (piece.begin + piece.end) * (b - a),
                          {{0.5 * length * (b - a), {}}}};
@@ -139,8 +140,8 @@ struct Integrator
       result.uncertain += length;
     }
     else if (found.error > tolerance * mean_size * length)
-      found = integrate<n_points>([this](const double t) { return at(t); },
-                                  piece.begin, piece.end, tolerance);
+      found = integrate<n_edge_points>([this](const double t) { return at(t); },
+                                       piece.begin, piece.end, tolerance);
     result.mean += found.value.values[0];
     result.moment += found.value.values[1];
     result.error += found.error;
@@ -153,6 +154,6 @@ EdgeIntegral edge_integral(const Point<2> &a,
                            const std::function<double(const Point<2> &)> &f,
                            const Jumps &jumps)
 {
-  return Integrator{a, b, f, jumps}.integral();
+  return EdgeIntegrator{a, b, f, jumps}.integral();
 }
 } // namespace Voussoir

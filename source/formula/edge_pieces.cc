@@ -15,14 +15,14 @@ using Crossing = Jumps::Crossing;
 namespace
 {
 /** The part of an edge that is too short to be cut again. */
-constexpr double shortest_piece = 1e-14;
+constexpr double shortest_edge_piece = 1e-14;
 
 /** The distance of an argument from its level, over the size of what it is a
  * difference of, that may be rounding. */
-constexpr double rounding = 1e-13;
+constexpr double rounding_of_edge = 1e-13;
 
 /** The largest number of pieces; the rest counts as not smooth. */
-constexpr unsigned int n_max_pieces = 10000;
+constexpr unsigned int n_max_edge_pieces = 10000;
 
 /** The jump to cut at: one whose argument has one root at most, if any. */
 const Crossing &easiest(const std::vector<Crossing> &crossings)
@@ -33,7 +33,7 @@ const Crossing &easiest(const std::vector<Crossing> &crossings)
   return crossings.front();
 }
 
-struct Cutter
+struct EdgeCutter
 {
   const Point<2> a, b;
   const Jumps &jumps;
@@ -62,10 +62,12 @@ struct Cutter
     if (crossings.empty())
       return done.push_back(part);
     const Crossing &crossing = easiest(crossings);
-    if (length < shortest_piece || open.size() + done.size() > n_max_pieces)
+    if (length < shortest_edge_piece ||
+        open.size() + done.size() > n_max_edge_pieces)
       done.push_back({part.begin, part.end, false, part.limits});
     else if (std::isfinite(crossing.scale) &&
-             magnitude(crossing.distance.value) <= rounding * crossing.scale)
+             magnitude(crossing.distance.value) <=
+                 rounding_of_edge * crossing.scale)
       choose_side(part, crossing);
     else if (excludes_zero(crossing.distance.slope[0]))
       cut_at_root(part, crossing);
@@ -114,7 +116,7 @@ std::vector<EdgePiece> edge_pieces(const Point<2> &a,
                                    const Jumps &jumps,
                                    const Jumps::Limits &limits)
 {
-  return Cutter{a, b, jumps}.cut(limits);
+  return EdgeCutter{a, b, jumps}.cut(limits);
 }
 
 double root_between(const Point<2> &a,

@@ -17,7 +17,7 @@ constexpr double inner_tolerance = 1e-13;
 constexpr double outer_tolerance = 1e-12;
 
 /** The points of the rule in each part along a coordinate. */
-constexpr unsigned int n_points = 21;
+constexpr unsigned int n_strip_points = 21;
 
 /** The width of a strip, over that of its piece, that is rounding. */
 constexpr double narrowest_strip = 1e-14;
@@ -35,9 +35,9 @@ struct Strips
     const std::vector<double> cuts = strips();
     for (unsigned int k = 0; k + 1 < cuts.size(); ++k)
     {
-      const auto strip =
-          integrate<n_points>([&](const double s) { return across(s); },
-                              cuts[k], cuts[k + 1], reachable(outer_tolerance));
+      const auto strip = integrate<n_strip_points>(
+          [&](const double s) { return across(s); }, cuts[k], cuts[k + 1],
+          reachable(outer_tolerance));
       sum.value += strip.value;
       sum.error += strip.error;
       sum.size += strip.size;
@@ -82,7 +82,7 @@ struct Strips
     const auto [a, b] = ends(s);
     const double length = b[piece.along] - a[piece.along];
     const auto between = [&](const double begin, const double end) {
-      return length * integrate<n_points>(
+      return length * integrate<n_strip_points>(
                           [&](const double t) { return f(a + t * (b - a)); },
                           begin, end, reachable(inner_tolerance))
                           .value;

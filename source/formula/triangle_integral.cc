@@ -18,7 +18,7 @@ using dealii::Tensor;
 namespace
 {
 using Triangle = std::array<Point<2>, 3>;
-using Function = std::function<Tensor<1, 2>(const Point<2> &)>;
+using TriangleFunction = std::function<Tensor<1, 2>(const Point<2> &)>;
 /** Of f, and of the components of f times those of the distance from the
  * origin over the scale, row by row. */
 using Sums = AreaSums;
@@ -29,7 +29,7 @@ using Sums = AreaSums;
  * errors of the integral and of its moments are at most about its square times
  * the local size: of a wave that passes zero, the moments.
  */
-constexpr double smallest_unevenness = 2e-5;
+constexpr double smallest_triangle_unevenness = 2e-5;
 
 /** The change of an integral by cutting its triangle in four, over its size,
  * that shows that it needs no more of that. */
@@ -47,7 +47,7 @@ constexpr double reachable_change = 4096.;
 
 /** The same change with which not even the estimate of strip_integral() can be
  * trusted: a peak was met, but not resolved. */
-constexpr double roughness = 1e-2;
+constexpr double roughness_of_triangle = 1e-2;
 
 /** The part of the area in which nothing is looked for any more. */
 constexpr double smallest_part = 1e-14;
@@ -95,13 +95,13 @@ std::vector<Triangle> triangles_of(const std::vector<Point<2>> &corners)
   return triangles;
 }
 
-class Integrator
+class TriangleIntegrator
 {
 public:
-  Integrator(const Triangle &triangle,
-             const Point<2> &origin,
-             const Function &f,
-             const Jumps &jumps)
+  TriangleIntegrator(const Triangle &triangle,
+                     const Point<2> &origin,
+                     const TriangleFunction &f,
+                     const Jumps &jumps)
       : triangle(triangle), origin(origin), area(area_of(triangle)),
         scale(std::sqrt(area)), f(f), jumps(jumps)
   {}
@@ -296,7 +296,7 @@ private:
     mean_size = std::max(mean_size + (all.size - part.found.size) / area, 0.);
     const double change = abs(all.sums - part.found.sums);
     const double enough = smallest_change * mean_size * area_of(part.corners);
-    const bool is_rough = change > roughness * all.size;
+    const bool is_rough = change > roughness_of_triangle * all.size;
     const bool is_last = n_cut >= n_max_cut;
     if ((change <= enough && !hides) || (is_last && is_rough))
     {
@@ -319,7 +319,7 @@ private:
    * elsewhere. */
   static double evenness(const Part &part, const double size)
   {
-    return smallest_unevenness *
+    return smallest_triangle_unevenness *
            std::sqrt(size * part.found.size / area_of(part.corners));
   }
 
@@ -351,7 +351,7 @@ private:
   const Triangle &triangle;
   const Point<2> origin;
   const double area, scale;
-  const Function &f;
+  const TriangleFunction &f;
   const Jumps &jumps;
   Sums sum = 0.;
   std::array<Samples, 2> samples;
@@ -364,17 +364,16 @@ private:
 
 TriangleIntegral triangle_integral(const Triangle &corners,
                                    const Point<2> &origin,
-                                   const Function &f,
+                                   const TriangleFunction &f,
                                    const Jumps &jumps)
 {
-  return Integrator(corners, origin, f, jumps).integral();
+  return TriangleIntegrator(corners, origin, f, jumps).integral();
 }
 
-std::optional<TriangleIntegral> quick_triangle_integral(const Triangle &corners,
-                                                        const Point<2> &origin,
-                                                        const Function &f)
+std::optional<TriangleIntegral> quick_triangle_integral(
+    const Triangle &corners, const Point<2> &origin, const TriangleFunction &f)
 {
   static const Jumps none;
-  return Integrator(corners, origin, f, none).quick_integral();
+  return TriangleIntegrator(corners, origin, f, none).quick_integral();
 }
 } // namespace Voussoir

@@ -16,7 +16,7 @@ using dealii::Tensor;
 using Json = nlohmann::ordered_json;
 
 /** The largest number of supports that the terminal shows. */
-constexpr std::size_t n_shown_supports = 8;
+constexpr std::size_t n_shown_reactions = 8;
 
 /** The number of most used interfaces in files, and on the terminal. */
 constexpr std::size_t n_most_used = 10, n_shown_most_used = 5;
@@ -171,7 +171,7 @@ void show_reactions(Terminal &terminal, const Results &results)
       text(words(balance_on_ground(results.scene, results.reactions).reaction),
            " on ", counted(n, "straight support"), ", mean normal stress ",
            mean_normal_stress(results)));
-  for (std::size_t k = 0; k < std::min(n, n_shown_supports); ++k)
+  for (std::size_t k = 0; k < std::min(n, n_shown_reactions); ++k)
   {
     const Reaction &of = results.reactions[k];
     terminal.summary("Reaction",
@@ -181,8 +181,8 @@ void show_reactions(Terminal &terminal, const Results &results)
                               ? ", at " + text_of_point(of.place)
                               : ""));
   }
-  if (n > n_shown_supports)
-    terminal.summary("Reaction", text("and ", n - n_shown_supports, " more"));
+  if (n > n_shown_reactions)
+    terminal.summary("Reaction", text("and ", n - n_shown_reactions, " more"));
 }
 
 void show_most_used(Terminal &terminal, const Results &results)

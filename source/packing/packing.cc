@@ -27,7 +27,7 @@ namespace
  * the chord of its neighbours and still count as convex: room for the rounding
  * of the coordinates, far below anything that a force could notice.
  */
-constexpr double convexity_tolerance = 1e-12;
+constexpr double tolerance_of_chords = 1e-12;
 
 /** The area of a cell with whose powers one can compute. */
 constexpr double smallest_area = 1e-140, largest_area = 1e140;
@@ -116,7 +116,7 @@ void Packing::measure(const unsigned int c, const bool take_centroid)
 void Packing::check_shape(const unsigned int c)
 {
   const double size = std::sqrt(areas[c]);
-  const double tolerance = convexity_tolerance * size + mesh.tolerance;
+  const double tolerance = tolerance_of_chords * size + mesh.tolerance;
   bool convex = true;
   double turning = 0.;
   for (unsigned int i = 0; i < n_sides(c); ++i)

@@ -27,7 +27,7 @@ namespace
  * The distance of a place from a cell, over the root of its area, that counts
  * as none: coordinates are often written with few digits.
  */
-constexpr double largest_distance = 1e-6;
+constexpr double largest_distance_from_cell = 1e-6;
 
 /** The distance of @p x from a cell, zero in it, over the root of its area. */
 double distance(const Packing &packing, const unsigned int c, const Point<2> &x)
@@ -63,7 +63,7 @@ void add_force_at(const Packing &packing,
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     const double to_cell = distance(packing, c, x);
-    if (to_cell <= largest_distance)
+    if (to_cell <= largest_distance_from_cell)
       there.push_back(c);
     if (to_cell < least)
     {
@@ -100,7 +100,7 @@ CellForce force_in_cell(const Packing &packing,
                           " cells of that name; name one cell, as in cell "
                           "12, or give the place alone."));
   const unsigned int c = cells.front();
-  if (distance(packing, c, x) > largest_distance)
+  if (distance(packing, c, x) > largest_distance_from_cell)
     throw InputError(text(begin, text_of_point(x), ", which is not a place in ",
                           packing.describe(c), " at ",
                           text_of_point(packing.centre(c)), "."));

@@ -27,7 +27,7 @@ namespace
  * the longer one, up to which the line runs along it: coordinates are often
  * written with few digits.
  */
-constexpr double largest_distance = 1e-6;
+constexpr double largest_distance_from_line = 1e-6;
 /** The share of the line that its parts may leave out, or cover twice. */
 constexpr double largest_gap = 1e-6;
 
@@ -64,7 +64,7 @@ std::optional<Overlap> overlap(const SegmentTraction &segment,
   const Tensor<1, 2> along = (edge.end - edge.start) / edge.length;
   for (const double at : {part.begin, part.end})
     if (std::abs(cross(along, segment.start + at * line - edge.start)) >
-        largest_distance * std::max(edge.length, line.norm()))
+        largest_distance_from_line * std::max(edge.length, line.norm()))
       return {};
   return part;
 }

@@ -9,7 +9,7 @@ namespace Voussoir
 namespace
 {
 /** A force, over the largest of the state, that is rounding. */
-constexpr double rounding_of_forces = 1e-12;
+constexpr double rounding_of_no_force = 1e-12;
 } // namespace
 
 Utilisation::Utilisation(const Scene &scene, const InterfaceForces &forces)
@@ -19,7 +19,7 @@ Utilisation::Utilisation(const Scene &scene, const InterfaceForces &forces)
   for (const auto *of : {&forces.normal, &forces.tangential})
     for (const double f : *of)
       largest = std::max(largest, std::abs(f));
-  rounding = rounding_of_forces * largest;
+  rounding = rounding_of_no_force * largest;
 }
 
 double Utilisation::operator()(const unsigned int e) const

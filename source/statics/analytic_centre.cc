@@ -13,7 +13,7 @@ namespace Voussoir
 namespace
 {
 /** The shifts of fixed_joints(): from, to, and the ratio of one to the next. */
-constexpr double first_shift = 1e-4, shift_ratio = 1e-2;
+constexpr double first_shift_of_centre = 1e-4, shift_ratio = 1e-2;
 /** The smaller, the closer to the limit of its strength a joint may be. */
 constexpr double last_shifts[] = {1e-10, 1e-14, 1e-18};
 /**
@@ -53,7 +53,8 @@ fixed_joints(const DiscreteProblem &problem,
     return factor < half_way;
   };
 
-  for (double shift = first_shift; shift >= last_shift; shift *= shift_ratio)
+  for (double shift = first_shift_of_centre; shift >= last_shift;
+       shift *= shift_ratio)
   {
     unsigned int n_steps = 0;
     do

@@ -21,7 +21,7 @@ constexpr double largest_decrement = 1e-7;
  * their load the decrement says little on them, and rounding leaves in each
  * step a part of their error.
  */
-constexpr double largest_force_change = 1e-6;
+constexpr double largest_barrier_change = 1e-6;
 
 /**
  * Newton's method takes up to 25 iterations where there is a centre or a
@@ -71,7 +71,7 @@ Solution minimise_barrier(const SharedProblem &problem,
   };
   const NewtonControls until = {
       tolerance, std::min(n_max_newton_iterations, n_max_iterations),
-      largest_decrement, largest_force_change};
+      largest_decrement, largest_barrier_change};
   // No displacement of its own: the barrier's grows with its parameter.
   return minimise(problem, newton, until, advance, 0., terminal);
 }

@@ -29,7 +29,7 @@ constexpr double acceptable_change = 1e-8;
 constexpr double tolerance_of_last = 1e-13;
 /** The distance from a limit, nondimensional, that no change uses up. */
 constexpr double slack_beside_changes = 1e-3;
-constexpr unsigned int n_patience = 10;
+constexpr unsigned int n_patience_of_limits = 10;
 constexpr unsigned int n_max_passes = 200, n_max_retreats = 8;
 
 /** The passes of the fixed point. */
@@ -144,7 +144,7 @@ void FixedPoint::iterate()
     terminal.iteration("Fixed point", text("pass ", n, ", change ", change));
     if (change < best.change)
       best = {change, {n, before > 0. ? change / before : 0.}, limits, state};
-    if (change <= small_change || n > best.passes.n + n_patience)
+    if (change <= small_change || n > best.passes.n + n_patience_of_limits)
       break;
     before = change;
     limits = anderson.next(limits, own);

@@ -14,15 +14,15 @@ namespace
 {
 /** What forces may leave on a body, and how often that is improved. */
 constexpr double enough = 1e-14;
-constexpr unsigned int n_gradients = 10;
+constexpr unsigned int n_centre_gradients = 10;
 /** Newton's steps to the centre: their number, and the last one's decrement. */
-constexpr unsigned int n_steps = 100;
+constexpr unsigned int n_centre_steps = 100;
 constexpr double small_decrement = 1e-3;
 /** The share of the way to a limit that a step may go. */
-constexpr double share_of_way = 0.9;
+constexpr double share_of_way_to_boundary = 0.9;
 /** The least decrease of the barrier, over that of its tangent. */
 constexpr double least_decrease = 0.1;
-constexpr double shortest_step = 1e-6;
+constexpr double shortest_centre_step = 1e-6;
 /** The units of numbers whose last digits are cut off. */
 constexpr double digits_of_weights = 256., digits_of_forces = 65536.;
 
@@ -70,7 +70,8 @@ public:
     double step = 1.;
     for (const StatePolytope::Limit &limit : limits)
       if (const double along = polytope.along(limit, d); along > 0.)
-        step = std::min(step, share_of_way * polytope.room(limit, x) / along);
+        step = std::min(step, share_of_way_to_boundary *
+                                  polytope.room(limit, x) / along);
     return step;
   }
 
@@ -113,7 +114,7 @@ void BalancedForces::subtract(const std::vector<double> &imbalance,
                               std::vector<double> &x) const
 {
   const std::vector<double> along = by_rows.forces().along(
-      by_rows.forces().solve(imbalance, enough, n_gradients));
+      by_rows.forces().solve(imbalance, enough, n_centre_gradients));
   for (std::size_t r = 0; r < x.size(); ++r)
     x[r] -= weights[r] * along[r];
 }
@@ -156,7 +157,7 @@ void DikinEllipsoid::find_centre(const StatePolytope &polytope,
       inverse[r] = extremes.varies()[r] ? rounded(1. / inverse[r]) : 0.;
   };
   x = extremes.middle();
-  for (unsigned int k = 0; k < n_steps; ++k)
+  for (unsigned int k = 0; k < n_centre_steps; ++k)
   {
     find_inverse();
     balanced.set_weights(inverse);
@@ -173,7 +174,7 @@ void DikinEllipsoid::find_centre(const StatePolytope &polytope,
     std::vector<double> next = x;
     add(next, step, direction);
     while (barrier(next) > before - least_decrease * step * decrement &&
-           step > shortest_step)
+           step > shortest_centre_step)
     {
       step *= 0.5;
       next = x;

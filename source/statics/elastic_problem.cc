@@ -26,7 +26,7 @@ using Joint = Structure::Joint;
  * next (measured, random packings: up to 300 steps). And the imbalance below
  * which the method converges.
  */
-constexpr unsigned int n_before_doubt = 20;
+constexpr unsigned int n_elastic_before_doubt = 20;
 constexpr double imbalance_without_doubt = 1e-4;
 
 /** The part of the joints that slide after the first step that is much. */
@@ -141,7 +141,7 @@ Solution minimise_elastic(const SharedProblem &problem,
   unsigned int n_of_interior_point = 0;
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
-    if (newton.n_iterations() == n_before_doubt &&
+    if (newton.n_iterations() == n_elastic_before_doubt &&
         newton.imbalance() > imbalance_without_doubt)
     {
       if (problem.has_opening())

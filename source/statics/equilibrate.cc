@@ -15,9 +15,9 @@ using Joint = DiscreteProblem::Joint;
 namespace
 {
 /** An error, nondimensional, that is rounding. */
-constexpr double rounding = 1e-15;
+constexpr double rounding_of_error = 1e-15;
 /** The ratio of the errors of two rounds below which another follows. */
-constexpr double worthwhile = 0.5;
+constexpr double worthwhile_correction = 0.5;
 constexpr unsigned int n_max_rounds = 30;
 
 /** An error, nondimensional, that is small enough. */
@@ -181,7 +181,8 @@ void repeat(const DiscreteProblem &problem,
 {
   std::vector<double> trial = best.forces;
   double before = std::numeric_limits<double>::infinity();
-  for (unsigned int k = 0; k < n_max_rounds && best.error > rounding; ++k)
+  for (unsigned int k = 0; k < n_max_rounds && best.error > rounding_of_error;
+       ++k)
   {
     move_into_limits(problem, margin, trial);
     if (!correct(problem, system, trial, ample))
@@ -189,7 +190,7 @@ void repeat(const DiscreteProblem &problem,
     const double now = error(problem, trial);
     if (now < best.error)
       best = {trial, now};
-    if (!(now < worthwhile * before))
+    if (!(now < worthwhile_correction * before))
       break;
     before = now;
   }
@@ -201,7 +202,7 @@ std::vector<double> equilibrate(const DiscreteProblem &problem,
                                 const double ample)
 {
   Best best = {forces, error(problem, forces)};
-  if (problem.joints().empty() || !(best.error > rounding))
+  if (problem.joints().empty() || !(best.error > rounding_of_error))
     return forces;
 
   JointSystem system(problem, LinearSolver::automatic);

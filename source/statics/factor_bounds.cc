@@ -11,14 +11,14 @@ namespace Voussoir
 namespace
 {
 /** The rounds of a correction, and those that may bring nothing. */
-constexpr unsigned int n_rounds = 8, n_without_gain = 2;
+constexpr unsigned int n_bound_rounds = 8, n_without_gain = 2;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
-constexpr double rounding_of_balance = 1e-14, rounding_of_motion = 1e-14;
+constexpr double rounding_of_bound = 1e-14, rounding_of_motion = 1e-14;
 /** The stopping criteria of the conjugate gradients. */
-constexpr double reduction = 1e-15;
-constexpr unsigned int n_gradients = 15;
+constexpr double reduction_of_imbalance = 1e-15;
+constexpr unsigned int n_bound_gradients = 15;
 
 /**
  * Solve S y + f_1 alpha = right, f_1 . y = work, with the matrix S that is
@@ -31,7 +31,8 @@ std::vector<double> solve(BoundedForces &forces,
                           double &alpha)
 {
   const auto solve_for = [&](const std::vector<double> &load) {
-    return forces.solve(load, reduction * largest_component(load), n_gradients);
+    return forces.solve(load, reduction_of_imbalance * largest_component(load),
+                        n_bound_gradients);
   };
   std::vector<double> y = solve_for(right);
   alpha = 0.;
@@ -60,7 +61,10 @@ std::vector<double> missing(const BoundedForces &forces,
 class Patience
 {
 public:
-  bool lasts() const { return n < n_rounds && n_in_vain < n_without_gain; }
+  bool lasts() const
+  {
+    return n < n_bound_rounds && n_in_vain < n_without_gain;
+  }
   void see(const double error, const double least)
   {
     ++n;
@@ -152,7 +156,7 @@ FactorState state_near(BoundedForces &forces,
   best.residual = residual(best);
   FactorState trial = best;
   Patience patience;
-  while (best.residual > rounding_of_balance && patience.lasts())
+  while (best.residual > rounding_of_bound && patience.lasts())
   {
     const std::vector<double> distance = distances(forces, trial.x);
     // Squares keep all forces within their bounds in the first step; with an

@@ -21,7 +21,7 @@ constexpr double least_cosine = 1e-2;
 
 /** The proximal term of the first step; joints that are open leave cells free.
  */
-constexpr double first_shift = 1e-6;
+constexpr double first_shift_of_opening = 1e-6;
 /** Its reduction after a step, and the least length of such a step. */
 constexpr double shift_ratio = 0.1, good_step = 0.5;
 /** The part of d_e by which a joint must open to count as open. */
@@ -31,7 +31,7 @@ constexpr double least_opening = 0.5;
  * those of the minimum but for rounding.
  */
 constexpr double small_imbalance = 1e-9;
-constexpr unsigned int n_max_iterations = 200;
+constexpr unsigned int n_max_opening_steps = 200;
 /** The error of a vertex, in roundings of a coordinate. */
 constexpr double n_roundings = 32.;
 
@@ -211,8 +211,8 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
   JointSystem system(smooth, LinearSolver::automatic);
   Newton newton(smooth, law, system, u);
   std::vector<double> ray;
-  double shift = first_shift;
-  while (newton.n_iterations() < n_max_iterations)
+  double shift = first_shift_of_opening;
+  while (newton.n_iterations() < n_max_opening_steps)
   {
     const std::vector<double> before = newton.u();
     const double length = newton.step(shift, before);

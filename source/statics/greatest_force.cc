@@ -21,23 +21,24 @@ constexpr double size_of_unit = 100.;
 /** The distance of state and motion, over loads or value, to stop at. */
 constexpr double wanted_width = 1e-10;
 /** The error, over that, below which proofs are tried; steps between trials. */
-constexpr double first_trial = 1e4;
-constexpr unsigned int n_between = 2;
+constexpr double first_trial_force = 1e4;
+constexpr unsigned int n_between_forces = 2;
 /** The part of the width that an anchor may take, and the largest of it. */
 constexpr double share_of_width = 0.2, largest_share = 0.01;
 /** The largest closing of a motion that is a proof, and of its anchor. */
-constexpr double largest_closing = 1e-12, largest_closing_of_anchor = 1e-13;
-constexpr unsigned int n_max_iterations = 300;
+constexpr double largest_closing_of_force = 1e-12,
+                 largest_closing_of_force_anchor = 1e-13;
+constexpr unsigned int n_max_force_steps = 300;
 /** Steps without a lesser error that end the search. */
-constexpr unsigned int n_patience = 10;
+constexpr unsigned int n_patience_of_force = 10;
 
 /** One search; an object is used once. */
-class Search
+class ForceSearch
 {
 public:
-  Search(const RowProblem &problem,
-         const std::vector<double> &c,
-         Terminal &terminal)
+  ForceSearch(const RowProblem &problem,
+              const std::vector<double> &c,
+              Terminal &terminal)
       : forces(problem.rows(), problem.forces().held_bodies(), c),
         terminal(terminal)
   {
@@ -80,7 +81,7 @@ private:
 };
 
 /** The bound of alpha that a mechanism proves, with the work one of f_1. */
-double Search::bound_of(const std::vector<double> &u) const
+double ForceSearch::bound_of(const std::vector<double> &u) const
 {
   const std::vector<double> along = forces.along(u);
   double bound = -dot(loads.dead, u);
@@ -90,13 +91,13 @@ double Search::bound_of(const std::vector<double> &u) const
 }
 
 /** The share of an anchor that far away. */
-double Search::share_for(const double distance, const double alpha) const
+double ForceSearch::share_for(const double distance, const double alpha) const
 {
   return std::min(largest_share,
                   share_of_width * wanted(alpha) / std::abs(distance));
 }
 
-void Search::look_near(const SelfDual::Point &point)
+void ForceSearch::look_near(const SelfDual::Point &point)
 {
   // What is not a number proves nothing.
   const InvalidOperationsAllowed allowed;
@@ -113,17 +114,17 @@ void Search::look_near(const SelfDual::Point &point)
   FactorMotion motion = mechanism_near(
       forces, loads, point, open,
       open ? share_for(bound_of(open->u) - point.alpha, point.alpha) : 0.);
-  if (motion.closing > largest_closing && open)
+  if (motion.closing > largest_closing_of_force && open)
     motion = mechanism_near(forces, loads, point);
   const double bound = bound_of(motion.u);
-  if (motion.closing <= largest_closing && bound < least_bound)
+  if (motion.closing <= largest_closing_of_force && bound < least_bound)
   {
     least_bound = bound;
     best.u = std::move(motion.u);
   }
 }
 
-StateProgram::Optimum Search::find()
+StateProgram::Optimum ForceSearch::find()
 {
   SelfDual program(forces, loads);
   std::optional<SelfDual::Point> nearest;
@@ -132,7 +133,7 @@ StateProgram::Optimum Search::find()
   unsigned int last_trial = 0, last_gain = 0;
   while (state == SelfDual::State::running && !is_done() &&
          program.n_iterations() <
-             std::min(n_max_iterations, last_gain + n_patience))
+             std::min(n_max_force_steps, last_gain + n_patience_of_force))
   {
     state = program.step();
     terminal.iteration("Range",
@@ -152,10 +153,10 @@ StateProgram::Optimum Search::find()
         anchor = std::move(early);
     if (!open)
       if (FactorMotion early = mechanism_near(forces, loads, *nearest);
-          early.closing <= largest_closing_of_anchor)
+          early.closing <= largest_closing_of_force_anchor)
         open = std::move(early);
-    if (least > first_trial * wanted_width ||
-        program.n_iterations() < last_trial + n_between)
+    if (least > first_trial_force * wanted_width ||
+        program.n_iterations() < last_trial + n_between_forces)
       continue;
     last_trial = program.n_iterations();
     look_near(*nearest);
@@ -180,6 +181,6 @@ StateProgram::Optimum greatest_force(const RowProblem &problem,
                                      const std::vector<double> &c,
                                      Terminal &terminal)
 {
-  return Search(problem, c, terminal).find();
+  return ForceSearch(problem, c, terminal).find();
 }
 } // namespace Voussoir

@@ -18,9 +18,9 @@ namespace
  */
 constexpr double largest_force_change = 1e-8;
 /** An imbalance, nondimensional, that is rounding. */
-constexpr double rounding = 1e-15;
+constexpr double rounding_of_imbalance = 1e-15;
 /** The ratio of the imbalances of two steps below which another follows. */
-constexpr double worthwhile = 0.5;
+constexpr double worthwhile_force_step = 0.5;
 /** The largest number of steps; from Ipopt's point a handful suffices. */
 constexpr unsigned int n_max_steps = 20;
 
@@ -93,7 +93,8 @@ std::vector<double> most_balanced(Newton &newton)
 {
   std::vector<double> forces = newton.forces();
   double least = newton.imbalance();
-  for (unsigned int k = 0; k < n_max_steps && least > rounding; ++k)
+  for (unsigned int k = 0; k < n_max_steps && least > rounding_of_imbalance;
+       ++k)
   {
     newton.full_step();
     const double before = least;
@@ -102,7 +103,7 @@ std::vector<double> most_balanced(Newton &newton)
       least = newton.imbalance();
       forces = newton.forces();
     }
-    if (!(newton.imbalance() < worthwhile * before))
+    if (!(newton.imbalance() < worthwhile_force_step * before))
       break;
   }
   return forces;

@@ -32,13 +32,13 @@ constexpr double least_centring = 1e-6;
 constexpr double compliance_of_rigid_joints = 1e-6;
 
 /** The stopping criteria of the conjugate gradients; see solve(). */
-constexpr double reduction_of_residual = 1e-13;
-constexpr unsigned int n_gradients = 10;
+constexpr double reduction_of_step = 1e-13;
+constexpr unsigned int n_step_gradients = 10;
 /** The largest shift that these make up for. */
-constexpr double largest_shift = 1e-6;
+constexpr double largest_step_shift = 1e-6;
 
 /** The part of a step below which rounding dominates. */
-constexpr double shortest_step = 1e-6;
+constexpr double shortest_usable_step = 1e-6;
 } // namespace
 
 InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
@@ -90,7 +90,7 @@ bool InteriorPoint::step()
   const Step corrector = direction(centring * mean);
   const Parts possible = longest(corrector, fraction_to_boundary);
   if (!(std::max(possible.of_forces, possible.of_displacements) >
-        shortest_step))
+        shortest_usable_step))
     return false;
   return take(corrector, possible);
 }
@@ -160,7 +160,7 @@ bool InteriorPoint::prepare()
     return false;
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
-    if ((shift *= factor_of_shift) > largest_shift)
+    if ((shift *= factor_of_shift) > largest_step_shift)
       return false;
   if (aim == Aim::load_factor)
     u_of_load = solve(problem.loads());
@@ -176,8 +176,8 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
 {
   std::vector<double> u(right.size(), 0.), best(u), left(right), d(u);
   double previous = 1., least = largest_component(right);
-  const double enough = reduction_of_residual * least;
-  for (unsigned int k = 0; k < n_gradients && least > enough; ++k)
+  const double enough = reduction_of_step * least;
+  for (unsigned int k = 0; k < n_step_gradients && least > enough; ++k)
   {
     std::vector<double> z = system.solve(left);
     problem.remove_rigid_motions(z);

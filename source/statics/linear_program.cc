@@ -28,10 +28,11 @@ constexpr double damping_of_tolerance = 0.1;
  * the constraints are [u]_e . n_e of all contacts, then v_e - [u]_e . t_e and
  * v_e + [u]_e . t_e of each joint with a strength.
  */
-class Program : public DisplacementProgram
+class HardFrictionProgram : public DisplacementProgram
 {
 public:
-  explicit Program(const DiscreteProblem &problem) : problem(problem)
+  explicit HardFrictionProgram(const DiscreteProblem &problem)
+      : problem(problem)
   {
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
       if (problem.limit(e) > 0.)
@@ -129,7 +130,7 @@ Solution solve_linear_program(const DiscreteProblem &problem,
                               const SolverControls &controls,
                               Terminal &terminal)
 {
-  Program program(problem);
+  HardFrictionProgram program(problem);
   IpoptControls ipopt{controls.tolerance, controls.n_max_iterations};
   ProgramResult result = solve_program(problem, program, ipopt, terminal);
   if (!result.solution.mechanism && !result.solution.converged())

@@ -16,9 +16,9 @@ namespace Voussoir
 namespace
 {
 /** The error, over the wanted width, below which proofs are tried. */
-constexpr double first_trial = 30.;
+constexpr double first_trial_factor = 30.;
 /** The steps between two trials, until the error is as wanted. */
-constexpr unsigned int n_between = 2;
+constexpr unsigned int n_between_factors = 2;
 
 /** How near a proof is to the factor, over the wanted width, to be left. */
 constexpr double near_enough = 0.5;
@@ -31,10 +31,11 @@ constexpr double share_of_anchor = 0.01;
 constexpr double larger_share = 10., largest_share = 0.5;
 
 /** A factor, over LoadFactor::unit, that is none. */
-constexpr double small_factor = 1e-3;
+constexpr double small_load_factor = 1e-3;
 
 /** The largest closing of a mechanism that is a proof, and of its anchor. */
-constexpr double largest_closing = 1e-12, largest_closing_of_anchor = 1e-13;
+constexpr double largest_closing_of_factor = 1e-12,
+                 largest_closing_of_factor_anchor = 1e-13;
 
 /**
  * The problem of the dead loads; without any of the live ones, whose own size
@@ -50,13 +51,13 @@ DiscreteProblem problem_of(const Scene &dead, const Scene &live)
 }
 
 /** The search for a factor, phase by phase. */
-class Search
+class FactorSearch
 {
 public:
-  Search(const Scene &dead,
-         const Scene &live,
-         const LoadFactorControls &controls,
-         Terminal &terminal);
+  FactorSearch(const Scene &dead,
+               const Scene &live,
+               const LoadFactorControls &controls,
+               Terminal &terminal);
 
   /** The mechanism of the dead loads, if they collapse, or else nothing. */
   Motion find_collapse_at_rest();
@@ -95,10 +96,10 @@ private:
   LoadFactor found;
 };
 
-Search::Search(const Scene &dead,
-               const Scene &live,
-               const LoadFactorControls &controls,
-               Terminal &terminal)
+FactorSearch::FactorSearch(const Scene &dead,
+                           const Scene &live,
+                           const LoadFactorControls &controls,
+                           Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
       problem(problem_of(dead, live)),
       by_rows(problem), loads{by_rows.loads(problem.loads_of(dead), true),
@@ -127,20 +128,20 @@ Search::Search(const Scene &dead,
   keep_at_rest(rest);
 }
 
-void Search::keep_at_rest(const Solution &solution)
+void FactorSearch::keep_at_rest(const Solution &solution)
 {
   found.carried = 0.;
   at_rest = dimensional_forces(problem, solution);
 }
 
-std::vector<double> Search::loads_at(const double factor) const
+std::vector<double> FactorSearch::loads_at(const double factor) const
 {
   std::vector<double> sum = loads.dead;
   add(sum, factor / unit_of_factor, loads.live);
   return sum;
 }
 
-Motion Search::find_collapse_at_rest()
+Motion FactorSearch::find_collapse_at_rest()
 {
   if (!(largest_component(loads.dead) > 0.))
     return {};
@@ -157,7 +158,7 @@ Motion Search::find_collapse_at_rest()
   return any.collapse.empty() ? Motion() : by_rows.motion_of(any.collapse);
 }
 
-void Search::find_proofs()
+void FactorSearch::find_proofs()
 {
   for (unsigned int round = 0;; ++round)
   {
@@ -175,7 +176,7 @@ void Search::find_proofs()
   look_farther(*best);
 }
 
-void Search::look_with_rows()
+void FactorSearch::look_with_rows()
 {
   state = SelfDual::State::running;
   SelfDual program(by_rows.forces(), loads);
@@ -203,10 +204,10 @@ void Search::look_with_rows()
         anchor = std::move(early);
     if (!open)
       if (FactorMotion early = mechanism_near(by_rows.forces(), loads, *best);
-          early.closing <= largest_closing_of_anchor)
+          early.closing <= largest_closing_of_factor_anchor)
         open = std::move(early);
-    if (least > first_trial * controls.tolerance ||
-        (program.n_iterations() < last_trial + n_between &&
+    if (least > first_trial_factor * controls.tolerance ||
+        (program.n_iterations() < last_trial + n_between_factors &&
          least > controls.tolerance))
       continue;
     last_trial = program.n_iterations();
@@ -222,13 +223,15 @@ void Search::look_with_rows()
 }
 
 /** Look for proofs unless there are some, @p near_enough wanted widths away. */
-void Search::look_near(const SelfDual::Point &point, const double near_enough)
+void FactorSearch::look_near(const SelfDual::Point &point,
+                             const double near_enough)
 {
   // What is not a number proves nothing.
   const InvalidOperationsAllowed allowed;
   const double factor = point.alpha * unit_of_factor;
-  const double near = near_enough * controls.tolerance *
-                      std::max(std::abs(factor), small_factor * found.unit);
+  const double near =
+      near_enough * controls.tolerance *
+      std::max(std::abs(factor), small_load_factor * found.unit);
   const double share = share_of_anchor * controls.tolerance;
   if (!(loads.sense * (factor - found.carried) <= near))
   {
@@ -242,7 +245,7 @@ void Search::look_near(const SelfDual::Point &point, const double near_enough)
   {
     FactorMotion motion =
         mechanism_near(by_rows.forces(), loads, point, open, share);
-    if (motion.closing > largest_closing && open)
+    if (motion.closing > largest_closing_of_factor && open)
       motion = mechanism_near(by_rows.forces(), loads, point);
     keep_if_bound(by_rows.motion_of(std::move(motion.u)));
   }
@@ -253,7 +256,7 @@ void Search::look_near(const SelfDual::Point &point, const double near_enough)
  * shares of the anchors, up to these alone; the proof is that much nearer to
  * them.
  */
-void Search::look_farther(const SelfDual::Point &point)
+void FactorSearch::look_farther(const SelfDual::Point &point)
 {
   const InvalidOperationsAllowed allowed;
   const double least = larger_share * share_of_anchor * controls.tolerance;
@@ -271,7 +274,7 @@ void Search::look_farther(const SelfDual::Point &point)
     keep_if_bound(by_rows.motion_of(open->u));
 }
 
-void Search::keep_if_carried(const FactorState &near)
+void FactorSearch::keep_if_carried(const FactorState &near)
 {
   const double carried = near.alpha * unit_of_factor;
   if (!(near.residual <= largest_residual_of_state &&
@@ -284,10 +287,10 @@ void Search::keep_if_carried(const FactorState &near)
   has_state = true;
 }
 
-void Search::keep_if_bound(Motion motion)
+void FactorSearch::keep_if_bound(Motion motion)
 {
   const FactorBound proof = bound_of_factor(dead, live, motion);
-  if (!(proof.closing_violation <= largest_closing &&
+  if (!(proof.closing_violation <= largest_closing_of_factor &&
         loads.sense * proof.live_work > 0. &&
         loads.sense * (found.bound - proof.factor) > 0.))
     return;
@@ -296,7 +299,7 @@ void Search::keep_if_bound(Motion motion)
   found.proof = proof;
 }
 
-LoadFactor Search::result()
+LoadFactor FactorSearch::result()
 {
   if (state == SelfDual::State::unbounded)
   {
@@ -333,7 +336,7 @@ double LoadFactor::width() const
   if (!std::isfinite(carried) || !std::isfinite(bound))
     return std::numeric_limits<double>::infinity();
   const double size =
-      std::max({std::abs(carried), std::abs(bound), small_factor * unit});
+      std::max({std::abs(carried), std::abs(bound), small_load_factor * unit});
   return size > 0. ? std::abs(bound - carried) / size : 0.;
 }
 
@@ -342,7 +345,7 @@ LoadFactorAnswer find_load_factor(const Scene &dead,
                                   const LoadFactorControls &controls,
                                   Terminal &terminal)
 {
-  Search search(dead, live, controls, terminal);
+  FactorSearch search(dead, live, controls, terminal);
   LoadFactorAnswer answer;
   answer.collapse = search.find_collapse_at_rest();
   if (!answer.collapse.displacement.empty())

@@ -11,7 +11,7 @@ namespace
 constexpr double shortest_good_step = 0.01;
 constexpr unsigned int n_own_steps = 15;
 /** The first proximal term of weight, relative to stiffnesses of order one. */
-constexpr double first_shift = 1e-3;
+constexpr double first_proximal_shift = 1e-3;
 /**
  * The imbalance with the proximal term, over that without, below which the
  * centre of that term moves.
@@ -34,7 +34,7 @@ double ProximalSteps::advance()
   {
     centre = newton.u();
     if (length < shortest_good_step || n_inner >= n_own_steps)
-      restart(first_shift);
+      restart(first_proximal_shift);
   }
   else if (newton.imbalance(shift, centre) <=
            inner_reduction * newton.imbalance())

@@ -30,7 +30,7 @@ constexpr unsigned int fewest_parts = 4, n_functions_of_part = 1400;
 constexpr unsigned int n_kinds = 2;
 
 /** A force, over that of reference, that is none. */
-constexpr double no_force = 1e-10;
+constexpr double no_force_in_range = 1e-10;
 /** The largest number of programmes for an end of a range of places. */
 constexpr unsigned int n_places = 30;
 /**
@@ -65,7 +65,7 @@ struct Part
 };
 
 /** Ranges are looked for, function by function. */
-class Search
+class RangeSearch
 {
 public:
   /**
@@ -73,11 +73,11 @@ public:
    * @param pressed the interfaces whose eccentricities are looked for, too:
    *   function n_kinds k is the normal force of the k-th of them.
    */
-  Search(const Scene &scene,
-         const std::vector<ForceFunction> &functions,
-         const std::vector<unsigned int> &pressed,
-         const RangeMethod method,
-         Terminal &terminal)
+  RangeSearch(const Scene &scene,
+              const std::vector<ForceFunction> &functions,
+              const std::vector<unsigned int> &pressed,
+              const RangeMethod method,
+              Terminal &terminal)
       : states(scene), functions(functions), pressed(pressed),
         by_interior_point(
             method == RangeMethod::interior_point ||
@@ -126,7 +126,7 @@ private:
   std::mutex mutex;
 };
 
-void Search::count()
+void RangeSearch::count()
 {
   const std::lock_guard<std::mutex> lock(mutex);
   terminal.progress(++n_done, 2 * (functions.size() + pressed.size()),
@@ -137,7 +137,7 @@ void Search::count()
  * The kinds of functions one after the other, and all maxima before all minima,
  * so that each programme ends close to where the next one does.
  */
-void Search::find_forces(Part &part)
+void RangeSearch::find_forces(Part &part)
 {
   for (unsigned int kind = 0; kind < n_kinds; ++kind)
     for (const double sign : {1., -1.})
@@ -148,7 +148,9 @@ void Search::find_forces(Part &part)
  * Of the functions that are left, that one comes next which has the most in one
  * of the states that were found here: its programme has one to start from.
  */
-void Search::find_forces(Part &part, const unsigned int kind, const double sign)
+void RangeSearch::find_forces(Part &part,
+                              const unsigned int kind,
+                              const double sign)
 {
   const std::size_t n = functions.size();
   std::vector<unsigned int> left;
@@ -181,9 +183,9 @@ void Search::find_forces(Part &part, const unsigned int kind, const double sign)
  * (1967), 492): the state with the most of sign (e - at) N has the next place,
  * until no state has any. Where forces have no bound it is the other end.
  */
-double Search::farthest_place(Part &part,
-                              const unsigned int interface,
-                              const double sign)
+double RangeSearch::farthest_place(Part &part,
+                                   const unsigned int interface,
+                                   const double sign)
 {
   double at = -0.5 * sign;
   for (unsigned int k = 0; k < n_places; ++k)
@@ -192,7 +194,7 @@ double Search::farthest_place(Part &part,
         greatest(part, couple_about(interface, at).times(sign));
     if (!couple.is_bounded())
       return 0.5 * sign;
-    if (couple.value <= no_force * reference())
+    if (couple.value <= no_force_in_range * reference())
       break;
     const std::array<double, 2> ends = couple.forces.ends(interface);
     at = std::clamp(0.5 * (ends[1] - ends[0]) / (ends[0] + ends[1]), -0.5, 0.5);
@@ -200,7 +202,7 @@ double Search::farthest_place(Part &part,
   return at;
 }
 
-void Search::find_places(Part &part)
+void RangeSearch::find_places(Part &part)
 {
   const std::size_t n = pressed.size();
   for (const double sign : {1., -1.})
@@ -208,7 +210,7 @@ void Search::find_places(Part &part)
     {
       double &place =
           sign > 0. ? found_places[k].greatest : found_places[k].least;
-      place = found[n_kinds * k].least < -no_force * reference()
+      place = found[n_kinds * k].least < -no_force_in_range * reference()
                   ? farthest_place(part, pressed[k], sign)
                   : std::numeric_limits<double>::quiet_NaN();
       count();
@@ -221,7 +223,7 @@ bool is_of_one(const ForceFunction &function)
   return function.terms.size() == 1;
 }
 
-StateProgram &Search::program_of(Part &part)
+StateProgram &RangeSearch::program_of(Part &part)
 {
   if (part.program)
     return *part.program;
@@ -234,7 +236,7 @@ StateProgram &Search::program_of(Part &part)
   return part.program.emplace(*first);
 }
 
-GreatestValue Search::greatest(Part &part, const ForceFunction &function)
+GreatestValue RangeSearch::greatest(Part &part, const ForceFunction &function)
 {
   std::optional<GreatestValue> value;
   if (by_interior_point && is_of_one(function))
@@ -246,7 +248,7 @@ GreatestValue Search::greatest(Part &part, const ForceFunction &function)
 }
 
 template <typename Find>
-void Search::find_parts(const Find &find)
+void RangeSearch::find_parts(const Find &find)
 {
   const unsigned int n_parts = std::max<unsigned int>(
       fewest_parts, functions.size() / n_functions_of_part);
@@ -266,7 +268,7 @@ void Search::find_parts(const Find &find)
       1);
 }
 
-void Search::find_all()
+void RangeSearch::find_all()
 {
   find_parts([this](Part &part) { find_forces(part); });
   if (!pressed.empty())
@@ -342,8 +344,8 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   const bool has_places =
       scene.turns() && scene.tensile_strength.empty() && !interfaces.empty();
   const std::vector<unsigned int> none;
-  Search search(scene, functions, has_places ? interfaces : none, wanted.method,
-                terminal);
+  RangeSearch search(scene, functions, has_places ? interfaces : none,
+                     wanted.method, terminal);
   search.find_all();
   const std::size_t n = wanted.interfaces.size();
   Ranges ranges;

@@ -15,7 +15,7 @@ namespace
 constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 
 /** Steps without less products that end the search. */
-constexpr unsigned int n_patience = 10;
+constexpr unsigned int n_patience_of_gap = 10;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
 /** The first slack, over the root of the stiffness or the whole range. */
@@ -153,7 +153,7 @@ SelfDual::State SelfDual::judge()
     least_product = mean;
     iteration_of_least = iterations;
   }
-  return iterations > iteration_of_least + n_patience ? State::stalled
-                                                      : State::running;
+  return iterations > iteration_of_least + n_patience_of_gap ? State::stalled
+                                                             : State::running;
 }
 } // namespace Voussoir

@@ -11,7 +11,7 @@ namespace Voussoir
 namespace
 {
 /** The part of the way to the boundary that a step takes, and its limits. */
-constexpr double fraction_to_boundary = 0.99, largest_fraction = 1. - 1e-7;
+constexpr double usual_fraction = 0.99, largest_fraction = 1. - 1e-7;
 /** The least product, over the mean of all. */
 constexpr double least_relative_product = 1e-3;
 constexpr double shortening = 0.9;
@@ -28,11 +28,11 @@ constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
 
 /** The residual at which the conjugate gradients of a step stop. */
-constexpr double reduction = 1e-11, share_of_residual = 1e-3;
-constexpr unsigned int n_gradients = 12;
+constexpr double reduction_of_gradients = 1e-11, share_of_residual = 1e-3;
+constexpr unsigned int n_self_dual_gradients = 12;
 /** The same for the refinement of the bordered system. */
 constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
-constexpr unsigned int n_refinements = 3;
+constexpr unsigned int n_refined_steps = 3;
 } // namespace
 
 bool SelfDual::prepare()
@@ -46,7 +46,8 @@ bool SelfDual::prepare()
   if (!loads.live.empty())
   {
     u_of_live = forces.solve(
-        loads.live, reduction * largest_component(loads.live), n_gradients);
+        loads.live, reduction_of_gradients * largest_component(loads.live),
+        n_self_dual_gradients);
     work_of_live = dot(loads.live, u_of_live);
   }
 
@@ -96,15 +97,16 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
   const double enough =
       std::max(small_residual * size_of_loads * now.tau,
                share_of_residual * largest_component(residual.balance));
-  found.u = forces.solve(right,
-                         std::max(reduction * largest_component(right), enough),
-                         n_gradients);
+  found.u = forces.solve(
+      right,
+      std::max(reduction_of_gradients * largest_component(right), enough),
+      n_self_dual_gradients);
   found.alpha = 0.;
   if (!loads.live.empty())
   {
     found.alpha = (live_work - dot(loads.live, found.u)) / work_of_live;
     add(found.u, found.alpha, u_of_live);
-    for (unsigned int n = 0; n < n_refinements; ++n)
+    for (unsigned int n = 0; n < n_refined_steps; ++n)
     {
       std::vector<double> left = right;
       add(left, found.alpha, loads.live);
@@ -113,8 +115,9 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
       if (largest_component(left) < enough &&
           std::abs(missing) < small_residual)
         break;
-      const std::vector<double> du = forces.solve(
-          left, reduction_of_refinement * largest_component(left), n_gradients);
+      const std::vector<double> du =
+          forces.solve(left, reduction_of_refinement * largest_component(left),
+                       n_self_dual_gradients);
       const double more = (missing - dot(loads.live, du)) / work_of_live;
       add(found.u, 1., du);
       add(found.u, more, u_of_live);
@@ -261,8 +264,7 @@ SelfDual::State SelfDual::step()
     last = trial_last;
   }
   if (length < 1.)
-    length *=
-        std::min(std::max(fraction_to_boundary, 1. - mean), largest_fraction);
+    length *= std::min(std::max(usual_fraction, 1. - mean), largest_fraction);
   length = keep_products_near(best, length);
   if (!std::isfinite(length * (best.tau + best.kappa + best.alpha)))
     return State::stalled;

@@ -50,18 +50,18 @@ constexpr unsigned int n_before_interior_point = 60;
  * imbalance that needs none: the interior point's small products leave forces
  * off by up to 1e-7 (measured), and a step leaves the square of that.
  */
-constexpr unsigned int n_refinements = 3;
+constexpr unsigned int n_sharpenings = 3;
 constexpr double imbalance_to_refine = 1e-12;
 
 /** The energy of SmoothedJoint; the unknowns are the displacements alone. */
-class Program : public DisplacementProgram
+class SmoothedFrictionProgram : public DisplacementProgram
 {
 public:
-  Program(const DiscreteProblem &problem,
-          const Contact contact,
-          const SolverControls &controls,
-          const double barrier_parameter,
-          Terminal &terminal)
+  SmoothedFrictionProgram(const DiscreteProblem &problem,
+                          const Contact contact,
+                          const SolverControls &controls,
+                          const double barrier_parameter,
+                          Terminal &terminal)
       : problem(problem), of_joints(problem, false), contact(contact),
         law(problem, contact), controls(controls),
         barrier_parameter(barrier_parameter), terminal(terminal)
@@ -267,7 +267,7 @@ private:
     double least = newton.imbalance();
     try
     {
-      for (unsigned int k = 0; k < n_refinements && least > imbalance_to_refine;
+      for (unsigned int k = 0; k < n_sharpenings && least > imbalance_to_refine;
            ++k)
       {
         newton.full_step();
@@ -358,7 +358,8 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
 {
   if (contact == Contact::hard)
     require_interior(problem, "smoothed friction' with 'Contact = hard");
-  Program program(problem, contact, controls, barrier_parameter, terminal);
+  SmoothedFrictionProgram program(problem, contact, controls, barrier_parameter,
+                                  terminal);
   IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
   if (contact == Contact::compliant)
     ipopt.tolerance *= ipopt_over_own_tolerance;

@@ -37,7 +37,7 @@ constexpr unsigned int least_number = 400;
 constexpr double more = 1.25;
 constexpr double least_growth = 2., largest_growth = 8.;
 /** Of forces of order one: no spread of them. */
-constexpr double no_force = 1e-8;
+constexpr double no_force_in_samples = 1e-8;
 /** The number of forces of which the square fits into a gigabyte or so. */
 constexpr std::size_t most_forces = 12000;
 
@@ -171,8 +171,8 @@ moments_of(const Chains &chains, const StatePolytope &polytope, double unit)
   std::mutex mutex;
   const auto find = [&](const unsigned int e) {
     const Series series = chains.series(e);
-    const ChainDiagnosis p = diagnose(series.p, no_force);
-    const ChainDiagnosis q = diagnose(series.q, no_force);
+    const ChainDiagnosis p = diagnose(series.p, no_force_in_samples);
+    const ChainDiagnosis q = diagnose(series.q, no_force_in_samples);
     // From the centre, and pressure is positive.
     samples.normal[e] = {-unit * p.mean, unit * p.deviation, unit * p.error()};
     samples.tangential[e] = {unit * q.mean, unit * q.deviation,

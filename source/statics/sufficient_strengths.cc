@@ -9,7 +9,7 @@ namespace Voussoir
 namespace
 {
 /** In units of stress. */
-constexpr double sufficient_strength = 100.;
+constexpr double first_sufficient_strength = 100.;
 
 /** The joints whose strength is lower in @p limited. */
 std::vector<unsigned int> lowered_joints(const DiscreteProblem &problem,
@@ -39,7 +39,7 @@ Solution solve_with_sufficient_strengths(
                                  const SolverControls &)> &solve)
 {
   const DiscreteProblem limited =
-      problem.with_strengths_up_to(sufficient_strength);
+      problem.with_strengths_up_to(first_sufficient_strength);
   const std::vector<unsigned int> lowered = lowered_joints(problem, limited);
   Solution found = solve(limited, controls);
   if (lowered.empty() || (found.converged() && !any_slides(lowered, found)))

@@ -18,7 +18,7 @@ using Colour = std::array<double, 3>;
 constexpr unsigned int n_steps = 17;
 
 /** A value, over the largest, that is no sign of its own. */
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_values = 1e-9;
 
 /** From nothing to the largest size; ever darker. */
 const std::vector<Colour> sequential = {{{243, 230, 190}},
@@ -63,9 +63,9 @@ ColourScale::ColourScale(std::string name, const std::vector<double> &values)
     }
     else
       has_missing = true;
-  if (-low <= rounding * high)
+  if (-low <= rounding_of_values * high)
     low = 0.;
-  if (high <= -rounding * low)
+  if (high <= -rounding_of_values * low)
     high = 0.;
   // Zero is in the middle, so that a colour tells the sign.
   if (has_both_signs())

@@ -6,7 +6,7 @@ namespace Voussoir
 namespace
 {
 /** A force, over the sizes of the loads on a cell, that is rounding. */
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_loads = 1e-9;
 } // namespace
 
 std::vector<LoadArrow> load_arrows(const Scene &scene)
@@ -37,7 +37,7 @@ std::vector<LoadArrow> load_arrows(const Scene &scene)
   if (!scene.has_body_force)
     return arrows;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    if (rest[c].norm() > rounding * scene.load_size[c])
+    if (rest[c].norm() > rounding_of_loads * scene.load_size[c])
       arrows.push_back({Kind::body_force, packing.centre(c), rest[c], false});
   return arrows;
 }
