@@ -12,6 +12,7 @@
 #include <voussoir/statics/solver_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
+#include "room.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_expression
+{
 using Voussoir::Expression;
 
 double value(const std::string &formula)
@@ -14,7 +16,7 @@ double value(const std::string &formula)
   return Expression(formula, {"x", "y"}, "Test")({2., -3.});
 }
 
-int main()
+void run()
 {
   check_error("x + 2 y^2", std::abs(value("x + 2*y^2") - 20.), 1e-15);
   check_error("if", std::abs(value("if(x > 1, 5, 6)") - 5.), 0.);
@@ -31,3 +33,6 @@ int main()
   show_refusal([] { value("x = 0.5 ? 1 : 2"); });
   show_refusal([] { value("1, 2"); });
 }
+
+const RoomTest test("expression", run);
+} // namespace test_expression

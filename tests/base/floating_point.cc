@@ -14,6 +14,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace test_floating_point
+{
 /** Not known to the compiler. */
 volatile double zero = 0.;
 volatile double result;
@@ -65,7 +67,7 @@ void divide_in_a_task()
     _exit(1);
 }
 
-int main()
+void run()
 {
 #if defined(DEBUG) && defined(__GLIBC__)
   const bool expected = true;
@@ -106,3 +108,6 @@ int main()
                            }) == false);
   check("1/0 is infinite", !is_trapped([] { result = 1. / zero; }));
 }
+
+const RoomTest test("floating_point", run);
+} // namespace test_floating_point

@@ -7,9 +7,11 @@
 
 #include "tests.h"
 
+namespace test_nearest_name
+{
 using namespace Voussoir;
 
-int main()
+void run()
 {
   check("equal texts", edit_distance("Strength", "strength") == 0);
   check("exchanged letters", edit_distance("Strenght", "Strength") == 2);
@@ -44,3 +46,6 @@ int main()
   check("none", nearest_names("Elasticity", paths).empty() &&
                     nearest_names("x", paths).empty());
 }
+
+const RoomTest test("nearest_name", run);
+} // namespace test_nearest_name

@@ -6,9 +6,12 @@
 
 #include <deal.II/base/patterns.h>
 
+#include "room.h"
 #include <iostream>
 
-int main()
+namespace test_patterns
+{
+void run()
 {
   using namespace dealii::Patterns;
   const auto show = [](const PatternBase &pattern) {
@@ -30,3 +33,6 @@ int main()
   show(List(List(Double(), 2, 2, ","), 1, 3, ";"));
   show(DirectoryName()); // not in use: as deal.II says it
 }
+
+const RoomTest test("patterns", run);
+} // namespace test_patterns

@@ -13,6 +13,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace test_terminal
+{
 using namespace Voussoir;
 
 /** What a stage writes to @p screen that lasts for @p duration. */
@@ -60,7 +62,7 @@ std::string said_by(Terminal &terminal, const std::ostringstream &out)
   return out.str();
 }
 
-int main()
+void run()
 {
   // 100 of 400 in 2 s are 50 a second, and the other 300 take 6 s.
   Progress progress;
@@ -122,7 +124,7 @@ int main()
 
   int controller, terminal;
   if (openpty(&controller, &terminal, nullptr, nullptr, nullptr) != 0)
-    return 1;
+    return check("a terminal can be opened", false);
   const winsize size = {24, 132, 0, 0};
   ioctl(terminal, TIOCSWINSZ, &size);
   setenv("TERM", "xterm", 1);
@@ -142,3 +144,6 @@ int main()
   check("no terminal",
         !screen_behind(file).overwrites && !screen_behind(file).colours);
 }
+
+const RoomTest test("terminal", run);
+} // namespace test_terminal

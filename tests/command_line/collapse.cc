@@ -15,6 +15,8 @@
 #include <fstream>
 #include <set>
 
+namespace test_collapse
+{
 using namespace Voussoir;
 namespace fs = std::filesystem;
 
@@ -79,7 +81,7 @@ void check_proof()
               1e-12);
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   std::ofstream("scene.prm")
@@ -118,3 +120,6 @@ int main()
              (interfaces.at("never_pressed")[e] == 1.);
   check("the bed joints are marked as never pressed", right);
 }
+
+const RoomTest test("collapse", run);
+} // namespace test_collapse

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_failures
+{
 namespace fs = std::filesystem;
 
 void run(const std::vector<std::string> &arguments)
@@ -75,7 +77,7 @@ void parameter_texts()
   fs::remove_all("output");
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
 
@@ -232,3 +234,6 @@ int main()
            "subsection Friction\n set Law = associated Coulomb\n"
            " set Cohesion = 0.05\nend\n");
 }
+
+const RoomTest test("failures", run);
+} // namespace test_failures

@@ -17,6 +17,8 @@
 #include <iterator>
 #include <set>
 
+namespace test_forces_from
+{
 namespace fs = std::filesystem;
 
 std::string read(const std::string &file)
@@ -266,7 +268,7 @@ void failures(const std::string &scene)
   refused(scene, [&] { edit(interfaces, 3, 10, "0.5"); });
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   std::ofstream("voronoi.prm")
@@ -311,3 +313,6 @@ int main()
         read("second/interfaces.csv") == read("good/interfaces.csv") &&
             read("second/cells.csv") == all);
 }
+
+const RoomTest test("forces_from", run);
+} // namespace test_forces_from

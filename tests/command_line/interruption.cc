@@ -18,6 +18,8 @@
 #include <thread>
 #include <unistd.h>
 
+namespace test_interruption
+{
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
@@ -299,7 +301,7 @@ void interrupt_publication()
   check("  some of these runs were interrupted", n_interrupted > 0);
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   std::ofstream("scene.prm")
@@ -358,3 +360,6 @@ int main()
   fs::remove_all("output");
   interrupt_publication();
 }
+
+const RoomTest test("interruption", run);
+} // namespace test_interruption

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace test_many_runs
+{
 namespace fs = std::filesystem;
 using namespace Voussoir;
 
@@ -330,7 +332,7 @@ void check_inputs()
   check("it is kept", lines_of("output/run_2/packing.wkt").size() == 2);
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   check_sweep();
@@ -366,3 +368,6 @@ int main()
   run({"--directories"});
   check("nothing is written", !fs::exists("output"));
 }
+
+const RoomTest test("many_runs", run);
+} // namespace test_many_runs

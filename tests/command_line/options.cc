@@ -12,6 +12,8 @@
 #include <iterator>
 #include <set>
 
+namespace test_options
+{
 namespace fs = std::filesystem;
 
 std::string read(const std::string &file)
@@ -28,7 +30,7 @@ std::string run(const std::vector<std::string> &arguments)
   return status == 0 ? out.str() : "FAILED: " + error.str();
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
 
@@ -150,3 +152,6 @@ int main()
   check("vtu", files_with("Output/Files=vtu") == also(always, vtu));
   check("none", files_with("Output/Files=none") == always);
 }
+
+const RoomTest test("options", run);
+} // namespace test_options

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <regex>
 
+namespace test_command_line
+{
 namespace fs = std::filesystem;
 
 /** The names of the files with a NaN or an infinity, or none. */
@@ -86,7 +88,7 @@ std::string traction(const std::string &value)
   return "subsection Loads\n set Traction = " + value + "\nend\n";
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
 
@@ -115,3 +117,6 @@ int main()
     run("a wall beyond the limit", wall + strength(beyond) + traction("ny; 0"),
         3);
 }
+
+const RoomTest test("command_line", run);
+} // namespace test_command_line

@@ -11,9 +11,12 @@
 #include <deal.II/base/numbers.h>
 
 #include "judgement.h"
+#include "room.h"
 #include <array>
 #include <map>
 
+namespace test_geometry
+{
 using namespace Voussoir;
 using dealii::Point;
 
@@ -300,7 +303,7 @@ void try_few_cells()
   }
 }
 
-int main()
+void run()
 {
   try_short_edges();
   try_close_generators();
@@ -330,3 +333,6 @@ int main()
   carry_pressure("a cell of 1,000 sides", ring_around(1000));
   try_few_cells();
 }
+
+const RoomTest test("geometry", run);
+} // namespace test_geometry

@@ -10,7 +10,10 @@
 #include <voussoir/scene/supports.h>
 
 #include "judgement.h"
+#include "room.h"
 
+namespace test_limit_loads
+{
 using namespace Voussoir;
 
 /** Turned squares slide along their joints at d = s_T. */
@@ -64,7 +67,7 @@ void approach(const std::string &name,
       }
 }
 
-int main()
+void run()
 {
   approach(
       "shear wall", [](const double load) { return shear_wall(1. / load); }, 8);
@@ -75,3 +78,6 @@ int main()
   approach(
       "arch", [](const double load) { return arch(0.314904 / load); }, 5);
 }
+
+const RoomTest test("limit_loads", run);
+} // namespace test_limit_loads

@@ -13,8 +13,11 @@
 #include <voussoir/statics/interior_point.h>
 
 #include "judgement.h"
+#include "room.h"
 #include <chrono>
 
+namespace test_near_limit
+{
 using namespace Voussoir;
 
 double limit_strength(const Scene &scene, const double strength)
@@ -75,7 +78,7 @@ Scene pushed(Packing packing, const double strength)
   return Scene(std::move(packing), strengths, std::move(loads));
 }
 
-int main()
+void run()
 {
   approach(
       "2,000 random cells, hardly any friction",
@@ -109,3 +112,6 @@ int main()
       },
       0.3);
 }
+
+const RoomTest test("near_limit", run);
+} // namespace test_near_limit

@@ -3,11 +3,14 @@
 // No order of cells or vertices changes a force.
 
 #include "judgement.h"
+#include "room.h"
 #include <array>
 #include <map>
 #include <numeric>
 #include <random>
 
+namespace test_numbering
+{
 using namespace Voussoir;
 
 /** The forces between two cells, by their old numbers. */
@@ -103,8 +106,11 @@ void try_orders(const unsigned int n_cells, const unsigned int n_orders)
   }
 }
 
-int main()
+void run()
 {
   try_orders(5, 120);
   try_orders(300, 4);
 }
+
+const RoomTest test("numbering", run);
+} // namespace test_numbering

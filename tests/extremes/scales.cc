@@ -9,7 +9,10 @@
 #include <voussoir/scene/supports.h>
 
 #include "judgement.h"
+#include "room.h"
 
+namespace test_scales
+{
 using namespace Voussoir;
 
 constexpr unsigned int n_cells = 60;
@@ -234,7 +237,7 @@ void try_groups(const double ratio, const bool on_ground)
   }
 }
 
-int main()
+void run()
 {
   for (const double strength : {0., 1e-9, 1e-6, 1e-3})
     compare(
@@ -258,3 +261,6 @@ int main()
   try_supported_wall(1.2, true);
   try_supported_wall(0.8, false);
 }
+
+const RoomTest test("scales", run);
+} // namespace test_scales

@@ -13,6 +13,8 @@
 #include "tests.h"
 #include <random>
 
+namespace test_edge_integrals
+{
 using namespace Voussoir;
 using dealii::Point;
 
@@ -156,7 +158,7 @@ void check_smooth()
   check("without a warning", all_accurate);
 }
 
-int main()
+void run()
 {
   check_jumps();
   check_smooth();
@@ -196,3 +198,6 @@ int main()
   check("nor the same value on both sides",
         is_accurate(integral("y < 1 ? x : x + 1e-16", c, d)));
 }
+
+const RoomTest test("edge_integrals", run);
+} // namespace test_edge_integrals

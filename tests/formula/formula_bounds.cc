@@ -10,6 +10,8 @@
 #include "tests.h"
 #include <random>
 
+namespace test_formula_bounds
+{
 using namespace Voussoir;
 
 using Numbers = std::mt19937;
@@ -101,7 +103,7 @@ bool holds(const Interval &bounds, const double a, const double rounding)
          (bounds.lower() - slack <= a && a <= bounds.upper() + slack);
 }
 
-int main()
+void run()
 {
   const InvalidOperationsAllowed of_random_formulas;
   Numbers numbers(1);
@@ -158,3 +160,6 @@ int main()
   check("so many were finite",
         n_values > 20000 && n_bounds > 10000 && n_slopes > 5000);
 }
+
+const RoomTest test("formula_bounds", run);
+} // namespace test_formula_bounds

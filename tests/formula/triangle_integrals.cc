@@ -15,6 +15,8 @@
 #include "tests.h"
 #include <random>
 
+namespace test_triangle_integrals
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -265,7 +267,7 @@ void check_smooth()
   check("without a warning", all_accurate);
 }
 
-int main()
+void run()
 {
   check_cuts();
   check_smooth();
@@ -296,3 +298,6 @@ int main()
   compare("floor(4*x)", 0.4375);
   compare("sqrt(x)", 4. / 15.);
 }
+
+const RoomTest test("triangle_integrals", run);
+} // namespace test_triangle_integrals

@@ -11,6 +11,8 @@
 #include "tests.h"
 #include <array>
 
+namespace test_mean_stress
+{
 using namespace Voussoir;
 
 using Stress = std::array<double, 4>;
@@ -87,7 +89,7 @@ double difference(const Stress &a, const Stress &b)
   return largest;
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   solve("subsection Loads\n set Boundary load = uniform stress\n"
@@ -102,3 +104,6 @@ int main()
   // The mean of such a pressure over a side.
   check_error("the mean pressure", std::abs(summed()[0] + 1. + 1. / 12.), 1e-7);
 }
+
+const RoomTest test("mean_stress", run);
+} // namespace test_mean_stress

@@ -6,9 +6,11 @@
 
 #include "tests.h"
 
+namespace test_plot
+{
 using namespace Voussoir;
 
-int main()
+void run()
 {
   check("ticks", ticks_of(0., 1., 5) ==
                      std::vector<double>({0., 0.2, 0.4, 3 * 0.2, 0.8, 1.}));
@@ -48,3 +50,6 @@ int main()
   check("a level line", two.find("nan") == std::string::npos &&
                             two.find("a &lt; b") != std::string::npos);
 }
+
+const RoomTest test("plot", run);
+} // namespace test_plot

@@ -16,6 +16,8 @@
 #include <fstream>
 #include <random>
 
+namespace test_requested_loads
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -191,7 +193,7 @@ std::string section(const std::string &name, const std::string &content)
   return "subsection " + name + '\n' + content + "end\n";
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   double worst_of_cells = 0., worst_of_edges = 0.;
@@ -202,7 +204,7 @@ int main()
         std::array<std::string, 6>{{"Voronoi", "wall", "arch", "honeycomb",
                                     "perturbed grid", "stones"}}[k % 6]);
     if (run(packing) != 0)
-      return 0;
+      return;
     const Geometry on = read_geometry();
     const Point<2> about = on.cells[0][0];
     for (unsigned int scene = 0; scene < 20; ++scene)
@@ -228,7 +230,7 @@ int main()
       }
       n += loads.n + of_case.n;
       if (run(packing + section("Loads", content) + cases) != 0)
-        return 0;
+        return;
       n_turning += read_table("output/cells.csv").count("load_torque");
       Sum all = edges;
       all.add(1., cells);
@@ -244,3 +246,6 @@ int main()
   check_error("tractions in boundary.csv", worst_of_edges, 1e-12);
   check_error("loads in cells.csv", worst_of_cells, 1e-12);
 }
+
+const RoomTest test("requested_loads", run);
+} // namespace test_requested_loads

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <thread>
 
+namespace test_result_directory
+{
 namespace fs = std::filesystem;
 using Voussoir::ResultDirectory;
 
@@ -32,7 +34,7 @@ void show(const std::string &when)
   std::cout << std::endl;
 }
 
-int main()
+void run()
 {
   fs::remove_all("results");
   fs::remove_all("new");
@@ -117,3 +119,6 @@ int main()
               std::string::npos);
   }
 }
+
+const RoomTest test("result_directory", run);
+} // namespace test_result_directory

@@ -8,6 +8,8 @@
 
 #include "tests.h"
 
+namespace test_arch
+{
 using namespace Voussoir;
 using dealii::numbers::PI;
 
@@ -163,7 +165,7 @@ void refuse(const std::string &settings)
   show_refusal([&] { generate(settings); });
 }
 
-int main()
+void run()
 {
   check_circular(10, 180.);
   check_circular(15, 180.);
@@ -201,3 +203,6 @@ int main()
   refuse("set Shape = pointed\nset Thickness = 2");
   refuse("set Shape = pointed\nset Thickness = 0.5\nset Voussoirs = 21");
 }
+
+const RoomTest test("arch", run);
+} // namespace test_arch

@@ -7,9 +7,11 @@
 
 #include "tests.h"
 
+namespace test_cell_groups
+{
 using namespace Voussoir;
 
-int main()
+void run()
 {
   Packing packing = wall(4, 3);
   const unsigned int ground = packing.ground();
@@ -46,3 +48,6 @@ int main()
   show_refusal([&] { assign_groups(packing, "high"); });
   show_refusal([&] { assign_groups(packing, "high: log(-y)"); });
 }
+
+const RoomTest test("cell_groups", run);
+} // namespace test_cell_groups

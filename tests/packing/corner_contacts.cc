@@ -13,6 +13,8 @@
 #include "polygons.h"
 #include "tests.h"
 
+namespace test_corner_contacts
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -103,9 +105,12 @@ void others()
                             .size() == 5);
 }
 
-int main()
+void run()
 {
   diamond();
   plank();
   others();
 }
+
+const RoomTest test("corner_contacts", run);
+} // namespace test_corner_contacts

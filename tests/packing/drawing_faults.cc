@@ -16,6 +16,8 @@
 #include "tests.h"
 #include <filesystem>
 
+namespace test_drawing_faults
+{
 using namespace Voussoir;
 using dealii::Point;
 namespace fs = std::filesystem;
@@ -126,7 +128,7 @@ void nearest()
         !tree.nearest(3, [](unsigned int) { return false; }));
 }
 
-int main()
+void run()
 {
   work_in_own_directory();
   std::cout << "Two squares side by side" << std::endl;
@@ -174,3 +176,6 @@ int main()
       "");
   nearest();
 }
+
+const RoomTest test("drawing_faults", run);
+} // namespace test_drawing_faults

@@ -9,6 +9,8 @@
 
 #include "tests.h"
 
+namespace test_grids
+{
 using namespace Voussoir;
 
 template <typename Generator>
@@ -165,7 +167,7 @@ void check_grids()
   check("another seed, another grid", moved != vertices("0.2", 2));
 }
 
-int main()
+void run()
 {
   for (const bool pointed : {true, false})
   {
@@ -188,3 +190,6 @@ int main()
     std::cout << "the perturbation is bounded: OK" << std::endl;
   }
 }
+
+const RoomTest test("grids", run);
+} // namespace test_grids

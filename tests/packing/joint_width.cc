@@ -20,6 +20,8 @@
 #include <numeric>
 #include <optional>
 
+namespace test_joint_width
+{
 using namespace Voussoir;
 using dealii::Point;
 
@@ -404,7 +406,7 @@ void test_openings()
   });
 }
 
-int main()
+void run()
 {
   test_walls();
   test_stones();
@@ -412,3 +414,6 @@ int main()
   test_thin_blocks();
   test_openings();
 }
+
+const RoomTest test("joint_width", run);
+} // namespace test_joint_width

@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_packing_failures
+{
 using namespace Voussoir;
 
 void refuse(const std::vector<dealii::Point<2>> &vertices,
@@ -19,7 +21,7 @@ void refuse(const std::vector<dealii::Point<2>> &vertices,
   show_refusal([&] { Packing packing(cells); });
 }
 
-int main()
+void run()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse({{0, 0}, {1, 0}});
@@ -43,3 +45,6 @@ int main()
   cells.first = {0, 4, 8};
   show_refusal([&] { Packing packing(cells); });
 }
+
+const RoomTest test("packing_failures", run);
+} // namespace test_packing_failures

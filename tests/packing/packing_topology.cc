@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_packing_topology
+{
 using namespace Voussoir;
 
 CellLoops three_blocks()
@@ -19,7 +21,7 @@ CellLoops three_blocks()
   return cells;
 }
 
-int main()
+void run()
 {
   const Packing packing(three_blocks());
   std::cout << packing.n_cells() << " cells, " << packing.interfaces().size()
@@ -66,3 +68,6 @@ int main()
             << connected_groups(two)[1] << ", static indeterminacy "
             << static_indeterminacy(two) << std::endl;
 }
+
+const RoomTest test("packing_topology", run);
+} // namespace test_packing_topology

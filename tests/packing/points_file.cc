@@ -8,6 +8,8 @@
 #include "tests.h"
 #include <fstream>
 
+namespace test_points_file
+{
 using namespace Voussoir;
 
 PointList read(const std::string &content)
@@ -16,7 +18,7 @@ PointList read(const std::string &content)
   return read_points_file("points.txt");
 }
 
-int main()
+void run()
 {
   const PointList list = read("# x y\n1 2\n\n 3,4 # a comment\r\n\t5;\t6e-1\n"
                               "-.5 +1E2\n");
@@ -28,3 +30,6 @@ int main()
     show_refusal([&] { read(content); });
   show_refusal([] { read_points_file("."); });
 }
+
+const RoomTest test("points_file", run);
+} // namespace test_points_file

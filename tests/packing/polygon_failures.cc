@@ -9,6 +9,8 @@
 #include "tests.h"
 #include <filesystem>
 
+namespace test_polygon_failures
+{
 using namespace Voussoir;
 
 const std::string square = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
@@ -182,7 +184,7 @@ void test_files()
   });
 }
 
-int main()
+void run()
 {
   test_rings();
   test_wkt();
@@ -191,3 +193,6 @@ int main()
   test_off();
   test_files();
 }
+
+const RoomTest test("polygon_failures", run);
+} // namespace test_polygon_failures

@@ -15,6 +15,8 @@
 #include <iomanip>
 #include <map>
 
+namespace test_polygon_matching
+{
 using namespace Voussoir;
 
 using Ring = std::vector<dealii::Point<2>>;
@@ -338,7 +340,7 @@ void test_star_shapes()
             packing.not_seen_whole().empty() && !hook.is_seen_whole(0));
 }
 
-int main()
+void run()
 {
   test_star_shapes();
   test_contacts();
@@ -355,3 +357,6 @@ int main()
                   {"trip.wkt"});
   test_groups();
 }
+
+const RoomTest test("polygon_matching", run);
+} // namespace test_polygon_matching

@@ -8,6 +8,8 @@
 #include "tests.h"
 #include <fstream>
 
+namespace test_voronoi_generator
+{
 using namespace Voussoir;
 
 Packing generate(const std::string &settings)
@@ -29,7 +31,7 @@ double spread(const Packing &packing)
   return std::sqrt(variance);
 }
 
-int main()
+void run()
 {
   const std::string number = "set Number of points = 400\n";
   const Packing first = generate(number + "set Seed = 5");
@@ -77,3 +79,6 @@ int main()
   show_refusal(
       [] { generate("set Points = file\nset Points file = close.txt"); });
 }
+
+const RoomTest test("voronoi_generator", run);
+} // namespace test_voronoi_generator

@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_voronoi_gradation
+{
 using namespace Voussoir;
 
 const std::string hexagon = "set Domain = polygon\n"
@@ -129,7 +131,7 @@ void check_gradation()
               largest_distance(random, generate(many + smooth)), 0.);
 }
 
-int main()
+void run()
 {
   check_density();
   check_gradation();
@@ -145,3 +147,6 @@ int main()
   show_refusal(
       [] { generate("set Cell size = abs(x - 0.123456789) + 1e-200"); });
 }
+
+const RoomTest test("voronoi_gradation", run);
+} // namespace test_voronoi_gradation

@@ -9,6 +9,8 @@
 
 #include "tests.h"
 
+namespace test_voronoi_polygons
+{
 using namespace Voussoir;
 using dealii::Point;
 
@@ -235,7 +237,7 @@ void refuse(const std::vector<Point<2>> &vertices)
   show_refusal([&] { ConvexPolygon polygon(vertices); });
 }
 
-int main()
+void run()
 {
   check_polygon("hexagon", regular(6));
   check_polygon("octagon", regular(8));
@@ -272,3 +274,6 @@ int main()
   list.points = {{0., 0.}, {0.9, 0.9}};
   show_refusal([&] { voronoi_cells(list, regular(6)); });
 }
+
+const RoomTest test("voronoi_polygons", run);
+} // namespace test_voronoi_polygons

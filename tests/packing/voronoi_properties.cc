@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_voronoi_properties
+{
 using namespace Voussoir;
 
 /** The defining properties, whatever the points. */
@@ -73,7 +75,7 @@ PointList points(const std::vector<dealii::Point<2>> &list)
   return result;
 }
 
-int main()
+void run()
 {
   const Rectangle unit = {{0, 0}, {1, 1}};
   const Rectangle long_one = {{-30, 5}, {10, 5.5}};
@@ -127,3 +129,6 @@ int main()
   check("  the centre has twelve sides",
         Packing(voronoi_cells(ring, unit)).n_sides(0) == 12);
 }
+
+const RoomTest test("voronoi_properties", run);
+} // namespace test_voronoi_properties

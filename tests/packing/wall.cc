@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_wall
+{
 using namespace Voussoir;
 
 void check_running_bond(const unsigned int courses, const unsigned int bricks)
@@ -126,7 +128,7 @@ void check_bonds(const unsigned int n)
   check("  Flemish headers centred over stretchers", centred);
 }
 
-int main()
+void run()
 {
   check_running_bond(1, 1);
   check_running_bond(2, 1);
@@ -143,3 +145,6 @@ int main()
   check("Flemish courses", head_joints_of(bonded("Flemish", 4))[0] == even &&
                                head_joints_of(bonded("Flemish", 4))[1] == odd);
 }
+
+const RoomTest test("wall", run);
+} // namespace test_wall

@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_wall_openings
+{
 using namespace Voussoir;
 
 /** A wall 20 long and 10 high; a stretcher is 4 long, a course 1 high. */
@@ -105,7 +107,7 @@ void refuse(const std::string &settings)
   show_refusal([&] { generate(settings); });
 }
 
-int main()
+void run()
 {
   const double area = 200., perimeter = 60.;
   check_wall("a window", "set Openings = 8, 2, 12, 6", area - 16.,
@@ -141,3 +143,6 @@ int main()
   refuse("set Openings = 8, 2, 12, 6; 12.4, 2, 14, 6");
   refuse("set Openings = 0, 0, 20, 10");
 }
+
+const RoomTest test("wall_openings", run);
+} // namespace test_wall_openings

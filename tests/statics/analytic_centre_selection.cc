@@ -10,6 +10,8 @@
 
 #include "tests.h"
 
+namespace test_analytic_centre_selection
+{
 using namespace Voussoir;
 
 /** That derivative along g - f, over the sum of its terms' sizes. */
@@ -61,7 +63,7 @@ InterfaceForces from_start(const Scene &scene,
                                          0., quiet));
 }
 
-int main()
+void run()
 {
   const Scene scene = scene_under_stress(random_packing(150, 3), 0.5,
                                          tensor(-1.2, 0.1, 0.1, -0.8));
@@ -103,3 +105,6 @@ int main()
                 tolerance);
   }
 }
+
+const RoomTest test("analytic_centre_selection", run);
+} // namespace test_analytic_centre_selection

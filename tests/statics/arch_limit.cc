@@ -11,6 +11,8 @@
 
 #include "tests.h"
 
+namespace test_arch_limit
+{
 using namespace Voussoir;
 
 /** A semicircle of mean radius R on its springings, weight gamma. */
@@ -37,7 +39,7 @@ Scene arch(const unsigned int n,
   return Scene(std::move(packing), strengths, std::move(loads));
 }
 
-int main()
+void run()
 {
   // The limits have six digits.
   const double margin = 1e-5;
@@ -79,3 +81,6 @@ int main()
                           .work_over_dissipation > 1.);
       }
 }
+
+const RoomTest test("arch_limit", run);
+} // namespace test_arch_limit

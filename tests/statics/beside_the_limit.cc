@@ -10,6 +10,8 @@
 
 #include "tests.h"
 
+namespace test_beside_the_limit
+{
 using namespace Voussoir;
 using dealii::Tensor;
 
@@ -65,7 +67,7 @@ bool is_open(const Scene &scene)
   }
 }
 
-int main()
+void run()
 {
   unsigned int n_open_within = 0, n_open_beyond = 0;
   for (const unsigned int n : {8, 9, 10, 11, 12})
@@ -93,3 +95,6 @@ int main()
   check("some forces by the factor of all loads", n_open_within > 0);
   check("some mechanisms by it", n_open_beyond > 0);
 }
+
+const RoomTest test("beside_the_limit", run);
+} // namespace test_beside_the_limit

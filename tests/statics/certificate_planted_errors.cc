@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_certificate_planted_errors
+{
 using namespace Voussoir;
 
 void show(const std::string &what, const Certificate &c)
@@ -96,7 +98,7 @@ void light_below_heavy()
             planted.largest.kind == LargestError::Kind::balance);
 }
 
-int main()
+void run()
 {
   light_below_heavy();
   for (const Kinematics *kinematics : {&translations(), &rotations()})
@@ -183,3 +185,6 @@ int main()
                        1.),
               1e-9);
 }
+
+const RoomTest test("certificate_planted_errors", run);
+} // namespace test_certificate_planted_errors

@@ -16,6 +16,8 @@
 
 #include "tests.h"
 
+namespace test_coulomb
+{
 using namespace Voussoir;
 using dealii::Tensor;
 
@@ -295,7 +297,7 @@ void acceleration()
   check_error("three eigenvalues take four steps", error, 1e-9);
 }
 
-int main()
+void run()
 {
   states();
   factors();
@@ -305,3 +307,6 @@ int main()
   words();
   acceleration();
 }
+
+const RoomTest test("coulomb", run);
+} // namespace test_coulomb

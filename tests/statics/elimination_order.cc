@@ -12,6 +12,8 @@
 #include <cholmod.h>
 #include <iterator>
 
+namespace test_elimination_order
+{
 using namespace Voussoir;
 
 /** The bodies of a square grid touch those beside and at their corners. */
@@ -77,7 +79,7 @@ std::size_t n_entries_of_factors(const std::vector<std::vector<int>> &later,
   return n;
 }
 
-int main()
+void run()
 {
   const std::vector<std::vector<int>> later = later_neighbours();
   cholmod_common common;
@@ -114,3 +116,6 @@ int main()
   cholmod_finish(&common);
   check("nothing is left allocated", common.malloc_count == 0);
 }
+
+const RoomTest test("elimination_order", run);
+} // namespace test_elimination_order

@@ -10,6 +10,8 @@
 #include "tests.h"
 #include <cmath>
 
+namespace test_equilibrate
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -170,7 +172,7 @@ void try_limits()
   check("  and slide on", n_kept == n_limits);
 }
 
-int main()
+void run()
 {
   try_pile();
   try_smallest();
@@ -199,3 +201,6 @@ int main()
         std::abs(balanced.correction.value() - change / largest) < 1e-15 &&
             balanced.correction > 1e-6);
 }
+
+const RoomTest test("equilibrate", run);
+} // namespace test_equilibrate

@@ -8,6 +8,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_biaxial
+{
 using namespace Voussoir;
 
 void try_load(const Way &way, const Packing &packing, const double d)
@@ -38,7 +40,7 @@ void try_load(const Way &way, const Packing &packing, const double d)
             << std::endl;
 }
 
-int main()
+void run()
 {
   const Packing squares = turned_squares(46);
   std::cout << squares.n_cells() << " turned squares" << std::endl;
@@ -52,3 +54,6 @@ int main()
     for (const double d : {0.2999, 0.31, 0.65, 0.651, 0.9})
       try_load(way, random, d);
 }
+
+const RoomTest test("formulations_biaxial", run);
+} // namespace test_formulations_biaxial

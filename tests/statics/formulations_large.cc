@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_large
+{
 using namespace Voussoir;
 
 void solve(const Way &way,
@@ -23,7 +25,7 @@ void solve(const Way &way,
   check_error("  admissibility", certificate.admissibility_violation, 1e-9);
 }
 
-int main()
+void run()
 {
   for (const double strength : {10., 0.3})
   {
@@ -34,3 +36,6 @@ int main()
     solve(centre, S, strength, 60);
   }
 }
+
+const RoomTest test("formulations_large", run);
+} // namespace test_formulations_large

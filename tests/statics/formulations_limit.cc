@@ -6,6 +6,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_limit
+{
 using namespace Voussoir;
 
 void try_strength(const Way &way, const double strength)
@@ -108,7 +110,7 @@ void try_marks(const Way &way)
   }
 }
 
-int main()
+void run()
 {
   for (const Way &way : all_ways)
     for (const double strength : {10., 1.5, 1.001, 1., 0.999, 0.9, 0.1})
@@ -124,3 +126,6 @@ int main()
   for (const Way &way : {centre, centre_equal})
     try_marks(way);
 }
+
+const RoomTest test("formulations_limit", run);
+} // namespace test_formulations_limit

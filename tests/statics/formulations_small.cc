@@ -5,6 +5,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_small
+{
 using namespace Voussoir;
 
 void solve(const std::string &what, const Scene &scene)
@@ -41,7 +43,7 @@ Packing two_groups()
   return Packing(std::move(cells));
 }
 
-int main()
+void run()
 {
   const auto pressure = tensor(-1, 0, 0, -1);
   for (const unsigned int n : {1, 2, 3})
@@ -80,3 +82,6 @@ int main()
                 1e-8);
   }
 }
+
+const RoomTest test("formulations_small", run);
+} // namespace test_formulations_small

@@ -5,9 +5,11 @@
 
 #include "tests.h"
 
+namespace test_formulations_symmetry
+{
 using namespace Voussoir;
 
-int main()
+void run()
 {
   const Scene scene =
       scene_with(wall(9, 5), 0.6,
@@ -55,3 +57,6 @@ int main()
     check(way.name + ": forces differ", most - least > 0.05);
   }
 }
+
+const RoomTest test("formulations_symmetry", run);
+} // namespace test_formulations_symmetry

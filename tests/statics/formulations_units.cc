@@ -6,6 +6,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_units
+{
 using namespace Voussoir;
 
 /** Forces over (stress x length), of a packing that slides in places. */
@@ -40,7 +42,7 @@ void compare_displacements(const Way &way,
               1e-12);
 }
 
-int main()
+void run()
 {
   for (const Way &way : all_ways)
   {
@@ -69,3 +71,6 @@ int main()
   compare_displacements(hard, "set Smoothing length = 1e3", 1e-3);
   compare_displacements(least_energy, "set Modulus = 1e3", 1e3);
 }
+
+const RoomTest test("formulations_units", run);
+} // namespace test_formulations_units

@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_formulations_verification
+{
 using namespace Voussoir;
 
 void verify(const std::string &name,
@@ -41,7 +43,7 @@ void verify(const std::string &name,
               << std::endl;
 }
 
-int main()
+void run()
 {
   for (const Way &way : all_ways)
   {
@@ -51,3 +53,6 @@ int main()
            {{0.5, 1. / 6}, {0.5, 5. / 6}, {1. / 6, 0.5}, {5. / 6, 0.5}}, way);
   }
 }
+
+const RoomTest test("formulations_verification", run);
+} // namespace test_formulations_verification

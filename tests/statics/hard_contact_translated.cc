@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_hard_contact_translated
+{
 using namespace Voussoir;
 using dealii::Point;
 
@@ -22,7 +24,7 @@ CellLoops moved(CellLoops cells, const double distance)
   return cells;
 }
 
-int main()
+void run()
 {
   for (const unsigned int seed : {1u, 2u, 3u, 4u})
   {
@@ -41,3 +43,6 @@ int main()
     check_error("residual", certify(near, forces).equilibrium_residual, 1e-10);
   }
 }
+
+const RoomTest test("hard_contact_translated", run);
+} // namespace test_hard_contact_translated

@@ -8,6 +8,8 @@
 
 #include "tests.h"
 
+namespace test_interior_point
+{
 using namespace Voussoir;
 
 /** What each joint costs in the formulation @p way. */
@@ -107,7 +109,7 @@ void follow(const double strength, const double smoothing)
               1e-9);
 }
 
-int main()
+void run()
 {
   compare("random cells", scene_under_stress(random_packing(300, 1), 0.35,
                                              tensor(-0.3, 0., 0., -1.7)));
@@ -125,3 +127,6 @@ int main()
   follow(2., 0.5);
   follow(1e-4, 1e-3);
 }
+
+const RoomTest test("interior_point", run);
+} // namespace test_interior_point

@@ -13,6 +13,8 @@
 #include <random>
 #include <vector>
 
+namespace test_joint_laws_derivatives
+{
 using namespace Voussoir;
 
 /** Of a joint with one contact: normal, and tangential. */
@@ -104,7 +106,7 @@ void sections()
   check_error("even", distance(whole.forces(-0.1, -0.1), {-0.1, -0.1}), 1e-15);
 }
 
-int main()
+void run()
 {
   sections();
   const Scene scene =
@@ -145,3 +147,6 @@ int main()
     check("fixed: p = 0, q = -b", force(law, {-1., 3.}) == Pair{0., -b});
   }
 }
+
+const RoomTest test("joint_laws_derivatives", run);
+} // namespace test_joint_laws_derivatives

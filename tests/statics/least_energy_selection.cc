@@ -7,6 +7,8 @@
 
 #include "tests.h"
 
+namespace test_least_energy_selection
+{
 using namespace Voussoir;
 
 /** sum_e d_e/|e| f_e . (g_e - f_e), over the energy of f. */
@@ -43,7 +45,7 @@ void compare(const std::string &what, const Scene &scene)
                 -slope(scene, f, Solver(way).forces(scene)), 1e-8);
 }
 
-int main()
+void run()
 {
   // With S symmetric or not, the latter with residual torques.
   for (const auto &[S, strength] :
@@ -86,3 +88,6 @@ int main()
   check_error("which balance", certify(scene, forces).equilibrium_residual,
               1e-10);
 }
+
+const RoomTest test("least_energy_selection", run);
+} // namespace test_least_energy_selection

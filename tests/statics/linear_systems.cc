@@ -11,6 +11,8 @@
 #include "tests.h"
 #include <random>
 
+namespace test_linear_systems
+{
 using namespace Voussoir;
 
 /** Of any right-hand side, with the least shift; relative, by the norm. */
@@ -54,7 +56,7 @@ std::vector<double> coefficients(const DiscreteProblem &problem,
   return a;
 }
 
-int main()
+void run()
 {
   const Scene scene =
       scene_under_stress(random_packing(500, 1), 1., tensor(-1., 0., 0., -1.));
@@ -78,3 +80,6 @@ int main()
     }
   }
 }
+
+const RoomTest test("linear_systems", run);
+} // namespace test_linear_systems

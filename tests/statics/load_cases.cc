@@ -15,6 +15,8 @@
 #include <fstream>
 #include <set>
 
+namespace test_load_cases
+{
 using namespace Voussoir;
 
 void show_combination(const std::string &combination)
@@ -121,7 +123,7 @@ end
   run({"scene.prm", "--set", "Load cases/push/Bodyforce=0; 1"});
 }
 
-int main()
+void run()
 {
   for (const char *combination :
        {"", "dead", "1.35 dead + 1.5 lorry", "-dead", "2*dead-.5*wind",
@@ -134,3 +136,6 @@ int main()
   same_as_sum();
   in_the_program();
 }
+
+const RoomTest test("load_cases", run);
+} // namespace test_load_cases

@@ -10,6 +10,8 @@
 
 #include "tests.h"
 
+namespace test_load_factor
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -286,7 +288,7 @@ void no_dead_loads()
                              *kinematics);
 }
 
-int main()
+void run()
 {
   dry_walls();
   block();
@@ -294,3 +296,6 @@ int main()
   early_ends();
   no_dead_loads();
 }
+
+const RoomTest test("load_factor", run);
+} // namespace test_load_factor

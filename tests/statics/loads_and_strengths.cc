@@ -13,6 +13,8 @@
 
 #include "tests.h"
 
+namespace test_loads_and_strengths
+{
 using namespace Voussoir;
 
 Loads loads_on(const Packing &packing, const std::string &settings)
@@ -43,7 +45,7 @@ double mean_square(const double a, const double b)
   return (a * a + a * b + b * b) / 3.;
 }
 
-int main()
+void run()
 {
   const Packing packing = random_packing(100, 1);
 
@@ -318,3 +320,6 @@ int main()
   show_refusal([&] { strengths(bricks, "1", "brick, stone: 2"); });
   show_refusal([&] { strengths(bricks, "1", "brick, brick: -2"); });
 }
+
+const RoomTest test("loads_and_strengths", run);
+} // namespace test_loads_and_strengths

@@ -14,6 +14,8 @@
 #include "tests.h"
 #include <iomanip>
 
+namespace test_loads_that_jump
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -238,7 +240,7 @@ void check_warnings()
   show_refusal([&] { loads_on(packing, "set Body force = 0; sin(1e7*x)"); });
 }
 
-int main()
+void run()
 {
   check_sliding();
   check_body_forces();
@@ -246,3 +248,6 @@ int main()
   check_segments();
   check_warnings();
 }
+
+const RoomTest test("loads_that_jump", run);
+} // namespace test_loads_that_jump

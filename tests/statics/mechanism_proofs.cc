@@ -8,6 +8,8 @@
 
 #include "tests.h"
 
+namespace test_mechanism_proofs
+{
 using namespace Voussoir;
 
 /** u_c = G x_c, cell by cell. */
@@ -45,7 +47,7 @@ void try_proof(const std::string &what,
             << std::endl;
 }
 
-int main()
+void run()
 {
   const auto shear = tensor(0, 1, 0, 0);
   try_proof("sliding, s = 0.5", shear_wall(0.5), shear);
@@ -70,3 +72,6 @@ int main()
               scene_under_stress(random_packing(2, 1), strength, pressure),
               pressure);
 }
+
+const RoomTest test("mechanism_proofs", run);
+} // namespace test_mechanism_proofs

@@ -20,6 +20,8 @@
 #include <map>
 #include <numeric>
 
+namespace test_mortar_joints
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -430,7 +432,7 @@ void test_moments()
   check_error("symmetry of the mean stress", skew, 1e-10);
 }
 
-int main()
+void run()
 {
   test_geometry();
   test_walls();
@@ -439,3 +441,6 @@ int main()
   test_random_stones();
   test_moments();
 }
+
+const RoomTest test("mortar_joints", run);
+} // namespace test_mortar_joints

@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+namespace test_network
+{
 using namespace Voussoir;
 
 /** Two ways of capacity 3 and 2, of which the second is one way only. */
@@ -55,9 +57,12 @@ void try_random(const unsigned int seed)
             !network.is_cut_off(n - 1));
 }
 
-int main()
+void run()
 {
   try_two_ways();
   for (unsigned int seed = 1; seed <= 6; ++seed)
     try_random(seed);
 }
+
+const RoomTest test("network", run);
+} // namespace test_network

@@ -15,6 +15,8 @@
 #include "tests.h"
 #include <random>
 
+namespace test_normal_limits
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -381,7 +383,7 @@ void utilisations()
   check("more is not", largest_below == 0.);
 }
 
-int main()
+void run()
 {
   columns();
   utilisations();
@@ -390,3 +392,6 @@ int main()
   states_of_least_energy();
   resistances();
 }
+
+const RoomTest test("normal_limits", run);
+} // namespace test_normal_limits

@@ -10,6 +10,8 @@
 
 #include "tests.h"
 
+namespace test_openings
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -94,7 +96,7 @@ double imbalance_of_self_stress(const Scene &scene,
   return size > 0. ? left / size : 1e300;
 }
 
-int main()
+void run()
 {
   // p = W / (2 sin(atan(taper))) on both sides.
   for (const double taper : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10})
@@ -172,3 +174,6 @@ int main()
                                                    scene, problem) <= 1e-12));
   }
 }
+
+const RoomTest test("openings", run);
+} // namespace test_openings

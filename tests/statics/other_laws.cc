@@ -9,6 +9,8 @@
 
 #include "tests.h"
 
+namespace test_other_laws
+{
 using namespace Voussoir;
 
 /** Translations, and a third unknown that is idle. */
@@ -81,7 +83,7 @@ double used_of_first(const Scene &scene, const Way &way)
   return Utilisation(scene, forces)(0);
 }
 
-int main()
+void run()
 {
   const Idle idle;
   const Twice twice;
@@ -107,3 +109,6 @@ int main()
                      used_of_first(known, centre)) < 1e-8);
   }
 }
+
+const RoomTest test("other_laws", run);
+} // namespace test_other_laws

@@ -8,7 +8,10 @@
 #include <voussoir/scene/supports.h>
 
 #include "judgement.h"
+#include "room.h"
 
+namespace test_overturning
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -97,7 +100,7 @@ void try_random_cells()
   check("none that is held collapses", n_wrong == 0);
 }
 
-int main()
+void run()
 {
   for (const double share : {0.1, 0.2999, 0.3001, 0.5})
     try_column(share);
@@ -110,3 +113,6 @@ int main()
   check("nothing holds a couple without pressure",
         found && found->resistance < 1e-9 * std::abs(found->moment));
 }
+
+const RoomTest test("overturning", run);
+} // namespace test_overturning

@@ -20,6 +20,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace test_ranges
+{
 using namespace Voussoir;
 using dealii::Tensor;
 
@@ -365,7 +367,7 @@ void refusals()
   });
 }
 
-int main()
+void run()
 {
   wall_of_33();
   column(translations());
@@ -379,3 +381,6 @@ int main()
   random_packings();
   refusals();
 }
+
+const RoomTest test("ranges", run);
+} // namespace test_ranges

@@ -10,6 +10,8 @@
 #include "tests.h"
 #include <tuple>
 
+namespace test_rotations
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -167,7 +169,7 @@ double least_thickness(const unsigned int n, const bool on_line)
   return carried;
 }
 
-int main()
+void run()
 {
   for (const unsigned int n : {1, 10, 100})
     approach("a column of " + std::to_string(n), 0.3, 1e-9, {least_energy},
@@ -202,3 +204,6 @@ int main()
   check_error("the limit, weight of the sectors",
               std::abs(least_thickness(640, false) - 0.107477743), 1e-6);
 }
+
+const RoomTest test("rotations", run);
+} // namespace test_rotations

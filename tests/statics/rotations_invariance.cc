@@ -5,11 +5,14 @@
 // the place where it acts.
 
 #include "judgement.h"
+#include "room.h"
 #include <array>
 #include <map>
 #include <numeric>
 #include <random>
 
+namespace test_rotations_invariance
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -131,7 +134,7 @@ double difference(const Forces &a, const Forces &b)
   return worst.error;
 }
 
-int main()
+void run()
 {
   constexpr unsigned int n_cells = 80;
   const CellLoops cells =
@@ -154,3 +157,6 @@ int main()
                   difference(reference, forces_of(cells, view, way)), 1e-8);
   }
 }
+
+const RoomTest test("rotations_invariance", run);
+} // namespace test_rotations_invariance

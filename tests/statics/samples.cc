@@ -17,6 +17,8 @@
 #include "tests.h"
 #include <cmath>
 
+namespace test_samples
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -371,7 +373,7 @@ void refusals()
   show_refusal([&] { parameters.samples(); });
 }
 
-int main()
+void run()
 {
   closed_forms();
   honest_errors();
@@ -382,3 +384,6 @@ int main()
   within_ranges();
   refusals();
 }
+
+const RoomTest test("samples", run);
+} // namespace test_samples

@@ -4,11 +4,13 @@
 
 #include "tests.h"
 
+namespace test_scene_balance
+{
 using namespace Voussoir;
 
 using Vector = dealii::Tensor<1, 2>;
 
-int main()
+void run()
 {
   // Forces whose squares are beyond the numbers are refused, not lost.
   for (const double size : {1e160, 1e-170})
@@ -64,3 +66,6 @@ int main()
   check_error("their certificate", certify(scene, forces).equilibrium_residual,
               1e-15);
 }
+
+const RoomTest test("scene_balance", run);
+} // namespace test_scene_balance

@@ -15,6 +15,8 @@
 
 #include "tests.h"
 
+namespace test_settlement
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -358,7 +360,7 @@ void refusals()
   show_refusal([&] { find_settlement(scene, motion_of(packing, "0; 1")); });
 }
 
-int main()
+void run()
 {
   spreading_arch(0.15);
   spreading_arch(0.3);
@@ -373,3 +375,6 @@ int main()
   groups();
   refusals();
 }
+
+const RoomTest test("settlement", run);
+} // namespace test_settlement

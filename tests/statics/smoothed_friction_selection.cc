@@ -9,6 +9,8 @@
 
 #include "tests.h"
 
+namespace test_smoothed_friction_selection
+{
 using namespace Voussoir;
 
 /**
@@ -61,7 +63,7 @@ std::vector<double> analytic_centre(const Scene &scene, std::vector<double> p)
   return {};
 }
 
-int main()
+void run()
 {
   const Scene scene =
       scene_under_stress(random_packing(60, 4), 10, tensor(-1, 0, 0, -1));
@@ -97,3 +99,6 @@ int main()
   check_error("hard: equilibrium", certify(scene, rigid).equilibrium_residual,
               1e-9);
 }
+
+const RoomTest test("smoothed_friction_selection", run);
+} // namespace test_smoothed_friction_selection

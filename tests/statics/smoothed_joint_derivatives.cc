@@ -9,6 +9,8 @@
 #include "tests.h"
 #include <vector>
 
+namespace test_smoothed_joint_derivatives
+{
 using namespace Voussoir;
 
 /** Of a joint with one contact: normal, and tangential. */
@@ -28,7 +30,7 @@ Pair curvature_of(const SmoothedJoint &law, const Pair &jumps)
   return second;
 }
 
-int main()
+void run()
 {
   const Scene scene =
       scene_under_stress(random_packing(2, 1), 0.7, tensor(-1, 0, 0, -1));
@@ -86,3 +88,6 @@ int main()
                 1e-12);
   }
 }
+
+const RoomTest test("smoothed_joint_derivatives", run);
+} // namespace test_smoothed_joint_derivatives

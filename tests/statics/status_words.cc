@@ -10,6 +10,8 @@
 #include "polygons.h"
 #include "tests.h"
 
+namespace test_status_words
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -159,7 +161,7 @@ void check_near_limit(const std::string &what,
         status_of(above, way) != Status::Kind::collapse);
 }
 
-int main()
+void run()
 {
   const std::vector<Way> ways = {least_energy,   compliant, hard,
                                  linear_program, centre,    centre_equal};
@@ -219,3 +221,6 @@ int main()
                          certificate.admissibility_violation) &&
             found.status.within > largest_accepted_error);
 }
+
+const RoomTest test("status_words", run);
+} // namespace test_status_words

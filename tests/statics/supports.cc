@@ -11,6 +11,8 @@
 
 #include "tests.h"
 
+namespace test_supports
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -85,7 +87,7 @@ void check_certificate(const std::string &what,
   check_error(what + ": violation", certificate.admissibility_violation, 1e-9);
 }
 
-int main()
+void run()
 {
   // The stress at depth z of a column is -gamma z, whatever the formulation.
   const double gamma = 20.;
@@ -262,3 +264,6 @@ int main()
   two.vertices[5] = {2., 1.};
   show_refusal([&] { under_weight(Packing(two), 1., 1., "y < 0.1"); });
 }
+
+const RoomTest test("supports", run);
+} // namespace test_supports

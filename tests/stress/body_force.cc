@@ -13,6 +13,8 @@
 
 #include "tests.h"
 
+namespace test_body_force
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -52,7 +54,7 @@ double error_of_divergence(const Scene &scene, const StressField &field)
   return error;
 }
 
-int main()
+void run()
 {
   std::ostringstream nowhere;
   Terminal &quiet = Terminal::silent();
@@ -133,3 +135,6 @@ int main()
   check_error("grains held all around: residual",
               certify(grains, forces).equilibrium_residual, 1e-9);
 }
+
+const RoomTest test("body_force", run);
+} // namespace test_body_force

@@ -16,6 +16,8 @@
 #include "tests.h"
 #include <map>
 
+namespace test_cell_spaces_fe_values
+{
 using namespace Voussoir;
 using dealii::FEValues;
 using dealii::Point;
@@ -299,7 +301,7 @@ void Spaces::compare_numbers(const dealii::DoFHandler<2> &dof_handler)
   errors["numbers"] += (of_unknown.size() != spaces.n_unknown_fluxes());
 }
 
-int main()
+void run()
 {
   const Packing packing = random_packing(60, 1);
   for (const bool is_fan : {true, false})
@@ -325,3 +327,6 @@ int main()
         check_error("  " + what, error, 1e-14);
     }
 }
+
+const RoomTest test("cell_spaces_fe_values", run);
+} // namespace test_cell_spaces_fe_values

@@ -19,6 +19,8 @@
 #include "tests.h"
 #include <map>
 
+namespace test_concave_stones
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -354,7 +356,7 @@ void body_forces()
   }
 }
 
-int main()
+void run()
 {
   pieces_cover();
   body_forces();
@@ -362,3 +364,6 @@ int main()
   walls();
   glued_pairs();
 }
+
+const RoomTest test("concave_stones", run);
+} // namespace test_concave_stones

@@ -12,6 +12,8 @@
 
 #include "tests.h"
 
+namespace test_couples
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -154,7 +156,7 @@ void compare(Fluxes<Solver> &solver, const double bottom, const double top)
     check_error("  skew part in each sub-cell", skew, 1e-12);
 }
 
-int main()
+void run()
 {
   Fluxes<Fan> fan(4);
   Fluxes<LeastNorm> coarse(4, 0, 0), fine(4, 1, 0);
@@ -190,3 +192,6 @@ int main()
                         {sub_cells.data(), sub_cells.size()}));
   }
 }
+
+const RoomTest test("couples", run);
+} // namespace test_couples

@@ -13,6 +13,8 @@
 
 #include "tests.h"
 
+namespace test_couples_in_scenes
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -184,7 +186,7 @@ void compare_linear(const std::string &name, const Packing &packing)
               0.02);
 }
 
-int main()
+void run()
 {
   compare_uniform(tensor(-1., 0.3, 0.3, -1.2), 4);
   compare_uniform(tensor(-1., 0., 0., -0.1), 5);
@@ -195,3 +197,6 @@ int main()
   compare_linear("random cells", random_packing(100, 3));
   compare_linear("wall", wall(8, 4));
 }
+
+const RoomTest test("couples_in_scenes", run);
+} // namespace test_couples_in_scenes

@@ -10,6 +10,8 @@
 
 #include "tests.h"
 
+namespace test_fan_constant_stress
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -60,7 +62,7 @@ double error_of_refined(const std::vector<Point<2>> &vertices,
   return error_of(least_norm, vertices, centre, S);
 }
 
-int main()
+void run()
 {
   const auto S = tensor(-1, 0.7, 0.7, 2);
   for (unsigned int n = 3; n <= 12; ++n)
@@ -160,3 +162,6 @@ int main()
   }
   check_error("3000 random cells", error, 1e-9);
 }
+
+const RoomTest test("fan_constant_stress", run);
+} // namespace test_fan_constant_stress

@@ -10,11 +10,13 @@
 
 #include "tests.h"
 
+namespace test_fan_torque
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
 
-int main()
+void run()
 {
   const std::vector<Point<2>> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const Point<2> centre(0.5, 0.5);
@@ -74,3 +76,6 @@ int main()
   check("no answer where there is none", !degenerate);
   check_error("the result is left alone", change, 0.);
 }
+
+const RoomTest test("fan_torque", run);
+} // namespace test_fan_torque

@@ -15,6 +15,8 @@
 
 #include "tests.h"
 
+namespace test_least_norm
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -92,7 +94,7 @@ double largest_skew(const std::vector<SubCellStress> &sub_cells)
   return largest;
 }
 
-int main()
+void run()
 {
   boost::random::mt19937 random(1);
   for (const unsigned int n : {3U, 4U, 6U, 11U})
@@ -143,3 +145,6 @@ int main()
       check_error("  resultant of div sigma", resultant.norm(), 1e-11);
     }
 }
+
+const RoomTest test("least_norm", run);
+} // namespace test_least_norm

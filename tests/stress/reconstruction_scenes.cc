@@ -11,6 +11,8 @@
 
 #include "tests.h"
 
+namespace test_reconstruction_scenes
+{
 using namespace Voussoir;
 using dealii::Tensor;
 
@@ -28,7 +30,7 @@ error_of_uniform(const Scene &scene, const Tensor<2, 2> &S, const Way &way)
   return error;
 }
 
-int main()
+void run()
 {
   const auto S = tensor(-1, -1, -1, -1);
   const Rectangle unit = {{0, 0}, {1, 1}};
@@ -80,3 +82,6 @@ int main()
         (field.sub_cells[k].stress - single.sub_cells[k].stress).norm());
   check_error("one thread or all", difference, 0.);
 }
+
+const RoomTest test("reconstruction_scenes", run);
+} // namespace test_reconstruction_scenes

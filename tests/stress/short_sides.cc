@@ -13,6 +13,8 @@
 
 #include "tests.h"
 
+namespace test_short_sides
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -172,7 +174,7 @@ bool is_solved(const double h, CellStress &cell_stress)
                            {sub_cells.data(), sub_cells.size()});
 }
 
-int main()
+void run()
 {
   for (const unsigned int n_cut : {1U, 2U, 3U})
     for (const double h : {1e-5, 1e-9, 1e-13})
@@ -243,3 +245,6 @@ int main()
     check("sides of 1e-9 or less, fine, are refused", !is_solved(h, fine));
   check("sides of 1e-12, standard, are refused", !is_solved(1e-12, fan));
 }
+
+const RoomTest test("short_sides", run);
+} // namespace test_short_sides

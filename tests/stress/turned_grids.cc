@@ -12,6 +12,8 @@
 
 #include "tests.h"
 
+namespace test_turned_grids
+{
 using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
@@ -146,7 +148,7 @@ void check_uniform(const Grid &grid)
     check_error("  " + name_of(grid.ways[k]), errors[k], bound);
 }
 
-int main()
+void run()
 {
   const Reconstruction standard, coarse = {true, 0, 0}, rich = {true, 0, 1},
                                  finer = {true, 1, 0};
@@ -195,3 +197,6 @@ int main()
                 relative_difference(under_sliding[0], under_sliding[1]), 1e-4);
   }
 }
+
+const RoomTest test("turned_grids", run);
+} // namespace test_turned_grids
