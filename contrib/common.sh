@@ -56,11 +56,13 @@ is_of_another_clone() {
 
 # Build a target in build/debug or build/release, with options NAME=VALUE for
 # CMake, which runs only if an option or the list of files has changed. The type
-# Debug:NAME is Debug in build/NAME. In a clone that was copied or moved nothing is
+# Debug:NAME is Debug in build/NAME. The files of a room are compiled as few, but
+# one by one with VOUSSOIR_JUMBO=OFF in the environment. In a clone that was copied or moved nothing is
 # kept, since paths in it lead to the sources of the other.
 build() {
   local type=${1%:*} name=${1#*:} target=$2 option stale=no
   shift 2
+  set -- VOUSSOIR_JUMBO="${VOUSSOIR_JUMBO:-ON}" "$@"
   directory="$top/build/${name,,}"
   if is_of_another_clone; then
     echo "$directory was copied or moved here, and is built anew"
@@ -69,7 +71,7 @@ build() {
     rm -f "$directory/Makefile" "$directory/voussoir"
   fi
   [ -e "$directory/voussoir" ] ||
-    echo "The first build of the program takes about five minutes on two cores"
+    echo "The first build of the program takes about three minutes on two cores"
   for option in "$@"; do
     grep -qs "^${option%%=*}:[A-Z]*=${option#*=}$" "$directory/CMakeCache.txt" ||
       stale=yes

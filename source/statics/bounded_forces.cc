@@ -11,7 +11,7 @@ namespace
 {
 /** The relative shifts of the diagonal: the first, the factor to the next. */
 constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
-                 largest_shift = 1e-2;
+                 largest_force_shift = 1e-2;
 
 /** The steps of conjugate gradients that may bring nothing. */
 constexpr unsigned int n_without_gain = 3;
@@ -111,7 +111,7 @@ bool BoundedForces::prepare(std::vector<double> k)
   for (const double weight : weights)
     if (!std::isfinite(weight))
       return false;
-  for (double shift = first_shift_of_forces; shift <= largest_shift;
+  for (double shift = first_shift_of_forces; shift <= largest_force_shift;
        shift *= factor_of_force_shift)
     if (factorise(shift))
       return true;

@@ -16,7 +16,6 @@ namespace Voussoir
 {
 namespace
 {
-using Joint = Structure::Joint;
 
 /**
  * The iterations after which the load may be one that is not carried; then the
@@ -93,7 +92,7 @@ void ElasticJoint::find_forces(const unsigned int e,
                                const double *jumps,
                                double *forces) const
 {
-  const Joint &joint = structure.joints()[e];
+  const Structure::Joint &joint = structure.joints()[e];
   const unsigned int n = structure.n_contacts();
   double normal = 0.;
   for (unsigned int r = 0; r < n; ++r)

@@ -33,7 +33,7 @@ constexpr std::array<double, 3> margins = {{1e1, 1e3, 1e5}};
 constexpr unsigned int n_refinements = 2;
 
 /** The largest shift whose error in the balance the refinements remove. */
-constexpr double largest_shift = 1.;
+constexpr double largest_correction_shift = 1.;
 
 /** The sum of all forces on each body, n_dofs() numbers. */
 std::vector<double> imbalance(const DiscreteProblem &problem,
@@ -153,7 +153,7 @@ bool correct(const DiscreteProblem &problem,
       weighted_stiffnesses(problem, forces, ample);
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
-    if ((shift *= factor_of_shift) > largest_shift)
+    if ((shift *= factor_of_shift) > largest_correction_shift)
       return false;
   for (unsigned int k = 0; k <= n_refinements; ++k)
   {

@@ -11,7 +11,6 @@ namespace Voussoir
 namespace
 {
 using dealii::Tensor;
-using Joint = DiscreteProblem::Joint;
 
 /**
  * The cosine of the angle between a support and the way that the ground is
@@ -80,7 +79,7 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   const auto for_supports = [&](const auto &visit) {
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      const Joint &joint = problem.joints()[e];
+      const DiscreteProblem::Joint &joint = problem.joints()[e];
       if (joint.cell_plus == problem.n_cells())
         visit(joint.length, problem.normal(e),
               problem.centres()[joint.cell_minus] +
@@ -113,7 +112,8 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
 }
 
 /** The error of n_e from the rounding of the coordinates. */
-double error_of_normal(const DiscreteProblem &problem, const Joint &joint)
+double error_of_normal(const DiscreteProblem &problem,
+                       const DiscreteProblem::Joint &joint)
 {
   return n_roundings * problem.rounding_of_coordinates() *
          (1. + 1. / joint.length);

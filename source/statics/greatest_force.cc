@@ -24,7 +24,7 @@ constexpr double wanted_width = 1e-10;
 constexpr double first_trial_force = 1e4;
 constexpr unsigned int n_between_forces = 2;
 /** The part of the width that an anchor may take, and the largest of it. */
-constexpr double share_of_width = 0.2, largest_share = 0.01;
+constexpr double share_of_width = 0.2, largest_share_of_width = 0.01;
 /** The largest closing of a motion that is a proof, and of its anchor. */
 constexpr double largest_closing_of_force = 1e-12,
                  largest_closing_of_force_anchor = 1e-13;
@@ -93,7 +93,7 @@ double ForceSearch::bound_of(const std::vector<double> &u) const
 /** The share of an anchor that far away. */
 double ForceSearch::share_for(const double distance, const double alpha) const
 {
-  return std::min(largest_share,
+  return std::min(largest_share_of_width,
                   share_of_width * wanted(alpha) / std::abs(distance));
 }
 

@@ -28,7 +28,7 @@ constexpr double share_of_anchor = 0.01;
  * Where a proof needs more of the anchor: the factor from one share to the
  * next, by which the proof may be too far away, and the largest share.
  */
-constexpr double larger_share = 10., largest_share = 0.5;
+constexpr double larger_share = 10., largest_inner_share = 0.5;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_load_factor = 1e-3;
@@ -260,13 +260,14 @@ void FactorSearch::look_farther(const SelfDual::Point &point)
 {
   const InvalidOperationsAllowed allowed;
   const double least = larger_share * share_of_anchor * controls.tolerance;
-  for (double share = least; anchor && !has_state && share <= largest_share;
+  for (double share = least;
+       anchor && !has_state && share <= largest_inner_share;
        share *= larger_share)
     keep_if_carried(state_near(by_rows.forces(), loads, point, anchor, share));
   if (anchor && !has_state)
     keep_if_carried(*anchor);
   for (double share = least;
-       open && !found.has_mechanism() && share <= largest_share;
+       open && !found.has_mechanism() && share <= largest_inner_share;
        share *= larger_share)
     keep_if_bound(by_rows.motion_of(
         mechanism_near(by_rows.forces(), loads, point, open, share).u));

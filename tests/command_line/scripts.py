@@ -38,7 +38,7 @@ touch "$build/CMakeFiles/object.o" "$build/tests/CMakeFiles/object.o"
 echo "echo ran in $build" >"$build/voussoir"
 chmod +x "$build/voussoir"
 """}
-FIRST = "The first build of the program takes about five minutes on two cores"
+FIRST = "The first build of the program takes about three minutes on two cores"
 
 
 def expect(what, holds, found=""):
