@@ -15,13 +15,19 @@ from pathlib import Path
 STAND_INS = {
     "dpkg-query": "echo install ok installed",
     "cmake": """
+options=()
 while [ $# -gt 0 ]; do
-  case $1 in -S) source=$2; shift ;; -B) build=$2; shift ;; esac
+  case $1 in
+    -S) source=$2; shift ;;
+    -B) build=$2; shift ;;
+    -D*) option=${1#-D}; options+=("${option%%=*}:UNINITIALIZED=${option#*=}") ;;
+  esac
   shift
 done
 mkdir -p "$build/CMakeFiles" "$build/tests/CMakeFiles"
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=$source" >"$build/CMakeCache.txt"
 echo "CMAKE_CACHEFILE_DIR:INTERNAL=$build" >>"$build/CMakeCache.txt"
+printf '%s\\n' "${options[@]}" >>"$build/CMakeCache.txt"
 echo "configured" >>"$build/log"
 touch "$build/Makefile"
 """,
