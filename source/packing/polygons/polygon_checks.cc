@@ -10,13 +10,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/intersections.h>
-#include <boost/variant/get.hpp>
+#include <boost/variant.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <variant>
 
 namespace Voussoir
 {
@@ -74,6 +75,20 @@ std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
   return points;
 }
 
+/** What a result of CGAL is, if it is a T: up to CGAL 5 a variant of Boost's.
+ */
+template <typename T, typename... Kinds>
+const T *held(const std::variant<Kinds...> &result)
+{
+  return std::get_if<T>(&result);
+}
+
+template <typename T, typename... Kinds>
+const T *held(const boost::variant<Kinds...> &result)
+{
+  return boost::get<T>(&result);
+}
+
 /** The place where two sides meet that should not, if they do. */
 std::optional<Point<2>> contact_of(const std::vector<Kernel::Point_2> &p,
                                    const std::size_t i,
@@ -85,12 +100,11 @@ std::optional<Point<2>> contact_of(const std::vector<Kernel::Point_2> &p,
   if (!contact)
     return {};
   // Sides that follow each other meet in a point; a segment is a spike.
-  const Kernel::Point_2 *point = boost::get<Kernel::Point_2>(&*contact);
+  const Kernel::Point_2 *point = held<Kernel::Point_2>(*contact);
   if (point != nullptr && ((i + 1) % n == j || (j + 1) % n == i))
     return {};
   const Kernel::Point_2 q =
-      point != nullptr ? *point
-                       : boost::get<Kernel::Segment_2>(&*contact)->source();
+      point != nullptr ? *point : held<Kernel::Segment_2>(*contact)->source();
   return Point<2>(q.x(), q.y());
 }
 
