@@ -6,14 +6,11 @@
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/terminal/interruption.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <malloc.h>
-#include <optional>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -44,16 +41,15 @@ void keep_memory()
 
 int main(int argc, char **argv)
 {
-  using namespace dealii;
   keep_memory();
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;
   Voussoir::Screens screens;
-  std::optional<Utilities::MPI::MPI_InitFinalize> mpi;
   Voussoir::Team team;
   if (Voussoir::started_by_mpirun())
   {
-    mpi.emplace(argc, argv);
+    Voussoir::begin_mpi();
+    Voussoir::share_cores();
     team = Voussoir::Team(MPI_COMM_WORLD);
     interruption.listen();
   }

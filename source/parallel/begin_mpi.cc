@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/parallel/begin_mpi.h>
 
+#include <deal.II/base/multithread_info.h>
+
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -77,5 +80,21 @@ void begin_mpi()
   int provided;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   std::atexit(end_mpi);
+}
+
+void share_cores()
+{
+  MPI_Comm machine;
+  int n_processes, rank;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL,
+                      &machine);
+  MPI_Comm_size(machine, &n_processes);
+  MPI_Comm_rank(machine, &rank);
+  MPI_Comm_free(&machine);
+  const unsigned int n_cores = dealii::MultithreadInfo::n_cores();
+  const unsigned int n_own =
+      n_cores / n_processes +
+      (static_cast<unsigned int>(rank) < n_cores % n_processes ? 1 : 0);
+  dealii::MultithreadInfo::set_thread_limit(std::max(n_own, 1U));
 }
 } // namespace Voussoir

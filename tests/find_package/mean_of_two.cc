@@ -9,8 +9,6 @@
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/least_energy.h>
 
-#include <deal.II/base/mpi.h>
-
 using namespace Voussoir;
 
 class MeanOfTwo : public Formulation
@@ -38,9 +36,8 @@ private:
   }
 };
 
-int main(int argc, char **argv)
+int main()
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   SceneParameters parameters;
   dealii::ParameterHandler prm;
   parameters.add_parameters(prm, {});

@@ -4,15 +4,19 @@
 // one linear solve settles and for one under which joints slide and open; where
 // blocks turn as well.
 
+#include <voussoir/parallel/begin_mpi.h>
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include "tests.h"
 
 using namespace Voussoir;
 
-int main(int argc, char **argv)
+int main()
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  begin_mpi();
+  dealii::MultithreadInfo::set_thread_limit(1);
   for (const auto &[d, kinematics] :
        {std::pair(0.2, &translations()), std::pair(0.5, &translations()),
         std::pair(0.2, &rotations()), std::pair(0.35, &rotations())})

@@ -3,16 +3,20 @@
 // The MPI of the process is the real one, although Ipopt brings stand-ins for
 // it: every rank is seen, ranks exchange data, and Ipopt solves on each.
 
+#include <voussoir/parallel/begin_mpi.h>
+
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include "tests.h"
 #include <fstream>
 
 using namespace Voussoir;
 
-int main(int argc, char **argv)
+int main()
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  begin_mpi();
+  dealii::MultithreadInfo::set_thread_limit(1);
   const unsigned int rank =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
 

@@ -4,9 +4,11 @@
 // either linear solver, the proof of collapse, and the stress in every cell.
 
 #include <voussoir/assist.h>
+#include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/stress/stress_part.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include "tests.h"
 #include <fstream>
@@ -115,9 +117,10 @@ void compare_stress(const std::string &name,
   check_error(name + ": distance from one process alone", error, 1e-12);
 }
 
-int main(int argc, char **argv)
+int main()
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  begin_mpi();
+  dealii::MultithreadInfo::set_thread_limit(1);
   const Team team(MPI_COMM_WORLD);
   if (!team.is_root())
   {

@@ -15,8 +15,14 @@ bool started_by_mpirun();
  * Begin MPI unless others have, until the program ends. One process alone needs
  * it for Trilinos and for Ipopt's MUMPS only, and would wait for it longer than
  * for a small solve. Signals stay with those that handle them.
+ *
+ * deal.II's MPI_InitFinalize, which must be the first to begin it, serves only
+ * where Ipopt does not: Debian 13's begins MPI when it is loaded.
  */
 void begin_mpi();
+
+/** Have the processes on a machine share its cores as threads. */
+void share_cores();
 } // namespace Voussoir
 
 #endif
