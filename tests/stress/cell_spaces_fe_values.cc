@@ -126,8 +126,10 @@ void Spaces::compare_with_fe_values(const std::vector<Point<2>> &polygon)
                      dealii::update_JxW_values |
                      dealii::update_quadrature_points;
   FEValues<2> phi(element, gauss, flags), w(multiplier, gauss, flags);
-  FEValues<2> in_the_middle(element, {Point<2>(0.5, 0.5)}, flags);
-  FEValues<2> at_nodes(multiplier, multiplier.get_unit_support_points(), flags);
+  const dealii::Quadrature<2> middle(Point<2>(0.5, 0.5)),
+      nodes(multiplier.get_unit_support_points());
+  FEValues<2> in_the_middle(element, middle, flags);
+  FEValues<2> at_nodes(multiplier, nodes, flags);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
     const CellSpaces::Integrals &integrals =
