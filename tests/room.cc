@@ -4,11 +4,14 @@
 
 #include "room.h"
 
+#include <voussoir/base/memory.h>
+
 #include <cstdlib>
 #include <iostream>
 
 int main()
 {
+  Voussoir::keep_memory();
   const char *const name = std::getenv("VOUSSOIR_TEST");
   const auto found = RoomTest::all().find(name ? name : "");
   if (found == RoomTest::all().end())
