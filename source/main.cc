@@ -7,12 +7,42 @@
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/terminal/interruption.h>
 
+#include <array>
 #include <csignal>
 #include <iostream>
 #include <unistd.h>
 
+namespace
+{
+constexpr std::array<int, 3> signals = {SIGHUP, SIGINT, SIGTERM};
+std::array<bool, signals.size()> are_ignored;
+
+/**
+ * Before the libraries, since Debian 13's Ipopt begins MPI when it is loaded,
+ * which forgets that signals are ignored, as under nohup.
+ */
+[[maybe_unused]] void before_libraries()
+{
+  for (std::size_t k = 0; k < signals.size(); ++k)
+  {
+    struct sigaction action;
+    are_ignored[k] = sigaction(signals[k], nullptr, &action) == 0 &&
+                     action.sa_handler == SIG_IGN;
+  }
+  Voussoir::expect_mpi();
+}
+
+#ifndef __SANITIZE_ADDRESS__ // which has to be ready first
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const first)() = before_libraries;
+#endif
+} // namespace
+
 int main(int argc, char **argv)
 {
+  for (std::size_t k = 0; k < signals.size(); ++k)
+    if (are_ignored[k])
+      std::signal(signals[k], SIG_IGN);
   Voussoir::keep_memory();
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;

@@ -235,11 +235,17 @@ def flat(shown):
     shown.Ambient, shown.Diffuse, shown.Specular = 1.0, 0.0, 0.0
 
 
+def move_to(shown, height):
+    """Along z, by the property of ParaView from 5.13 on, or the earlier one."""
+    name = "Translation" if hasattr(shown, "Translation") else "Position"
+    setattr(shown, name, [0, 0, height])
+
+
 def outline(source, view, behind=0):
     """The sides of blocks, so far behind what else is shown."""
     from paraview.simple import Show
     shown = Show(source, view)
-    shown.Position = [0, 0, -behind]
+    move_to(shown, -behind)
     shown.SetRepresentationType("Wireframe")
     shown.ColorArrayName = [None, ""]
     shown.AmbientColor = shown.DiffuseColor = [0.15, 0.15, 0.15]
@@ -292,7 +298,7 @@ def show_stress(directory, view):
         RenameSource(name, marks)
         marks.UpdatePipeline()
         shown = Show(marks, view)
-        shown.Position = [0, 0, 0]
+        move_to(shown, 0)
         if name == "Thrust":
             shown.ColorArrayName = [None, ""]
             shown.AmbientColor = shown.DiffuseColor = [0.1, 0.1, 0.1]

@@ -172,7 +172,8 @@ private:
                                   "> was declared in the current subsection"))
       return unknown_entry(*name);
     if (boost::starts_with(message,
-                           "There is no such subsection to be entered"))
+                           "There is no such subsection to be entered") ||
+        boost::contains(message, "does not know of any such subsection"))
       return unknown_section(trim(faulty.substr(first_word(faulty).size())));
     if (boost::starts_with(message, "There are unequal numbers of"))
       return missing_end();

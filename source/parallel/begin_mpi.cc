@@ -34,21 +34,6 @@ private:
   std::array<struct sigaction, 31> handlers = {};
 };
 
-/**
- * Open MPI then starts no process beside the program and looks for no network,
- * which would take as long as all the rest of a small run. All programs that
- * are alone would share one directory for their session, which one may remove
- * while another begins: there is none. What the user has set stays.
- */
-void expect_no_other_process()
-{
-  constexpr bool overwrite = false;
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrite);
-  setenv("OMPI_MCA_orte_create_session_dirs", "0", overwrite);
-  setenv("OMPI_MCA_pml", "ob1", overwrite);
-  setenv("OMPI_MCA_btl", "self", overwrite);
-}
-
 void end_mpi()
 {
   int has_ended = 0;
@@ -66,6 +51,17 @@ bool started_by_mpirun()
   return false;
 }
 
+void expect_mpi()
+{
+  if (started_by_mpirun())
+    return;
+  constexpr bool overwrite = false;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", overwrite);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", overwrite);
+  setenv("OMPI_MCA_pml", "ob1", overwrite);
+  setenv("OMPI_MCA_btl", "self", overwrite);
+}
+
 void begin_mpi()
 {
   static std::mutex one_at_a_time;
@@ -74,8 +70,7 @@ void begin_mpi()
   MPI_Initialized(&has_begun);
   if (has_begun)
     return;
-  if (!started_by_mpirun())
-    expect_no_other_process();
+  expect_mpi();
   const SignalsKept kept;
   int provided;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);

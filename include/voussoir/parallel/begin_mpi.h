@@ -12,6 +12,16 @@ namespace Voussoir
 bool started_by_mpirun();
 
 /**
+ * Tell an MPI that is to begin, if no launcher started the program, that there
+ * is no other process. Open MPI then starts none beside the program and looks
+ * for no network, which would take as long as all the rest of a small run. All
+ * programs that are alone would share one directory for their session, which
+ * one may remove while another begins: there is none. What the user has set
+ * stays.
+ */
+void expect_mpi();
+
+/**
  * Begin MPI unless others have, until the program ends. One process alone needs
  * it for Trilinos and for Ipopt's MUMPS only, and would wait for it longer than
  * for a small solve. Signals stay with those that handle them.
