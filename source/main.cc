@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr std::array<int, 3> signals = {SIGHUP, SIGINT, SIGTERM};
+constexpr std::array<int, 3> signals = {{SIGHUP, SIGINT, SIGTERM}};
 std::array<bool, signals.size()> are_ignored;
 
 /**
