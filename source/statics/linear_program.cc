@@ -4,6 +4,7 @@
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -126,24 +127,44 @@ private:
   std::vector<unsigned int> rough;
 };
 
+/** The largest force on a body that forces leave. */
+double largest_imbalance(const DiscreteProblem &problem,
+                         const std::vector<double> &forces)
+{
+  std::vector<double> sum(problem.n_dofs());
+  problem.add_jump_gradients(-1., forces, sum);
+  double largest = 0.;
+  for (unsigned int k = 0; k < sum.size(); ++k)
+    largest = std::max(largest, std::abs(sum[k] + problem.loads()[k]));
+  return largest;
+}
+
+/**
+ * Where Ipopt does not converge it is asked to stop early. Whether it calls
+ * that converged depends on the processor, and says little of the forces.
+ */
 Solution solve_linear_program(const DiscreteProblem &problem,
                               const SolverControls &controls,
                               Terminal &terminal)
 {
   HardFrictionProgram program(problem);
   IpoptControls ipopt{controls.tolerance, controls.n_max_iterations};
-  ProgramResult result = solve_program(problem, program, ipopt, terminal);
-  if (!result.solution.mechanism && !result.solution.converged())
-  {
-    ipopt.mu_target = early_product;
-    ipopt.damping = damping_of_tolerance * controls.tolerance / early_product;
-    ProgramResult early = solve_program(problem, program, ipopt, terminal);
-    if (early.solution.mechanism || early.solution.converged())
-      result = std::move(early);
-  }
-  if (!result.solution.mechanism)
-    result.solution.forces = program.forces(result.multipliers);
-  return result.solution;
+  const auto attempt = [&] {
+    ProgramResult result = solve_program(problem, program, ipopt, terminal);
+    if (!result.solution.mechanism)
+      result.solution.forces = program.forces(result.multipliers);
+    return result.solution;
+  };
+  Solution found = attempt();
+  if (found.mechanism || found.converged())
+    return found;
+  ipopt.mu_target = early_product;
+  ipopt.damping = damping_of_tolerance * controls.tolerance / early_product;
+  Solution early = attempt();
+  const bool is_better = early.mechanism || early.converged() ||
+                         largest_imbalance(problem, early.forces) <
+                             largest_imbalance(problem, found.forces);
+  return is_better ? early : found;
 }
 } // namespace
 

@@ -2,8 +2,8 @@
 
 // Strengths at 1 + 10^-k and 1 - 10^-k of the limit, k = 3...6, of packings up
 // to 2,000 cells, one of which hardly any friction holds. Above the forces
-// balance to 1e-9, below the collapse is proven, both soon. That both are so
-// shows that the limit is right; it is found by the load factor, to which the
+// balance to 1e-9, below the collapse is proven. That both are so shows that
+// the limit is right; it is found by the load factor, to which the
 // strengths are inversely proportional.
 //
 // The shortage of a load that friction hardly takes part in may fall below the
@@ -14,7 +14,6 @@
 
 #include "judgement.h"
 #include "room.h"
-#include <chrono>
 
 namespace test_near_limit
 {
@@ -41,15 +40,11 @@ void approach(const std::string &name,
     for (int k = 3; k <= 6; ++k)
       for (const double sign : {1., -1.})
       {
-        const auto begin = std::chrono::steady_clock::now();
         const Judgement found =
             judge(scene_at(limit * (1. + sign * std::pow(10., -k))), way);
-        const std::chrono::duration<double> seconds =
-            std::chrono::steady_clock::now() - begin;
         const std::string strength =
             std::string(sign > 0. ? "1 + 1e-" : "1 - 1e-") + std::to_string(k);
         const std::string what = "  " + way.name + " at " + strength;
-        check(what + ": in less than 20 s", seconds.count() < 20.);
         if (sign > 0.)
           check(what + ": carried, residual at most 1e-9",
                 found.verdict == Verdict::carried && found.error <= 1e-9);
