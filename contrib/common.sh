@@ -43,6 +43,16 @@ install_packages() {
     fail "the packages cannot be installed."
 }
 
+# Make the bare Debian of a name in a directory, from where this machine has its
+# own packages.
+make_debian() {
+  local mirror
+  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' |
+    sed -n '/debian\/*$/{p;q}')
+  mmdebstrap --quiet --variant=minbase --include=ca-certificates,git "$1" "$2" \
+    ${mirror:+"deb $mirror $1 main"} || fail "there is no Debian '$1'."
+}
+
 # Whether the build directory was made for another one: the clone was copied or moved.
 is_of_another_clone() {
   local cache="$directory/CMakeCache.txt" entry
@@ -57,8 +67,8 @@ is_of_another_clone() {
 # Build a target in build/debug or build/release, with options NAME=VALUE for
 # CMake, which runs only if an option or the list of files has changed. The type
 # Debug:NAME is Debug in build/NAME. The files of a room are compiled as few, but
-# one by one with VOUSSOIR_JUMBO=OFF in the environment. In a clone that was copied or moved nothing is
-# kept, since paths in it lead to the sources of the other.
+# one by one with VOUSSOIR_JUMBO=OFF in the environment. In a clone that was copied
+# or moved nothing is kept, since paths in it lead to the sources of the other.
 build() {
   local type=${1%:*} name=${1#*:} target=$2 option stale=no
   shift 2

@@ -7,28 +7,24 @@
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/terminal/interruption.h>
 
-#include <array>
 #include <csignal>
 #include <iostream>
 #include <unistd.h>
 
 namespace
 {
-constexpr std::array<int, 3> signals = {{SIGHUP, SIGINT, SIGTERM}};
-std::array<bool, signals.size()> are_ignored;
+/** As under nohup. */
+bool hang_ups_are_ignored = false;
 
 /**
  * Before the libraries, since Debian 13's Ipopt begins MPI when it is loaded,
- * which forgets that signals are ignored, as under nohup.
+ * which forgets that a signal is ignored.
  */
 [[maybe_unused]] void before_libraries()
 {
-  for (std::size_t k = 0; k < signals.size(); ++k)
-  {
-    struct sigaction action;
-    are_ignored[k] = sigaction(signals[k], nullptr, &action) == 0 &&
-                     action.sa_handler == SIG_IGN;
-  }
+  struct sigaction action;
+  hang_ups_are_ignored =
+      sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
   Voussoir::expect_mpi();
 }
 
@@ -40,9 +36,8 @@ std::array<bool, signals.size()> are_ignored;
 
 int main(int argc, char **argv)
 {
-  for (std::size_t k = 0; k < signals.size(); ++k)
-    if (are_ignored[k])
-      std::signal(signals[k], SIG_IGN);
+  if (hang_ups_are_ignored)
+    std::signal(SIGHUP, SIG_IGN);
   Voussoir::keep_memory();
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;

@@ -2,6 +2,8 @@
 #ifndef voussoir_tests_polygons_h
 #define voussoir_tests_polygons_h
 
+#include <voussoir/packing/packing.h>
+#include <voussoir/packing/polygons/facing_sides.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 #include <voussoir/packing/polygons/polygons.h>
 
@@ -42,6 +44,25 @@ list_of(const std::vector<std::vector<dealii::Point<2>>> &rings)
     polygons.polygons.push_back(
         {ring, "", static_cast<unsigned int>(polygons.polygons.size() + 1)});
   return polygons;
+}
+
+/** Polygons that are joined over gaps up to @p width, as a file's would be. */
+inline Voussoir::Packing
+joined(const std::vector<std::vector<dealii::Point<2>>> &rings,
+       const double width,
+       const double tolerance = 1e-10)
+{
+  constexpr double fifteen_degrees = 0.2617993877991494;
+  Voussoir::PolygonList polygons = list_of(rings);
+  return Voussoir::Packing(Voussoir::join_facing_sides(
+      polygons, {width, fifteen_degrees, tolerance}));
+}
+
+/** A rectangle of b times h with its lower left corner at (x, y). */
+inline std::vector<dealii::Point<2>>
+rectangle(const double x, const double y, const double b, const double h)
+{
+  return {{x, y}, {x + b, y}, {x + b, y + h}, {x, y + h}};
 }
 
 /** The number of cells, interfaces and boundary edges that are expected. */

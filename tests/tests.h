@@ -120,6 +120,24 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
       generator.generate("", Voussoir::Terminal::silent()));
 }
 
+/** Unit squares on top of each other, from y = 0 on. */
+inline Voussoir::Packing stack_of_squares(const unsigned int n)
+{
+  Voussoir::CellLoops cells;
+  for (unsigned int k = 0; k <= n; ++k)
+  {
+    cells.vertices.emplace_back(0., k);
+    cells.vertices.emplace_back(1., k);
+  }
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
+      cells.loops.push_back(v);
+    cells.first.push_back(cells.loops.size());
+  }
+  return Voussoir::Packing(cells);
+}
+
 /** The packing with supports along y = 0. */
 inline Voussoir::Packing on_ground(Voussoir::Packing packing)
 {

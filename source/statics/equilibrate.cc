@@ -35,17 +35,6 @@ constexpr unsigned int n_refinements = 2;
 /** The largest shift whose error in the balance the refinements remove. */
 constexpr double largest_correction_shift = 1.;
 
-/** The sum of all forces on each body, n_dofs() numbers. */
-std::vector<double> imbalance(const DiscreteProblem &problem,
-                              const std::vector<double> &forces)
-{
-  std::vector<double> sum(problem.n_dofs());
-  problem.add_jump_gradients(-1., forces, sum);
-  for (unsigned int k = 0; k < sum.size(); ++k)
-    sum[k] += problem.loads()[k];
-  return sum;
-}
-
 /** The forces of one joint beside its limits. */
 struct OfJoint
 {
@@ -196,6 +185,16 @@ void repeat(const DiscreteProblem &problem,
   }
 }
 } // namespace
+
+std::vector<double> imbalance(const DiscreteProblem &problem,
+                              const std::vector<double> &forces)
+{
+  std::vector<double> sum(problem.n_dofs());
+  problem.add_jump_gradients(-1., forces, sum);
+  for (unsigned int k = 0; k < sum.size(); ++k)
+    sum[k] += problem.loads()[k];
+  return sum;
+}
 
 std::vector<double> equilibrate(const DiscreteProblem &problem,
                                 const std::vector<double> &forces,

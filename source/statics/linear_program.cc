@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/displacement_program.h>
+#include <voussoir/statics/equilibrate.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/linear_program.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -127,18 +128,6 @@ private:
   std::vector<unsigned int> rough;
 };
 
-/** The largest force on a body that forces leave. */
-double largest_imbalance(const DiscreteProblem &problem,
-                         const std::vector<double> &forces)
-{
-  std::vector<double> sum(problem.n_dofs());
-  problem.add_jump_gradients(-1., forces, sum);
-  double largest = 0.;
-  for (unsigned int k = 0; k < sum.size(); ++k)
-    largest = std::max(largest, std::abs(sum[k] + problem.loads()[k]));
-  return largest;
-}
-
 /**
  * Where Ipopt does not converge it is asked to stop early. Whether it calls
  * that converged depends on the processor, and says little of the forces.
@@ -161,9 +150,10 @@ Solution solve_linear_program(const DiscreteProblem &problem,
   ipopt.mu_target = early_product;
   ipopt.damping = damping_of_tolerance * controls.tolerance / early_product;
   Solution early = attempt();
-  const bool is_better = early.mechanism || early.converged() ||
-                         largest_imbalance(problem, early.forces) <
-                             largest_imbalance(problem, found.forces);
+  const bool is_better =
+      early.mechanism || early.converged() ||
+      largest_component(imbalance(problem, early.forces)) <
+          largest_component(imbalance(problem, found.forces));
   return is_better ? early : found;
 }
 } // namespace

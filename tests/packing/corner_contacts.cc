@@ -31,11 +31,6 @@ Packing packing_of(const std::vector<Ring> &rings)
   return Packing(std::move(cells));
 }
 
-Ring rectangle(const double x, const double y, const double b, const double h)
-{
-  return {{x, y}, {x + b, y}, {x + b, y + h}, {x, y + h}};
-}
-
 /** A force on one cell, at a place. */
 Scene scene_of(const Packing &packing,
                const unsigned int cell,

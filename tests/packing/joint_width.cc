@@ -36,18 +36,15 @@ double between(Engine &engine, const double least, const double greatest)
                                                           greatest)(engine);
 }
 
-Ring rectangle(const double x0,
-               const double y0,
-               const double x1,
-               const double y1)
+Ring corners(const double x0, const double y0, const double x1, const double y1)
 {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
-CellLoops joined(const std::vector<Ring> &rings,
-                 const double width,
-                 const double scale = 1.,
-                 const double tolerance = 0.)
+CellLoops generated(const std::vector<Ring> &rings,
+                    const double width,
+                    const double scale = 1.,
+                    const double tolerance = 0.)
 {
   PolygonGenerator generator;
   dealii::ParameterHandler prm;
@@ -82,7 +79,7 @@ std::optional<Joints> joints_or_none(const std::vector<Ring> &rings,
 {
   try
   {
-    return joints_of(joined(rings, width));
+    return joints_of(generated(rings, width));
   }
   catch (const InputError &)
   {
@@ -117,7 +114,7 @@ std::optional<Joints> joints_otherwise(const std::vector<Ring> &rings,
   }
   try
   {
-    return joints_of(joined(placed, width), order);
+    return joints_of(generated(placed, width), order);
   }
   catch (const InputError &)
   {
@@ -225,7 +222,7 @@ void test_walls()
     const double width = 0.01 * std::exp(between(engine, 0., std::log(300.)));
     std::vector<Ring> rings;
     for (const Placed &b : blocks)
-      rings.push_back(rectangle(b.x0, b.y0, b.x1, b.y1));
+      rings.push_back(corners(b.x0, b.y0, b.x1, b.y1));
     const auto joints = joints_or_none(rings, width);
     n_same += joints == joints_otherwise(rings, width, engine);
     n_refused += !joints;
@@ -234,7 +231,7 @@ void test_walls()
     ++n_joined;
     n_true += *joints == true_joints(blocks, width);
     if (trial % 5 == 0)
-      n_inside += n_crossed(rings, joined(rings, width), engine);
+      n_inside += n_crossed(rings, generated(rings, width), engine);
   }
   check("many are joined, many are refused", n_joined > 100 && n_refused > 50);
   check("those that are joined have their true joints", n_true == n_joined);
@@ -263,7 +260,7 @@ void test_stones()
     n_same += joints == joints_otherwise(rings, width, engine);
     n_joined += joints.has_value();
     if (joints && trial % 5 == 0)
-      n_inside += n_crossed(rings, joined(rings, width), engine);
+      n_inside += n_crossed(rings, generated(rings, width), engine);
   }
   check("many are joined", n_joined > 100);
   check("turned, mirrored and in another order", n_same == 200);
@@ -280,7 +277,7 @@ std::vector<Ring> brickwork(const double unit, const bool has_opening)
       const double x = 225. * k + (course % 2) * 112.5, y = 75. * course;
       if (!(has_opening && course == 3 && k == 5))
         rings.push_back(
-            rectangle(unit * x, unit * y, unit * (x + 215.), unit * (y + 65.)));
+            corners(unit * x, unit * y, unit * (x + 215.), unit * (y + 65.)));
     }
   return rings;
 }
@@ -307,22 +304,22 @@ void test_brickwork()
   }
   const std::vector<Ring> rings = brickwork(1., false);
   std::cout << "In mm, with a width in m that would do" << std::endl;
-  show_refusal([&] { joined(rings, 10., 0.001); });
+  show_refusal([&] { generated(rings, 10., 0.001); });
   std::cout << "In mm, with a width that is large anyhow" << std::endl;
-  show_refusal([&] { joined(rings, 1000., 0.5); });
-  show_refusal([&] { joined(rings, 80.); });
-  show_refusal([&] { joined(rings, std::numeric_limits<double>::max()); });
+  show_refusal([&] { generated(rings, 1000., 0.5); });
+  show_refusal([&] { generated(rings, 80.); });
+  show_refusal([&] { generated(rings, std::numeric_limits<double>::max()); });
 }
 
 void test_thin_blocks()
 {
   std::cout << "Slates of 5 between stones, in joints up to 10" << std::endl;
   // Heads of 3 between the slates, and an end that has none.
-  std::vector<Ring> rings = {rectangle(0, 0, 400, 200),
-                             rectangle(0, 209, 400, 400)};
+  std::vector<Ring> rings = {corners(0, 0, 400, 200),
+                             corners(0, 209, 400, 400)};
   for (int k = 0; k < 3; ++k)
-    rings.push_back(rectangle(103 * k, 202, 103 * k + 100, 207));
-  const Joints joints = joints_of(joined(rings, 10.));
+    rings.push_back(corners(103 * k, 202, 103 * k + 100, 207));
+  const Joints joints = joints_of(generated(rings, 10.));
   check("beds above and below, heads, and where there is none",
         joints == Joints({{{0, 1}, 1},
                           {{0, 2}, 1},
@@ -336,20 +333,19 @@ void test_thin_blocks()
 
   std::cout << "Two slates whose ends do not face each other" << std::endl;
   check("nothing is joined between them",
-        joints_of(joined({rectangle(0, 0, 203, 200),
-                          rectangle(0, 209, 203, 400),
-                          {{0, 202}, {100, 202}, {95, 207}, {0, 207}},
-                          {{103, 202}, {203, 202}, {203, 207}, {108, 207}}},
-                         9.)) ==
+        joints_of(generated({corners(0, 0, 203, 200),
+                             corners(0, 209, 203, 400),
+                             {{0, 202}, {100, 202}, {95, 207}, {0, 207}},
+                             {{103, 202}, {203, 202}, {203, 207}, {108, 207}}},
+                            9.)) ==
             Joints({{{0, 2}, 1}, {{0, 3}, 1}, {{1, 2}, 1}, {{1, 3}, 1}}));
 
   std::cout << "A slate that stands back by less than the joint is wide"
             << std::endl;
   const auto behind = [](const double x) {
-    return joints_of(
-        joined({rectangle(0, 0, 100, 50), rectangle(x, 52, 100, 57),
-                rectangle(0, 59, 100, 99)},
-               10.));
+    return joints_of(generated({corners(0, 0, 100, 50), corners(x, 52, 100, 57),
+                                corners(0, 59, 100, 99)},
+                               10.));
   };
   check("no joint in front of it",
         behind(8.) == Joints({{{0, 1}, 1}, {{1, 2}, 1}}));
@@ -358,24 +354,24 @@ void test_thin_blocks()
 
   std::cout << "A pinning stone in a wide joint" << std::endl;
   check("the joint goes on to both sides of it",
-        joints_of(joined({rectangle(0, 0, 100, 50), rectangle(0, 60, 100, 90),
-                          rectangle(40, 52, 55, 57)},
-                         10.)) ==
+        joints_of(generated({corners(0, 0, 100, 50), corners(0, 60, 100, 90),
+                             corners(40, 52, 55, 57)},
+                            10.)) ==
             Joints({{{0, 1}, 2}, {{0, 2}, 1}, {{1, 2}, 1}}));
 
   std::cout << "A part of the block itself is between" << std::endl;
   check("a hook",
-        joints_of(joined(
+        joints_of(generated(
             {{{0, 0}, {6, 0}, {6, 5}, {2, 5}, {2, 4}, {5, 4}, {5, 1}, {0, 1}},
-             rectangle(2, 5.2, 4, 8)},
+             corners(2, 5.2, 4, 8)},
             2.)) == Joints({{{0, 1}, 1}}));
 }
 
 /** Four blocks around a hole of that width and height. */
 std::vector<Ring> around_a_hole(const double b, const double h)
 {
-  return {rectangle(0, 0, 4, 1), rectangle(0, 1 + h, 4, 2 + h),
-          rectangle(0, 1, 2 - b / 2, 1 + h), rectangle(2 + b / 2, 1, 4, 1 + h)};
+  return {corners(0, 0, 4, 1), corners(0, 1 + h, 4, 2 + h),
+          corners(0, 1, 2 - b / 2, 1 + h), corners(2 + b / 2, 1, 4, 1 + h)};
 }
 
 void test_openings()
@@ -383,21 +379,20 @@ void test_openings()
   std::cout << "A hole between four blocks is joined across the shorter way"
             << std::endl;
   check("upright",
-        joints_of(joined(around_a_hole(0.5, 0.51), 0.6)).count({2, 3}) == 1);
+        joints_of(generated(around_a_hole(0.5, 0.51), 0.6)).count({2, 3}) == 1);
   check("lying",
-        joints_of(joined(around_a_hole(0.51, 0.5), 0.6)).count({0, 1}) == 1);
-  show_refusal([] { joined(around_a_hole(0.5, 0.5), 0.6); });
+        joints_of(generated(around_a_hole(0.51, 0.5), 0.6)).count({0, 1}) == 1);
+  show_refusal([] { generated(around_a_hole(0.5, 0.5), 0.6); });
   std::cout << "An opening between small blocks" << std::endl;
   show_refusal([] {
-    joined({rectangle(0, 0, 9, 9), rectangle(9.1, 0, 10, 0.5),
-            rectangle(11.3, 0, 12, 0.5)},
-           2.);
+    generated({corners(0, 0, 9, 9), corners(9.1, 0, 10, 0.5),
+               corners(11.3, 0, 12, 0.5)},
+              2.);
   });
 
   std::cout << "Joints that were made through a block" << std::endl;
-  PolygonList polygons =
-      list_of({rectangle(0, 0, 2, 1), rectangle(0, 1.2, 2, 2.2),
-               rectangle(0, 1.05, 2, 1.15)});
+  PolygonList polygons = list_of({corners(0, 0, 2, 1), corners(0, 1.2, 2, 2.2),
+                                  corners(0, 1.05, 2, 1.15)});
   CellLoops cells = loops_of(polygons);
   cells.facing = {{{2, 4}}};
   show_refusal([&] {

@@ -52,19 +52,7 @@ double residual_of_loads(const dealii::Tensor<1, 2> &excess,
 void light_below_heavy()
 {
   const unsigned int n = 200;
-  CellLoops cells;
-  for (unsigned int k = 0; k <= n; ++k)
-  {
-    cells.vertices.emplace_back(0., k);
-    cells.vertices.emplace_back(1., k);
-  }
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
-      cells.loops.push_back(v);
-    cells.first.push_back(cells.loops.size());
-  }
-  const Packing column = on_ground(Packing(cells));
+  const Packing column = on_ground(stack_of_squares(n));
   Loads loads;
   loads.traction.resize(column.boundary_edges().size());
   for (unsigned int c = 0; c < n; ++c)

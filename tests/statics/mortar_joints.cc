@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Joints of some width: blocks keep their shapes, forces act midway between
-// them, and moments are balanced with the width in them. The factors of walls
+// Joints of some width: forces act midway between the blocks, and moments are
+// balanced with the width in them. The factors of walls
 // do not feel the width where their statics agree; a stack that is cut with a
 // kerf has the forces of one that is cut without, wherever it stands; and so
 // have random stones apart from each other.
 
 #include <voussoir/base/geometry.h>
-#include <voussoir/packing/polygons/facing_sides.h>
 #include <voussoir/statics/load_factor.h>
 #include <voussoir/stress/cell_forces.h>
 #include <voussoir/stress/cell_means.h>
@@ -27,82 +26,6 @@ using dealii::Point;
 using dealii::Tensor;
 
 using Ring = std::vector<Point<2>>;
-
-constexpr double fifteen_degrees = 0.2617993877991494;
-
-Packing joined(const std::vector<Ring> &rings,
-               const double width,
-               const double tolerance = 1e-10)
-{
-  PolygonList polygons = list_of(rings);
-  return Packing(
-      join_facing_sides(polygons, {width, fifteen_degrees, tolerance}));
-}
-
-Ring rectangle(const double x, const double y, const double b, const double h)
-{
-  return {{x, y}, {x + b, y}, {x + b, y + h}, {x, y + h}};
-}
-
-void test_geometry()
-{
-  std::cout << "Two bricks with a joint of 0.1, shifted by a quarter"
-            << std::endl;
-  const Packing bricks =
-      joined({rectangle(0, 0, 2, 1), rectangle(0.5, 1.1, 2, 1)}, 0.1);
-  const Packing::Interface &bed = bricks.interfaces().at(0);
-  check("one joint", bricks.interfaces().size() == 1);
-  check_error("midway",
-              bed.start.distance({2., 1.05}) + bed.end.distance({0.5, 1.05}),
-              1e-15);
-  check_error("areas", std::abs(bricks.area() - 4.), 1e-15);
-  check("what does not face is free", bricks.boundary_edges().size() == 8);
-  check_error("distance of the centres", std::abs(bricks.distance(bed) - 1.1),
-              1e-15);
-  check("a width below the gap joins nothing",
-        joined({rectangle(0, 0, 2, 1), rectangle(0.5, 1.1, 2, 1)}, 0.099)
-            .interfaces()
-            .empty());
-
-  std::cout << "A wedge that opens from 0 to 0.2, joined up to 0.1"
-            << std::endl;
-  const Packing wedge =
-      joined({rectangle(0, 0, 2, 1), {{0, 1}, {2, 1.2}, {2, 2}, {0, 2}}}, 0.1);
-  const Packing::Interface &half = wedge.interfaces().at(0);
-  const double angle = 0.5 * std::atan(0.1);
-  check_error("on the line that halves the angle",
-              std::abs(half.normal[0] + std::sin(angle)) +
-                  std::abs(half.normal[1] - std::cos(angle)),
-              1e-15);
-  check_error("as far as the width allows",
-              std::abs(half.length - 0.05 / std::sin(angle) * std::cos(angle)),
-              2e-9);
-  check("not beyond the angle",
-        joined({rectangle(0, 0, 2, 1), {{0, 1}, {2, 1.6}, {2, 2}, {0, 2}}}, 1.)
-            .interfaces()
-            .empty());
-
-  std::cout << "A bent side: parts that overlap end midway" << std::endl;
-  const Packing bent = joined({{{0, 0}, {4, 0}, {4, 1}, {2, 1.2}, {0, 1}},
-                               {{0, 1.1}, {1.99, 1.3}, {0, 3}},
-                               {{2.01, 1.3}, {4, 1.1}, {4, 3}}},
-                              0.15);
-  double length = 0.;
-  for (const Packing::Interface &i : bent.interfaces())
-    length += i.length;
-  check("two beds", bent.interfaces().size() == 2);
-  check("as long as the bent side",
-        length > 3.9 && length < 2. * std::hypot(2., 0.2));
-
-  std::cout << "A thin stone in a wide joint" << std::endl;
-  const Packing thin =
-      joined({rectangle(0, 0, 2, 1), rectangle(0, 1.02, 2, 0.05),
-              rectangle(0, 1.1, 2, 1)},
-             0.2);
-  check("is joined to both others, and these are not",
-        thin.interfaces().size() == 2 && thin.interfaces()[0].cell_plus == 1 &&
-            thin.interfaces()[1].cell_minus == 1);
-}
 
 /** A wall of which the joints are that wide, and overlap by 1 whatever that. */
 std::vector<Ring> running_bond(const double gap)
@@ -434,7 +357,6 @@ void test_moments()
 
 void run()
 {
-  test_geometry();
   test_walls();
   test_columns();
   test_drawings();

@@ -41,24 +41,6 @@ Status::Kind status_of(const Scene &scene, const Way &way)
   }
 }
 
-/** Unit squares on top of each other; the lowest stands on the ground. */
-Packing column(const unsigned int n)
-{
-  CellLoops cells;
-  for (unsigned int k = 0; k <= n; ++k)
-  {
-    cells.vertices.emplace_back(0., k);
-    cells.vertices.emplace_back(1., k);
-  }
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    for (const unsigned int v : {2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2})
-      cells.loops.push_back(v);
-    cells.first.push_back(cells.loops.size());
-  }
-  return Packing(cells);
-}
-
 struct Block
 {
   /** The load on it. */
@@ -77,7 +59,7 @@ Tensor<1, 2> force(const double x, const double y)
 
 Scene pile(const std::vector<Block> &blocks)
 {
-  Packing packing = column(blocks.size());
+  Packing packing = stack_of_squares(blocks.size());
   std::vector<bool> supports;
   for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
     supports.push_back(edge.midpoint()[1] < 0.1);

@@ -13,6 +13,14 @@ namespace Voussoir
 constexpr double ample_slack = 0.1;
 
 /**
+ * The sum of the loads and of all forces on each body, n_dofs() numbers.
+ *
+ * @param forces of each row of each joint, nondimensional.
+ */
+std::vector<double> imbalance(const DiscreteProblem &problem,
+                              const std::vector<double> &forces);
+
+/**
  * Forces near @p forces (of each row of each joint, nondimensional) that
  * balance every cell and are admissible, both to rounding if that can be
  * reached: the forces are moved into their limits, and then by the smallest
