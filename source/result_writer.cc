@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameter_input.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/blocks_vtu.h>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameter_input.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/run_parameters.h>
 #include <voussoir/unused_settings.h>
 
 #include <iostream>
+#include <set>
 
 namespace Voussoir
 {
@@ -16,18 +18,30 @@ RunParameters::RunParameters(Terminal &terminal, const Team &team)
 
 void RunParameters::read(const ParameterSources &sources)
 {
+  std::vector<ParameterInput> inputs;
+  if (sources.file)
+    inputs.emplace_back(*sources.file);
+  if (!sources.text.empty())
+    inputs.emplace_back(sources.text, "the text");
+  const std::string load_cases = "Load cases";
+  std::set<std::string> cases;
+  for (const ParameterInput &input : inputs)
+    cases.merge(input.sections_in(load_cases));
+  for (const std::string &text : sources.assignments)
+  {
+    const SectionPath section = assignment_of_text(text).section;
+    if (section.size() > 1 && section[0] == load_cases)
+      cases.insert(section[1]);
+  }
+
   writer.add_entries(prm);
   study.add_entries(prm);
-  study.add_sections(prm,
-                     subsections_in("Load cases", sources.file.value_or(""),
-                                    sources.assignments));
+  study.add_sections(prm, cases);
   writer.add_sections(prm);
   assigned.watch(prm);
-  if (sources.file && read_parameters(prm, *sources.file))
-    assigned.forget_unchanged();
-  if (!sources.text.empty() &&
-      read_parameters_text(prm, sources.text, "the text"))
-    assigned.forget_unchanged();
+  for (const ParameterInput &input : inputs)
+    if (input.assign_to(prm))
+      assigned.forget_unchanged();
   for (const std::string &assignment : sources.assignments)
     assign_parameter(prm, assignment);
 }

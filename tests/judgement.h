@@ -27,6 +27,15 @@ struct Judgement
   std::string message;
 };
 
+/**
+ * Whether its forces can be compared with those of another run. The linear
+ * program has any, which depend on the version of Ipopt.
+ */
+inline bool selects_a_state(const Way &way)
+{
+  return way.name != linear_program.name;
+}
+
 /** What the program does with the outcome of a formulation. */
 inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
 {

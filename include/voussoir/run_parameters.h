@@ -23,9 +23,9 @@ namespace Voussoir
 /** The places that the parameters of a run are written in, in their order. */
 struct ParameterSources
 {
-  /** A .prm file, if there is one. */
+  /** A file; see ParameterInput. */
   std::optional<std::filesystem::path> file;
-  /** The text of another. */
+  /** Lines as in a .prm file. */
   std::string text = {};
   /** Assignments as in --set. */
   std::vector<std::string> assignments = {};
@@ -49,7 +49,7 @@ public:
    * Declare all parameters, with the load cases that the sources name, and read
    * them; to be called once.
    *
-   * @throws InputError as read_parameters() does.
+   * @throws InputError as ParameterInput and assign() do.
    */
   void read(const ParameterSources &sources);
   /**

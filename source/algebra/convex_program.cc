@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <mpi.h>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -271,6 +272,10 @@ IpoptResult solve_with_ipopt(ConvexProgram &program,
   options->SetIntegerValue("print_level", terminal.verbosity() >= 2 ? 5 : 0);
   options->SetStringValue("sb", "yes"); // no banner
   options->SetStringValue("linear_solver", "mumps");
+  // A MUMPS with MPI, as Debian 13's, would want all processes.
+  const std::string communicator = "mumps_mpi_communicator";
+  if (Ipopt::IsValid(ipopt->RegOptions()->GetOption(communicator)))
+    options->SetIntegerValue(communicator, MPI_Comm_c2f(MPI_COMM_SELF));
   if (!controls.loose.empty())
     options->SetNumericValue("mumps_pivtol", pivot_tolerance_of_loose_unknowns);
   options->SetStringValue("nlp_scaling_method", "none");

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/decimal_comma.h>
-#include <voussoir/base/nearest_name.h>
 #include <voussoir/base/parameter_faults.h>
-#include <voussoir/base/parameter_tree.h>
-#include <voussoir/base/reference.h>
 #include <voussoir/base/text.h>
 
 #include <deal.II/base/utilities.h>
@@ -19,15 +15,6 @@ namespace Voussoir
 namespace
 {
 using dealii::Utilities::trim;
-
-/** A value of the user's, not longer than a message can show. */
-constexpr std::size_t longest_value = 80;
-
-std::string shortened(const std::string &words)
-{
-  return words.size() > longest_value ? words.substr(0, longest_value) + "..."
-                                      : words;
-}
 
 /**
  * The part of @p text between @p begin, with which @p text starts, and the last
@@ -64,47 +51,6 @@ std::string first_word(const std::string &words)
   return words.substr(0, words.find_first_of(" \t"));
 }
 
-/** Add the paths of the sections, or of the entries, in @p section. */
-void add_paths(const nlohmann::ordered_json &section,
-               const std::string &path,
-               const bool of_sections,
-               std::vector<std::string> &paths)
-{
-  if (!section.is_object())
-    return;
-  for (const auto &[name, node] : section.items())
-  {
-    if (is_entry(node) != of_sections)
-      paths.push_back(path + name);
-    if (!is_entry(node))
-      add_paths(node, path + name + '/', of_sections, paths);
-  }
-}
-
-/**
- * "; did you mean 'Friction/Strength'?", or ".": one beside it if @p place,
- * "--set Friction/Strenght=1", names its section. Of a name that exists, but
- * outside of the section in which it was sought, it says so.
- */
-std::string did_you_mean(std::vector<std::string> paths,
-                         const std::string &name,
-                         const std::string &place)
-{
-  std::vector<std::string> beside;
-  if (std::find(paths.begin(), paths.end(), name) != paths.end())
-    return ", but there is one outside of all sections.";
-  for (const std::string &path : paths)
-    if (place.find(' ' + path.substr(0, path.rfind('/') + 1) + name) !=
-        std::string::npos)
-      beside.push_back(path);
-  if (!nearest_names(name, beside).empty())
-    paths = beside;
-  std::string names;
-  for (const std::string &path : nearest_names(name, paths))
-    names += (names.empty() ? "'" : " or '") + path + '\'';
-  return names.empty() ? "." : "; did you mean " + names + '?';
-}
-
 /** One fault of a text, and the line and the sections that it is in. */
 class FaultOfText
 {
@@ -112,8 +58,7 @@ public:
   FaultOfText(dealii::ParameterHandler &prm,
               const dealii::ExceptionBase &fault,
               const ParameterText &text)
-      : prm(prm), text(text),
-        place(text.is_file ? "'" + text.name + "'" : text.name)
+      : prm(prm), text(text), place("'" + text.name + "'")
   {
     std::ostringstream out;
     fault.print_info(out);
@@ -150,8 +95,7 @@ private:
     for (unsigned int k = 0; k < line; ++k)
       std::getline(in, faulty);
     faulty = statement(faulty);
-    if (text.is_file)
-      place = "Line " + number + " of " + place;
+    place = "Line " + number + " of " + place;
   }
 
   std::string in_plain_words()
@@ -165,8 +109,8 @@ private:
             is_empty ? std::string() : between(message, begin + ' ', named))
     {
       const std::string rest = message.substr(message.rfind(named));
-      return refused_value(*between(rest, named, pattern), *value,
-                           rest.substr(rest.find('[')));
+      return assignment().unaccepted_value(*between(rest, named, pattern),
+                                           *value, rest.substr(rest.find('[')));
     }
     if (const auto name = between(message, "No entry with name <",
                                   "> was declared in the current subsection"))
@@ -177,68 +121,28 @@ private:
       return unknown_section(trim(faulty.substr(first_word(faulty).size())));
     if (boost::starts_with(message, "There are unequal numbers of"))
       return missing_end();
-    if (text.is_file && !faulty.empty())
+    if (!faulty.empty())
       return faulty_statement();
     return boost::replace_all_copy(boost::replace_all_copy(message, "<", "'"),
                                    ">", "'");
   }
 
-  std::string refused_value(const std::string &name,
-                            const std::string &value,
-                            const std::string &pattern)
+  /** One in the innermost open section. */
+  FaultyAssignment assignment() const
   {
-    const std::string with_points = with_decimal_points(value);
-    return "'" + shortened(name) + "' is '" + shortened(value) +
-           "', but must be " + text_of_pattern(pattern) +
-           (with_points != value && accepts(name, with_points)
-                ? advice_on_decimal_comma(shortened(value))
-                : "") +
-           ".";
-  }
-
-  bool accepts(const std::string &name, const std::string &value)
-  {
-    for (const SectionOfText &section : open)
-      prm.enter_subsection(section.path.back());
-    bool accepted = true;
-    try
-    {
-      prm.set(name, value);
-    }
-    catch (const std::exception &)
-    {
-      accepted = false;
-    }
-    for (unsigned int k = 0; k < open.size(); ++k)
-      prm.leave_subsection();
-    return accepted;
-  }
-
-  /** The paths of all entries or sections. */
-  std::vector<std::string> paths(const bool of_sections) const
-  {
-    std::vector<std::string> all;
-    add_paths(tree_of(prm), "", of_sections, all);
-    return all;
-  }
-
-  /** The path of the innermost open section but @p n_left_out, with a slash. */
-  std::string path_of_open(const std::size_t n_left_out) const
-  {
-    std::string path;
-    for (std::size_t k = 0; k + n_left_out < open.size(); ++k)
-      path += open[k].path.back() + '/';
-    return path;
+    return {prm, open.empty() ? SectionPath() : open.back().path};
   }
 
   /** ", which begins in line 3, but ...", if it is in a section around. */
   std::optional<std::string> in_section_around(const std::string &name,
                                                const bool is_section) const
   {
-    const std::vector<std::string> all = paths(is_section);
-    for (std::size_t k = 1; text.is_file && k <= open.size(); ++k)
+    const std::vector<std::string> all = assignment().paths(is_section);
+    SectionPath section = open.empty() ? SectionPath() : open.back().path;
+    while (!section.empty())
     {
-      const std::string around = path_of_open(k);
+      section.pop_back();
+      const std::string around = text_of_section(section);
       if (std::find(all.begin(), all.end(), around + name) != all.end())
         return Voussoir::text(
             '\'', name, "' is not in the section '", open.back().path.back(),
@@ -254,16 +158,14 @@ private:
   {
     if (const auto fault = in_section_around(name, false))
       return *fault;
-    return "there is no parameter '" + shortened(name) + "' in this section" +
-           did_you_mean(paths(false), name, place);
+    return assignment().unknown_entry(name);
   }
 
   std::string unknown_section(const std::string &name) const
   {
     if (const auto fault = in_section_around(name, true))
       return *fault;
-    return "there is no section '" + shortened(name) + "' here" +
-           did_you_mean(paths(true), name, place);
+    return assignment().unknown_section(name);
   }
 
   std::string missing_end() const
@@ -280,9 +182,10 @@ private:
   /** "Width = 4" of "Width 4", if there is such an entry in this section. */
   std::optional<std::string> assignment_of(const std::string &words) const
   {
-    const std::string section = path_of_open(0);
+    const std::string section =
+        open.empty() ? "" : text_of_section(open.back().path);
     std::string longest;
-    for (const std::string &path : paths(false))
+    for (const std::string &path : assignment().paths(false))
       if (boost::starts_with(path, section))
       {
         const std::string name = path.substr(section.size());

@@ -152,6 +152,8 @@ void try_short_edges()
     Worst difference;
     for (const Way &way : all_ways)
     {
+      if (!selects_a_state(way))
+        continue;
       const InterfaceForces forces =
           judge(scene_under_stress(around_short_edge(h), 0.5, pressure), way)
               .forces;

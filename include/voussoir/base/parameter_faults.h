@@ -2,6 +2,8 @@
 #ifndef voussoir_base_parameter_faults_h
 #define voussoir_base_parameter_faults_h
 
+#include <voussoir/base/faulty_assignment.h>
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 
@@ -11,22 +13,18 @@
 
 namespace Voussoir
 {
-/** A text of parameters, and where it is from. */
+/** Lines as in a .prm file, and the name of the file that has them. */
 struct ParameterText
 {
-  /** Lines as in a .prm file. */
   std::string lines;
-  /** The name of the file, or the assignment on the command line. */
   std::string name;
-  /** Whether messages name the line. */
-  bool is_file;
 };
 
 /** A "subsection" of a text of parameters. */
 struct SectionOfText
 {
-  /** Its name, behind those of the sections that it is in. */
-  std::vector<std::string> path;
+  /** With its name at the end. */
+  SectionPath path;
   /** The number of its first line, from one. */
   unsigned int line;
   /** Whether its "end" is missing. */

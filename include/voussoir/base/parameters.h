@@ -2,11 +2,11 @@
 #ifndef voussoir_base_parameters_h
 #define voussoir_base_parameters_h
 
+#include <voussoir/base/faulty_assignment.h>
+
 #include <deal.II/base/parameter_handler.h>
 
-#include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,47 +87,38 @@ void add_choice(dealii::ParameterHandler &prm,
   });
 }
 
-/**
- * The names of the subsections directly in @p section that a file and
- * command-line assignments have entries of, to declare those that a user names.
- *
- * @param file need not exist.
- */
-std::set<std::string>
-subsections_in(const std::string &section,
-               const std::filesystem::path &file,
-               const std::vector<std::string> &assignments);
+/** What stands in an entry of a section. */
+struct Assignment
+{
+  SectionPath section;
+  std::string entry;
+  /** As in a .prm file; white space around it does not count. */
+  std::string value;
+};
 
 /**
- * The line that a listing of all parameters begins with, parameters.prm or what
- * --print-parameters prints: deal.II's.
+ * The assignment "Section/Subsection/Name=value" of the command line.
+ *
+ * @throws InputError if it is of another form.
  */
-std::string listing_title();
+Assignment assignment_of_text(const std::string &text);
 
 /**
- * Read the file @p file into @p prm.
+ * Carry out an assignment.
  *
- * @return true if it has the line listing_title(): it assigns every entry, and
- *   does not say which of them somebody has set.
- * @throws InputError if the file cannot be read, or has an entry that is not
- *   declared or a value that its pattern refuses; the message names the line.
+ * @param prm outside of all sections.
+ * @param place of it, with which a message begins.
+ * @throws InputError if there is no such entry, or its pattern refuses the
+ *   value.
  */
-bool read_parameters(dealii::ParameterHandler &prm,
-                     const std::filesystem::path &file);
-
-/**
- * Read a text of several lines as read_parameters() reads a file.
- *
- * @param name of the text, for messages.
- */
-bool read_parameters_text(dealii::ParameterHandler &prm,
-                          const std::string &text,
-                          const std::string &name);
+void assign(dealii::ParameterHandler &prm,
+            const Assignment &assignment,
+            const std::string &place);
 
 /**
  * Carry out one command-line assignment "Section/Subsection/Name=value".
  *
- * @throws InputError as read_parameters() does.
+ * @throws InputError as assign() does.
  */
 void assign_parameter(dealii::ParameterHandler &prm,
                       const std::string &assignment);
