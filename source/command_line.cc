@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/arguments.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/print_parameters.h>
 #include <voussoir/base/reference.h>
+#include <voussoir/bash_completion.h>
 #include <voussoir/command_line.h>
 #include <voussoir/simulation.h>
 #include <voussoir/sweep.h>
 #include <voussoir/version.h>
 
-#include <boost/program_options.hpp>
-
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -17,8 +19,6 @@ namespace Voussoir
 {
 namespace
 {
-namespace po = boost::program_options;
-
 /** The exit status of the program; see run_command_line(). */
 enum class ExitStatus
 {
@@ -27,107 +27,6 @@ enum class ExitStatus
   load_not_carried = 3,
   solver_failed = 4
 };
-
-struct Arguments
-{
-  std::string file;
-  std::vector<std::string> assignments;
-  std::vector<std::string> sweeps;
-  std::string find;
-  std::vector<std::string> results;
-  bool has_directories = false;
-  bool print_parameters = false;
-  bool print_reference = false;
-  bool quiet = false;
-  std::string verbosity;
-  bool help = false;
-  bool version = false;
-};
-
-/** The options that the help shows, which set @p arguments. */
-po::options_description visible_options(Arguments &arguments)
-{
-  po::options_description options("Options");
-  options.add_options()(
-      "set", po::value(&arguments.assignments)->value_name("ENTRY"),
-      "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
-      "sweep", po::value(&arguments.sweeps)->value_name("RANGE"),
-      "run with many values, as in --sweep \"Friction/Strength=0.1:1:20\" "
-      "(20 values), 0.1:1:20:log or \"a | b\", and write sweep.csv; repeatable "
-      "for all combinations")(
-      "find", po::value(&arguments.find)->value_name("RANGE"),
-      "look for the value at which the answer changes, as in --find "
-      "\"Friction/Strength=0:1:1e-6\", to this share of it")(
-      "result", po::value(&arguments.results)->value_name("NAME"),
-      "a number of summary.json for sweep.csv, such as ground/reaction/1; "
-      "repeatable")("directories", po::bool_switch(&arguments.has_directories),
-                    "with --sweep or --find: write the results of each run, "
-                    "into run_1, run_2, ... of the output directory")(
-      "print-parameters", po::bool_switch(&arguments.print_parameters),
-      "print every parameter with its value and documentation, as .prm")(
-      "print-reference", po::bool_switch(&arguments.print_reference),
-      "print the manual's page on all parameters, as Markdown")(
-      "quiet", po::bool_switch(&arguments.quiet),
-      "print warnings and errors only")(
-      "verbosity", po::value(&arguments.verbosity)->value_name("N"),
-      "the same as --set Output/Verbosity=N: 0 the closing summary, 1 also "
-      "the stages, 2 also iterations and the joints most used")(
-      "help", po::bool_switch(&arguments.help), "print this help")(
-      "version", po::bool_switch(&arguments.version), "print the version");
-  return options;
-}
-
-Arguments parse(const std::vector<std::string> &words)
-{
-  Arguments arguments;
-  std::vector<std::string> files;
-  po::options_description all = visible_options(arguments);
-  all.add_options()("file", po::value(&files));
-  po::positional_options_description positional;
-  positional.add("file", -1);
-  try
-  {
-    // No prefixes of options: a later option must not change their meaning.
-    const int style = po::command_line_style::default_style &
-                      ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    po::store(po::command_line_parser(words)
-                  .options(all)
-                  .positional(positional)
-                  .style(style)
-                  .run(),
-              values);
-    po::notify(values);
-  }
-  catch (const po::error &error)
-  {
-    throw InputError(std::string("The command line is not valid: ") +
-                     error.what() + ". See 'voussoir --help'.");
-  }
-  if (files.size() > 1)
-    throw InputError("One .prm file is expected, but '" + files[0] + "' and '" +
-                     files[1] + "' are given. See 'voussoir --help'.");
-  if (!files.empty())
-    arguments.file = files[0];
-  if (!arguments.verbosity.empty())
-    arguments.assignments.push_back("Output/Verbosity=" + arguments.verbosity);
-  return arguments;
-}
-
-std::string help()
-{
-  Arguments none;
-  std::ostringstream text;
-  text << "Usage: voussoir FILE.prm [options]\n\n"
-          "Computes the contact forces between, and the stresses inside, "
-          "the rigid blocks\nof the packing that FILE.prm describes.\n\n"
-       << visible_options(none)
-       << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
-          "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
-          "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
-          "results are complete.\n";
-  return text.str();
-}
 
 /** The streams of the program, and the devices behind them. */
 struct Streams
@@ -156,6 +55,9 @@ bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
                        "--find. See 'voussoir --help'.");
     return false;
   }
+  if (arguments.validate)
+    throw InputError("--validate looks at one scene; give it without --sweep "
+                     "and --find.");
   if (finds && !arguments.sweeps.empty())
     throw InputError("--sweep and --find are given; give one of them.");
   if (team.size() > 1)
@@ -178,12 +80,46 @@ bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
   return true;
 }
 
-void run(const Arguments &arguments, const Streams &streams, const Team &team)
+/** Whose sections users name, and one of them. */
+const char *const load_cases_section = "Load cases";
+const char *const example_of_load_case =
+    "Load cases/case/Boundary load=traction";
+
+/** A text that is asked for besides runs. */
+std::optional<std::string> text_to_print(const Arguments &arguments)
 {
   if (arguments.help)
-    return print(streams.out, help());
+    return help();
   if (arguments.version)
-    return print(streams.out, "voussoir " VOUSSOIR_VERSION "\n");
+    return "voussoir " VOUSSOIR_VERSION "\n";
+  return {};
+}
+
+/** One that tells of the parameters. */
+std::optional<std::string> text_of_parameters(const Arguments &arguments,
+                                              RunParameters &parameters)
+{
+  std::ostringstream text;
+  if (arguments.print_parameters || arguments.print_settings)
+    parameters.print(text, arguments.print_parameters.value_or(""),
+                     parameter_format_of(arguments.format),
+                     arguments.print_settings ? Detail::value
+                                              : Detail::listing);
+  else if (arguments.print_schema)
+    print_schema(text, parameters.entries(), load_cases_section);
+  else if (arguments.print_reference)
+    write_reference(text, parameters.entries());
+  else if (arguments.print_completion)
+    print_bash_completion(text, option_names(), parameters.tree());
+  else
+    return {};
+  return text.str();
+}
+
+void run(const Arguments &arguments, const Streams &streams, const Team &team)
+{
+  if (const auto text = text_to_print(arguments))
+    return print(streams.out, *text);
   // A quiet run shows warnings only, which belong to the errors.
   Terminal terminal = arguments.quiet
                           ? Terminal(streams.error, 1, streams.screens.error)
@@ -197,28 +133,22 @@ void run(const Arguments &arguments, const Streams &streams, const Team &team)
   if (!arguments.file.empty())
     sources.file = arguments.file;
   sources.assignments = arguments.assignments;
+  if (arguments.print_schema)
+    sources.assignments.push_back(example_of_load_case);
   simulation.read(sources);
-  const dealii::ParameterHandler &prm = simulation.entries();
-  std::ostringstream text;
-  if (arguments.print_reference)
-  {
-    write_reference(text, prm);
-    return print(streams.out, text.str());
-  }
-  if (arguments.print_parameters)
-  {
-    prm.print_parameters(text,
-                         dealii::ParameterHandler::PRM |
-                             dealii::ParameterHandler::KeepDeclarationOrder);
-    return print(streams.out, text.str());
-  }
+  if (const auto text = text_of_parameters(arguments, simulation.values()))
+    return print(streams.out, *text);
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
   // The directory of the file itself, should its name be a link; relative to
   // the working directory, for messages that a user recognises.
   namespace fs = std::filesystem;
-  simulation.run(fs::proximate(fs::canonical(arguments.file).parent_path()));
+  const fs::path directory =
+      fs::proximate(fs::canonical(arguments.file).parent_path());
+  if (arguments.validate)
+    return simulation.validate(directory);
+  simulation.run(directory);
 }
 
 int fail(const Streams &streams,
@@ -240,7 +170,7 @@ int run_command_line(const std::vector<std::string> &words,
   const Streams streams{out, error, screens};
   try
   {
-    run(parse(words), streams, team);
+    run(arguments_of(words), streams, team);
     return static_cast<int>(ExitStatus::solved);
   }
   catch (const InputError &e)

@@ -4,6 +4,10 @@
 #include <voussoir/run_parameters.h>
 #include <voussoir/unused_settings.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <iostream>
 #include <set>
 
@@ -49,6 +53,20 @@ void RunParameters::read(const ParameterSources &sources)
 void RunParameters::assign(const std::string &assignment)
 {
   assign_parameter(prm, assignment);
+}
+
+void RunParameters::print(std::ostream &out,
+                          const std::string &section,
+                          const ParameterFormat format,
+                          const Detail detail)
+{
+  check_section(prm, dealii::Utilities::split_string_list(section, '/'),
+                "--print-parameters=" + section);
+  const auto is_wanted = [&](const std::string &path) {
+    return (section.empty() || boost::starts_with(path, section + '/')) &&
+           (detail == Detail::listing || assigned.contains(path));
+  };
+  print_parameters(out, prm, is_wanted, format, detail);
 }
 
 std::vector<std::string> RunParameters::unused() const

@@ -13,6 +13,17 @@ Simulation::Simulation(Terminal &terminal, const Team &team)
     : terminal(terminal), parameters(terminal, team)
 {}
 
+void Simulation::validate(const std::filesystem::path &directory)
+{
+  for (const std::string &warning : parameters.unused())
+    terminal.warning(warning);
+  terminal.begin("Packing");
+  const Study &study = parameters.study;
+  study.show(study.given(study.read_packing(directory)),
+             parameters.writer.unit_names());
+  terminal.stage("Valid", "nothing was solved, and nothing written");
+}
+
 void Simulation::run(const std::filesystem::path &directory)
 {
   Study &study = parameters.study;
@@ -33,8 +44,9 @@ void Simulation::run(const std::filesystem::path &directory)
   Given given = study.given(read_packing(files, directory));
   timer.leave_subsection();
   Findings findings = study.answer(std::move(given), std::move(earlier));
-  std::visit([&](auto &found) { writer.write(files, found, entries()); },
-             findings.found);
+  std::visit(
+      [&](auto &found) { writer.write(files, found, parameters.entries()); },
+      findings.found);
 }
 
 Packing Simulation::read_packing(ResultDirectory &files,

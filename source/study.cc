@@ -6,6 +6,7 @@
 #include <voussoir/output/csv.h>
 #include <voussoir/output/ground_summary.h>
 #include <voussoir/output/messages.h>
+#include <voussoir/output/scene_summary.h>
 #include <voussoir/output/summary.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/study.h>
@@ -71,6 +72,18 @@ Given Study::given(Packing packing) const
                                analysis == Analysis::load_factor, terminal);
   show_packing(terminal, given.packing);
   return given;
+}
+
+void Study::show(Given given, const UnitNames &units) const
+{
+  const Scene scene = of_scene.scene_of(given);
+  show_scene(terminal, scene, units);
+  show_loads(terminal, scene);
+  if (analysis == Analysis::load_factor)
+    show_sum_of_loads(terminal, "Live loads",
+                      of_scene.live_scene_of(std::move(given)));
+  if (analysis == Analysis::state && ranges.samples())
+    check_can_be_sampled(scene);
 }
 
 Findings Study::answer(Given given, std::optional<EarlierRun> earlier)

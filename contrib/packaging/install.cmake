@@ -28,7 +28,9 @@ install(FILES README.md CHANGELOG.md CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES ${CMAKE_BINARY_DIR}/voussoir.1.gz
   DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
-install(FILES ${_packaging}/voussoir.bash RENAME voussoir
+add_custom_command(TARGET voussoir POST_BUILD
+  COMMAND voussoir --print-completion >${CMAKE_BINARY_DIR}/voussoir.bash)
+install(FILES ${CMAKE_BINARY_DIR}/voussoir.bash RENAME voussoir
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   COMPONENT program)
 

@@ -67,6 +67,9 @@ public:
                           const dealii::ParameterHandler &prm);
   /** @} */
 
+  /** How the user names the units. */
+  const UnitNames &unit_names() const { return units; }
+
 private:
   /** Kinds of results that are written. */
   enum class ResultFiles

@@ -3,6 +3,7 @@
 #define voussoir_run_parameters_h
 
 #include <voussoir/base/assigned_entries.h>
+#include <voussoir/base/print_parameters.h>
 #include <voussoir/parallel/team.h>
 #include <voussoir/result_writer.h>
 #include <voussoir/study.h>
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +65,16 @@ public:
   const dealii::ParameterHandler &entries() const { return prm; }
   /** They as tree_of() gives them. */
   const nlohmann::ordered_json &tree() const { return assigned.tree(); }
+  /**
+   * Print the entries in a section, such as "Packing/wall", or all if it is
+   * empty: a listing, or the values alone of those that somebody has set.
+   *
+   * @throws InputError if there is no such section.
+   */
+  void print(std::ostream &out,
+             const std::string &section,
+             ParameterFormat format,
+             Detail detail);
   /** The key of SceneParameters::packing_key(). */
   std::string packing_key() const
   {

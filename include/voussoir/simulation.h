@@ -5,8 +5,6 @@
 #include <voussoir/run_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <filesystem>
 
 namespace Voussoir
@@ -22,17 +20,25 @@ public:
 
   /** Read all parameters; see RunParameters::read(). */
   void read(const ParameterSources &sources) { parameters.read(sources); }
-  /** The entries with their values. */
-  const dealii::ParameterHandler &entries() const
-  {
-    return parameters.entries();
-  }
+  /** All parameters with their values. */
+  RunParameters &values() { return parameters; }
+
+  /**
+   * Read the scene that the parameters describe and show what was understood;
+   * nothing is solved, and nothing written.
+   *
+   * @param directory that of the file of parameters, where relative paths
+   *   begin.
+   * @throws InputError.
+   */
+  void validate(const std::filesystem::path &directory);
 
   /**
    * Run the scene that the parameters describe and write its results, with the
    * parameters beside them.
    *
-   * @param directory that of the .prm file, where relative paths begin.
+   * @param directory that of the file of parameters, where relative paths
+   *   begin.
    * @throws InputError, LoadNotCarried, SolverError.
    */
   void run(const std::filesystem::path &directory);

@@ -70,6 +70,16 @@ public:
   Given given(Packing packing) const;
 
   /**
+   * Show what was understood, and find what an answer would refuse of the scene
+   * before it solves anything.
+   *
+   * @param given the scene.
+   * @param units of it.
+   * @throws InputError.
+   */
+  void show(Given given, const UnitNames &units) const;
+
+  /**
    * Answer the question; the terminal shows what is doubtful about the answer.
    *
    * @param given the scene.

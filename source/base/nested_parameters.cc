@@ -146,7 +146,7 @@ private:
       throw InputError(where() + ": a value is one text, as in a .prm file; "
                                  "write the list as that.");
     else
-      assign(prm, {path, "", ""}, where()); // names the section
+      check_section(prm, path, where());
   }
 
   std::string where() const
@@ -171,6 +171,7 @@ Nested nested_from_json(const std::string &text, const std::string &file)
     throw InputError("The file '" + file +
                      "' has a single value; write sections and entries in "
                      "braces.");
+  nested.erase("$schema"); // for editors
   return nested;
 }
 

@@ -79,21 +79,29 @@ Assignment assignment_of_text(const std::string &text)
   return assignment;
 }
 
+void check_section(dealii::ParameterHandler &prm,
+                   const SectionPath &section,
+                   const std::string &place)
+{
+  SectionPath around;
+  for (const std::string &name : section)
+  {
+    around.push_back(name);
+    if (prm.subsection_path_exists(around))
+      continue;
+    around.pop_back();
+    throw InputError(place + ": " +
+                     FaultyAssignment(prm, around).unknown_section(name) + ' ' +
+                     how_to_list_parameters);
+  }
+}
+
 void assign(dealii::ParameterHandler &prm,
             const Assignment &assignment,
             const std::string &place)
 {
-  SectionPath section;
-  for (const std::string &name : assignment.section)
-  {
-    section.push_back(name);
-    if (prm.subsection_path_exists(section))
-      continue;
-    section.pop_back();
-    throw InputError(place + ": " +
-                     FaultyAssignment(prm, section).unknown_section(name) +
-                     ' ' + how_to_list_parameters);
-  }
+  const SectionPath &section = assignment.section;
+  check_section(prm, section, place);
   const std::string value = dealii::Utilities::trim(assignment.value);
   for (const std::string &name : section)
     prm.enter_subsection(name);

@@ -425,7 +425,8 @@ PYBIND11_MODULE(voussoir, module)
           py::arg("file") = py::none(), py::kw_only(), py::arg("text") = "",
           py::arg("polygons") = std::vector<py::array_t<double>>(),
           py::arg("settings") = py::dict(),
-          "From a .prm file, its text, or polygons, arrays of shape (n, 2); "
+          "From a file of parameters, the text of a .prm file, or polygons, "
+          "arrays of shape (n, 2); "
           "settings are entries by their names, as in "
           "{'Friction/Strength': 0.5}.")
       .def("set", &PyScene::set, py::arg("name"), py::arg("value"),

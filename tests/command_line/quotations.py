@@ -26,16 +26,18 @@ NOT_RUN = {
     r"xvfb-run -a pvbatch contrib/paraview/render.py|contrib/pictures$":
         "needs ParaView; the test output/pictures makes each kind of picture",
     r"mpirun -np 4": "takes a million cells; the tests mpi/ run on several processes",
-    r"contrib/run FILE.prm \[": "says what may follow"}
+    r"contrib/run FILE \[": "says what may follow",
+    r"source <\(voussoir": "changes the shell; the test command_line/editors does it"}
 # Blocks in the form of output that no command of the page prints.
 NOT_PRINTED = {"voussoir: Interrupted by": "by a signal; the test command_line/interruption"}
 # What stands in blocks with a language.
-FENCED = {"doc/python.md": "the test python/examples runs it", "doc/citing.md": "for BibTeX"}
+FENCED = {"doc/python.md": "the test python/examples runs it", "doc/citing.md": "for BibTeX",
+          "doc/running.md": "a form; the test command_line/formats reads it"}
 # Pages on which a block may also be a formula.
 FORMULAS = ("doc/theory.md", "doc/selection.md", "doc/developers.md")
 # How blocks begin: with a program,
 PROGRAM = re.compile(r"(contrib/\w+|voussoir|awk|python3|cmake|make|git|sudo|export|mpirun|cd|"
-                     r"xvfb-run)( |$)")
+                     r"xvfb-run|source)( |$)")
 # a line of the output or a message on standard error,
 OUTPUT = re.compile(r"voussoir: |(?=.{15}\S)[A-Z][a-z]+(?: [a-z]+)? {2,}")
 # of samples: what is sampled, and the numbers,

@@ -39,6 +39,34 @@ def columns(file, *names):
     return [np.array([float(r[n]) for r in rows]) for n in names]
 
 
+def check_text():
+    """A text may name load cases, and a file may be in JSON."""
+    text = """
+        subsection Packing
+          set Generator = wall
+        end
+        subsection Supports
+          set Where = ny < -0.5
+        end
+        subsection Load cases
+          subsection dead
+            set Body force = 0; -1
+          end
+        end
+        subsection Loads
+          set Combination = 2 dead
+        end
+    """
+    found = voussoir.Scene(text=text).solve()
+    expect("a load case of a text", np.isclose(found.loads[:, 1].sum(), -2))
+    with open("wall.json", "w") as file:
+        subprocess.run([PROGRAM, f"{SOURCE}/prm/arch.prm", "--print-settings", "--as", "json"],
+                       check=True, stdout=file)
+    expect("a file in JSON", np.array_equal(
+        voussoir.Scene("wall.json").solve().normal_force,
+        voussoir.Scene(f"{SOURCE}/prm/arch.prm").solve().normal_force))
+
+
 def check_like_the_program():
     """A scene has the numbers that the program writes."""
     file = f"{SOURCE}/prm/semicircular_arch.prm"
@@ -234,6 +262,7 @@ def check_memory():
 
 
 check_like_the_program()
+check_text()
 check_samples()
 check_polygons()
 check_packing()

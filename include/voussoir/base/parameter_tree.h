@@ -28,6 +28,13 @@ inline bool is_entry(const nlohmann::ordered_json &node)
   return node.contains("pattern_description");
 }
 
+/** The description of its pattern as deal.II has it, without uses_in(). */
+inline std::string description_of_pattern(const nlohmann::ordered_json &entry)
+{
+  const std::string description = entry.at("pattern_description");
+  return description.substr(0, description.rfind(']') + 1);
+}
+
 /** True if an entry has another value than its default; 1.0 is 1. */
 inline bool is_changed(const nlohmann::ordered_json &entry)
 {

@@ -104,6 +104,17 @@ struct Assignment
 Assignment assignment_of_text(const std::string &text);
 
 /**
+ * See that there is a section.
+ *
+ * @param prm outside of all sections.
+ * @param place where it is named, with which a message begins.
+ * @throws InputError naming the first of @p section that is not there.
+ */
+void check_section(dealii::ParameterHandler &prm,
+                   const SectionPath &section,
+                   const std::string &place);
+
+/**
  * Carry out an assignment.
  *
  * @param prm outside of all sections.
