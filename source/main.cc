@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/assist.h>
 #include <voussoir/base/blas.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/memory.h>
-#include <voussoir/command_line.h>
 #include <voussoir/parallel/begin_mpi.h>
+#include <voussoir/run/command_line/command_line.h>
+#include <voussoir/run/worker.h>
 #include <voussoir/terminal/interruption.h>
 
 #include <csignal>
@@ -69,7 +69,7 @@ int main(int argc, char **argv)
   else
   {
     interruption.be_quiet();
-    Voussoir::assist(team);
+    Voussoir::run_worker(team);
   }
   return team.max(status);
 }

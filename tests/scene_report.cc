@@ -5,7 +5,7 @@
 // every cell recomputed from the .csv files alone.
 
 #include <voussoir/base/floating_point.h>
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include <nlohmann/json.hpp>
 

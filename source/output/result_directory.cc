@@ -52,7 +52,7 @@ ResultDirectory::ResultDirectory(fs::path directory_in,
   whole.on_interruption({});
 }
 
-void ResultDirectory::spare(const fs::path &input) const
+void ResultDirectory::protect(const fs::path &input) const
 {
   std::error_code ignored;
   for (const auto *names : {&all_files.results, &all_files.packings})

@@ -5,10 +5,10 @@
 #include <voussoir/output/summary.h>
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
-#include <voussoir/run_parameters.h>
+#include <voussoir/run/analysis_run.h>
+#include <voussoir/run/shared_packings.h>
 #include <voussoir/scene/reactions.h>
 #include <voussoir/scene/utilisation.h>
-#include <voussoir/shared_packings.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/version.h>
 
@@ -36,8 +36,8 @@ std::string text_of(const py::handle &value)
 class PyResults
 {
 public:
-  PyResults(Findings found, std::vector<std::string> warnings)
-      : findings(std::make_shared<Findings>(std::move(found))),
+  PyResults(RunResult found, std::vector<std::string> warnings)
+      : findings(std::make_shared<RunResult>(std::move(found))),
         warnings(std::move(warnings))
   {}
 
@@ -81,7 +81,7 @@ public:
                      : Status{Status::Kind::collapse, 0.}.word();
   }
 
-  std::shared_ptr<Findings> findings;
+  std::shared_ptr<RunResult> findings;
   std::vector<std::string> warnings;
 };
 
@@ -99,18 +99,18 @@ public:
           const std::string &text,
           const std::vector<py::array_t<double>> &polygons,
           const py::dict &settings)
-      : terminal(output), parameters(terminal), packings(1)
+      : terminal(output), run(terminal), packings(1)
   {
     ParameterSources sources = {given, text};
     if (!polygons.empty())
     {
-      parameters.study.give(list_of(polygons));
+      run.give(list_of(polygons));
       sources.assignments.push_back("Packing/Generator=polygons");
     }
     for (const auto &[name, value] : settings)
       sources.assignments.push_back(py::str(name).cast<std::string>() + '=' +
                                     text_of(value));
-    parameters.read(sources);
+    run.read(sources);
     if (given)
       directory = std::filesystem::canonical(*given).parent_path();
   }
@@ -118,12 +118,12 @@ public:
   /** Change an entry. */
   void set(const std::string &name, const py::handle &value)
   {
-    parameters.assign(name + '=' + text_of(value));
+    run.assign(name + '=' + text_of(value));
   }
 
   std::string get(const std::string &name) const
   {
-    const Json &tree = parameters.tree();
+    const Json &tree = run.tree();
     const Json::json_pointer place('/' + name);
     if (!tree.contains(place) || !is_entry(tree.at(place)))
       throw py::key_error("there is no entry '" + name + "'");
@@ -132,25 +132,17 @@ public:
 
   const Packing &get_packing()
   {
-    packing = packings.get(parameters, directory, terminal);
+    packing = run.shared_packing(directory, packings);
     return *packing;
   }
 
   PyResults solve()
   {
     const py::gil_scoped_release others_may_go_on;
-    // What an exception, or a look at the packing, has left.
-    parameters.timer.reset();
-    terminal.take_warnings();
-    for (const std::string &warning : parameters.unused())
-      terminal.warning(warning);
-    Study &study = parameters.study;
-    std::optional<EarlierRun> earlier = study.earlier_run();
-    Findings found =
-        study.answer(study.given(get_packing()), std::move(earlier));
+    terminal.take_warnings(); // of a look at the packing, or an exception
+    RunResult found = run.run(directory, false, &packings).result;
     if (auto *const results = std::get_if<Results>(&found.found))
     {
-      results->reactions = reactions(*found.scene, results->forces);
       results->torques = residual_torques(*found.scene, results->forces);
       results->mean_stresses =
           cell_mean_stresses(*found.scene, results->forces);
@@ -161,7 +153,7 @@ public:
 
   std::ostringstream output;
   Terminal terminal;
-  RunParameters parameters;
+  AnalysisRun run;
   std::filesystem::path directory = ".";
   SharedPackings packings;
   /** The one that was asked for last. */

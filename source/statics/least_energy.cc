@@ -84,7 +84,7 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                 solution, terminal);
 }
 
-void assist_least_energy(const Team &team, Terminal &terminal)
+void work_on_least_energy(const Team &team, Terminal &terminal)
 {
   try
   {

@@ -130,7 +130,7 @@ StressPart reconstruct_on_root(const Scene &scene,
   });
 }
 
-StressPart assist_stress(const Team &team, Terminal &terminal)
+StressPart work_on_stress(const Team &team, Terminal &terminal)
 {
   return team.together([&]() {
     const Reconstruction how = team.broadcast(Reconstruction());

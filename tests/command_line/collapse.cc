@@ -4,7 +4,7 @@
 // which the proof is computed again; they give way to the results of the next
 // run in the same directory.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 // Every kind of bad input ends with exit status 2, one message that says what
 // is wrong and what to do, and no file written.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "tests.h"

@@ -5,7 +5,7 @@
 // that is written to again, and whatever is not of the same packing is refused
 // with file, line, both values, and nothing written.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>

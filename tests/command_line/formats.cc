@@ -4,7 +4,7 @@
 // through its listings unchanged, a run gives the same forces, and faults are
 // named by line or entry.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "tests.h"

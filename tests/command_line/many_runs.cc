@@ -4,7 +4,7 @@
 // the search ends around a limit that is known, and what is wrong ends with a
 // message and no file.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "table.h"

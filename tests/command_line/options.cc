@@ -3,7 +3,7 @@
 // The command line: help, version, --print-parameters, --set, the saved
 // parameters, and results that do not depend on the directory of the call.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "tests.h"

@@ -3,7 +3,7 @@
 // --validate says what was understood of a scene, refuses what a run would
 // refuse, and writes nothing.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "tests.h"

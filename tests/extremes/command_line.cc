@@ -3,7 +3,7 @@
 // Whole runs at the extremes: the exit status is the right one, what fails says
 // why in a sentence, and no .csv or .json file holds a number that is none.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "tests.h"

@@ -3,8 +3,8 @@
 // Several processes find what one finds alone: the forces of least energy, by
 // either linear solver, the proof of collapse, and the stress in every cell.
 
-#include <voussoir/assist.h>
 #include <voussoir/parallel/begin_mpi.h>
+#include <voussoir/run/worker.h>
 #include <voussoir/stress/stress_part.h>
 
 #include <deal.II/base/mpi.h>
@@ -124,7 +124,7 @@ int main()
   const Team team(MPI_COMM_WORLD);
   if (!team.is_root())
   {
-    assist(team);
+    run_worker(team);
     return 0;
   }
 

@@ -4,7 +4,7 @@
 // the mean stress of the packing: the applied one where that is uniform, and
 // the mean over the cells where the tractions vary along the sides.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "table.h"

@@ -6,7 +6,7 @@
 // the vertices of packing.off: forces at their places or at centroids, and
 // polynomials over edges and cells by Gauss's rules.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "random_loads.h"

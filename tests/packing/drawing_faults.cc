@@ -6,10 +6,10 @@
 // The nearest cells, and gaps, are found again by looking at all pairs.
 
 #include <voussoir/base/text.h>
-#include <voussoir/command_line.h>
 #include <voussoir/packing/cell_tree.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 #include <voussoir/packing/polygons/polygons.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "own_directory.h"
 #include "polygons.h"

@@ -3,7 +3,7 @@
 // Every kind of broken geometry ends the program with status 2, and the cell,
 // the line, the place and what to do; nothing is written.
 
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 
 #include "polygons.h"
 #include "tests.h"

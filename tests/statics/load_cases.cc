@@ -6,7 +6,7 @@
 // refused.
 
 #include <voussoir/base/parameter_input.h>
-#include <voussoir/command_line.h>
+#include <voussoir/run/command_line/command_line.h>
 #include <voussoir/scene/load_cases.h>
 #include <voussoir/scene/scene.h>
 

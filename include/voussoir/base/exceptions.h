@@ -17,16 +17,6 @@ public:
 };
 
 /**
- * The load is not carried by the packing, which is a result and not a fault.
- * The program ends with exit status 3.
- */
-class LoadNotCarried : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/**
  * A solver ended without an answer on valid input. The program ends with exit
  * status 4.
  */

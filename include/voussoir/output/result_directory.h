@@ -50,7 +50,7 @@ public:
    * @throws InputError if @p input is one of the files that a run may write
    * here: it would be lost.
    */
-  void spare(const std::filesystem::path &input) const;
+  void protect(const std::filesystem::path &input) const;
 
   /** Remove what was written and not published, with directories made for it.
    */

@@ -53,7 +53,7 @@ inline const std::string least_energy_task = "least energy";
  * The part of another process than the root in LeastEnergy::solve(), once it is
  * called to it.
  */
-void assist_least_energy(const Team &team, Terminal &terminal);
+void work_on_least_energy(const Team &team, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

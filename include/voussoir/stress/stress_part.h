@@ -47,7 +47,7 @@ StressPart reconstruct_on_root(const Scene &scene,
 inline const std::string stress_task = "stress";
 
 /** The same for another process. */
-StressPart assist_stress(const Team &team, Terminal &terminal);
+StressPart work_on_stress(const Team &team, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_run_scene_analysis_h
+#define voussoir_run_scene_analysis_h
+
+#include <voussoir/input/earlier_run.h>
+#include <voussoir/output/results.h>
+#include <voussoir/parallel/team.h>
+#include <voussoir/run/scene_parameters.h>
+#include <voussoir/scene/range_parameters.h>
+#include <voussoir/statics/load_factor_parameters.h>
+#include <voussoir/statics/solver_parameters.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+
+namespace Voussoir
+{
+/** What was found on a scene. */
+struct RunResult
+{
+  /** The scene, which the others refer to. */
+  std::unique_ptr<const Scene> scene;
+  /** Forces that carry its loads, or the proof that there are none. */
+  std::variant<Results, Collapse> found;
+};
+
+/**
+ * A scene, the question about it and how it is answered: all parameters but
+ * those of the stress inside the blocks and of the output.
+ */
+class SceneAnalysis
+{
+public:
+  /** @param team the processes that help, beside this one, its root. */
+  SceneAnalysis(Terminal &terminal,
+                const Team &team,
+                dealii::TimerOutput &timer);
+
+  /** @{ */
+  /** Declare the entries outside all sections, and the sections. */
+  void add_entries(dealii::ParameterHandler &prm);
+  void add_sections(dealii::ParameterHandler &prm,
+                    const std::set<std::string> &load_cases);
+  /** @} */
+
+  /** Files that the scene is read from; paths start at @p directory. */
+  auto input_files(const std::filesystem::path &directory) const
+  {
+    return of_scene.input_files(directory);
+  }
+  /** The entry `Forces from`: a directory, or empty. */
+  const std::string &forces_from() const { return earlier_directory; }
+  /** What the directory of an earlier run has, if forces are from there. */
+  std::optional<EarlierRun> earlier_run() const;
+
+  /** See PackingParameters::give(). */
+  void give(PolygonList polygons) { of_scene.give(std::move(polygons)); }
+  /** The packing with its supports; see PackingParameters::make_packing(). */
+  Packing read_packing(const std::filesystem::path &directory) const
+  {
+    return of_scene.read_packing(directory, terminal);
+  }
+  /** What the packing carries, and by what; the terminal shows the packing. */
+  SceneData data(Packing packing) const;
+
+  /**
+   * Show what was understood, and find what an answer would refuse of the scene
+   * before it solves anything.
+   *
+   * @param data the scene.
+   * @param units of it.
+   * @throws InputError.
+   */
+  void show(SceneData data, const UnitNames &units) const;
+
+  /**
+   * Answer the question; the terminal shows what is doubtful about the answer.
+   *
+   * @param data the scene.
+   * @param earlier where its forces are, if they are not to be found.
+   * @throws InputError, SolverError.
+   */
+  RunResult answer(SceneData data, std::optional<EarlierRun> earlier);
+
+private:
+  /** What is asked of a scene. */
+  enum class Analysis
+  {
+    state,
+    load_factor
+  };
+
+  RunResult find(SceneData data, std::optional<EarlierRun> earlier);
+  RunResult find_state(SceneData data, std::optional<EarlierRun> earlier);
+  RunResult find_factor(SceneData data);
+  RunRecord record_of(const Scene &scene) const;
+  /** The forces of an earlier run, balanced to rounding if that is asked for.
+   */
+  Carried
+  read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
+  /** The settlement, if supports move, with its forces as the answer. */
+  std::optional<Settlement>
+  settle(Answer &answer, const Scene &scene, SolverRecord &record);
+  /** The ranges of forces that are asked for, if any are. */
+  std::optional<Ranges> ranges_of(const Scene &scene);
+  /** The samples of all states that are asked for, if any are. */
+  std::optional<StateSamples> samples_of(const Scene &scene);
+
+  Terminal &terminal;
+  const unsigned int n_processes;
+  dealii::TimerOutput &timer;
+  std::string earlier_directory;
+  Analysis analysis = Analysis::state;
+  SceneParameters of_scene;
+  LoadFactorParameters load_factor;
+  RangeParameters ranges;
+  SolverParameters solver;
+};
+} // namespace Voussoir
+
+#endif

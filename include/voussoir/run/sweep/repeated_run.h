@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_run_sweep_repeated_run_h
+#define voussoir_run_sweep_repeated_run_h
+
+#include <voussoir/run/analysis_run.h>
+#include <voussoir/run/shared_packings.h>
+#include <voussoir/statics/status.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What one of many runs found. */
+struct SweepRun
+{
+  /** The values that were assigned. */
+  std::vector<std::string> values;
+  /** False if the solver failed. */
+  bool has_answer = false;
+  /** The answer. */
+  Status::Kind answer = Status::Kind::solved;
+  /** summary_of() what was found, without what belongs to the output. */
+  nlohmann::ordered_json summary;
+  /** What a run alone would print. */
+  std::vector<std::string> warnings;
+  /** The message of a solver that failed. */
+  std::string reason;
+  /** Wall clock time, in seconds. */
+  double seconds = 0.;
+};
+
+/**
+ * A scene that is run again and again with other values of some parameters, in
+ * any number of threads. Runs of the same packing share it.
+ */
+class RepeatedRun
+{
+public:
+  /**
+   * @param file the .prm file.
+   * @param assignments as in --set, which come before the values.
+   * @param names of the parameters that change, as in "Friction/Strength".
+   */
+  RepeatedRun(std::filesystem::path file,
+              std::vector<std::string> assignments,
+              std::vector<std::string> names);
+
+  /** The entry `Output directory`. */
+  const std::string &output_directory() const { return directory; }
+  /** Files that the scene is read from, without the values. */
+  const std::vector<std::filesystem::path> &input_files() const
+  {
+    return inputs;
+  }
+
+  /**
+   * Run it with @p values, one for each name.
+   *
+   * @param results the directory in which the files of this run are put; empty
+   *   to write none.
+   * @throws InputError if a value is wrong; the message names it.
+   */
+  SweepRun run(const std::vector<std::string> &values,
+               const std::string &results);
+
+private:
+  const std::filesystem::path file;
+  const std::vector<std::string> assignments, names;
+  /** Where relative paths begin. */
+  std::filesystem::path origin;
+  std::string directory;
+  std::vector<std::filesystem::path> inputs;
+  SharedPackings packings;
+};
+
+/** "Friction/Strength = 0.2, Rotations = true". */
+std::string words_of(const std::vector<std::string> &names,
+                     const std::vector<std::string> &values);
+} // namespace Voussoir
+
+#endif

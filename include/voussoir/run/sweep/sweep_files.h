@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_run_sweep_sweep_files_h
+#define voussoir_run_sweep_sweep_files_h
+
+#include <voussoir/run/sweep/repeated_run.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** @{ */
+/** The names of the table of all runs, and of the page with its plots. */
+inline const std::string sweep_csv = "sweep.csv";
+inline const std::string sweep_html = "sweep.html";
+/** @} */
+
+/** The status of a run in one word. */
+std::string word_of(const SweepRun &run);
+
+/** A warning that some of many runs have. */
+struct SharedWarning
+{
+  /** The sentence. */
+  std::string text;
+  /** The runs that have it, by their numbers, ascending. */
+  std::vector<std::size_t> runs;
+
+  /**
+   * The sentence behind "In all runs: ", or which they are.
+   *
+   * @param names of the parameters.
+   * @param all the runs.
+   */
+  std::string description(const std::vector<std::string> &names,
+                          const std::vector<SweepRun> &all) const;
+};
+
+/** Each warning of the runs once, in the order of the first run with it. */
+std::vector<SharedWarning> warnings_of(const std::vector<SweepRun> &runs);
+
+/** @{ */
+/**
+ * Write the table of all runs, or a page with it and with plots of its numbers
+ * if there is one parameter whose values are numbers.
+ *
+ * @param names of the parameters.
+ * @param results numbers of summary.json, as in "ground/reaction/1".
+ * @param runs in the order of the lines.
+ */
+void write_sweep_csv(std::ostream &out,
+                     const std::vector<std::string> &names,
+                     const std::vector<std::string> &results,
+                     const std::vector<SweepRun> &runs);
+void write_sweep_html(std::ostream &out,
+                      const std::vector<std::string> &names,
+                      const std::vector<std::string> &results,
+                      const std::vector<SweepRun> &runs);
+/** @} */
+} // namespace Voussoir
+
+#endif

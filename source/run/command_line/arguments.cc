@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/run/command_line/arguments.h>
+
+#include <boost/program_options.hpp>
+
+#include <sstream>
+
+namespace Voussoir
+{
+namespace
+{
+namespace po = boost::program_options;
+
+/** The options that the help shows, which set @p arguments. */
+po::options_description visible_options(Arguments &arguments)
+{
+  const auto add_verbosity = [&arguments](const std::string &verbosity) {
+    arguments.assignments.push_back("Output/Verbosity=" + verbosity);
+  };
+  // A long option stands above its description.
+  constexpr unsigned int line_length = 80, description_length = 56;
+  po::options_description options("Options", line_length, description_length);
+  options.add_options()(
+      "set", po::value(&arguments.assignments)->value_name("ENTRY"),
+      "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
+      "sweep", po::value(&arguments.sweeps)->value_name("RANGE"),
+      "run with many values, as in --sweep \"Friction/Strength=0.1:1:20\" "
+      "(20 values), 0.1:1:20:log or \"a | b\", and write sweep.csv; repeatable "
+      "for all combinations")(
+      "find", po::value(&arguments.find)->value_name("RANGE"),
+      "look for the value at which the answer changes, as in --find "
+      "\"Friction/Strength=0:1:1e-6\", to this share of it")(
+      "result", po::value(&arguments.results)->value_name("NAME"),
+      "a number of summary.json for sweep.csv, such as ground/reaction/1; "
+      "repeatable")("directories", po::bool_switch(&arguments.has_directories),
+                    "with --sweep or --find: write the results of each run, "
+                    "into run_1, run_2, ... of the output directory")(
+      "validate", po::bool_switch(&arguments.validate),
+      "read the scene and its packing, show what was understood, and solve and "
+      "write nothing")(
+      "print-parameters",
+      po::value<std::string>()
+          ->value_name("SECTION")
+          ->implicit_value("", "all")
+          ->notifier([&arguments](const std::string &section) {
+            arguments.print_parameters = section;
+          }),
+      "print every parameter, or those of a section as in "
+      "--print-parameters=Packing/wall, with value and documentation")(
+      "print-settings", po::bool_switch(&arguments.print_settings),
+      "print the parameters that the file and --set assign")(
+      "as", po::value(&arguments.format)->value_name("FORMAT"),
+      "print these as prm, json or xml; FILE may be any of the three")(
+      "print-schema", po::bool_switch(&arguments.print_schema),
+      "print a JSON schema of all parameters, for editors")(
+      "print-reference", po::bool_switch(&arguments.print_reference),
+      "print the manual's page on all parameters, as Markdown")(
+      "print-completion", po::bool_switch(&arguments.print_completion),
+      "print what lets bash complete the arguments: source it")(
+      "quiet", po::bool_switch(&arguments.quiet),
+      "print warnings and errors only")(
+      "verbosity",
+      po::value<std::string>()->value_name("N")->notifier(add_verbosity),
+      "the same as --set Output/Verbosity=N: 0 the closing summary, 1 also "
+      "the stages, 2 also iterations and the joints most used")(
+      "help", po::bool_switch(&arguments.help), "print this help")(
+      "version", po::bool_switch(&arguments.version), "print the version");
+  return options;
+}
+
+} // namespace
+
+Arguments arguments_of(const std::vector<std::string> &words)
+{
+  Arguments arguments;
+  std::vector<std::string> files;
+  po::options_description all = visible_options(arguments);
+  all.add_options()("file", po::value(&files));
+  po::positional_options_description positional;
+  positional.add("file", -1);
+  try
+  {
+    // No prefixes of options: a later option must not change their meaning.
+    const int style = po::command_line_style::default_style &
+                      ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    po::store(po::command_line_parser(words)
+                  .options(all)
+                  .positional(positional)
+                  .style(style)
+                  .run(),
+              values);
+    po::notify(values);
+  }
+  catch (const po::error &error)
+  {
+    throw InputError(std::string("The command line is not valid: ") +
+                     error.what() + ". See 'voussoir --help'.");
+  }
+  if (files.size() > 1)
+    throw InputError("One file of parameters is expected, but '" + files[0] +
+                     "' and '" + files[1] +
+                     "' are given. See 'voussoir --help'.");
+  if (!files.empty())
+    arguments.file = files[0];
+  return arguments;
+}
+
+std::string help()
+{
+  Arguments none;
+  std::ostringstream text;
+  text << "Usage: voussoir FILE [options]\n\n"
+          "Computes the contact forces between, and the stresses inside, "
+          "the rigid blocks\nof the packing that FILE describes, a file of "
+          "parameters in deal.II's formats:\n.prm, .json or .xml.\n\n"
+       << visible_options(none)
+       << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
+          "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
+          "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
+          "results are complete.\n";
+  return text.str();
+}
+
+std::vector<std::string> option_names()
+{
+  Arguments none;
+  std::vector<std::string> names;
+  const po::options_description options = visible_options(none);
+  for (const auto &option : options.options())
+    names.push_back("--" + option->long_name());
+  return names;
+}
+} // namespace Voussoir

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/print_parameters.h>
+#include <voussoir/base/reference.h>
+#include <voussoir/run/analysis_run.h>
+#include <voussoir/run/command_line/arguments.h>
+#include <voussoir/run/command_line/bash_completion.h>
+#include <voussoir/run/command_line/command_line.h>
+#include <voussoir/run/sweep/sweep.h>
+#include <voussoir/version.h>
+
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <ostream>
+#include <sstream>
+
+namespace Voussoir
+{
+namespace
+{
+/** The exit status of the program; see run_command_line(). */
+enum class ExitStatus
+{
+  solved = 0,
+  bad_input = 2,
+  load_not_carried = 3,
+  solver_failed = 4
+};
+
+/** The streams of the program, and the devices behind them. */
+struct Streams
+{
+  std::ostream &out;
+  std::ostream &error;
+  const Screens &screens;
+};
+
+/** Print @p text; throws an InputError unless all of it is written. */
+ExitStatus print(std::ostream &out, const std::string &text)
+{
+  if (!(out << text << std::flush))
+    throw InputError("The output cannot be written; is the disk full, or has "
+                     "its reader gone?");
+  return ExitStatus::solved;
+}
+
+/** Run a scene many times, if that is asked for. */
+bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
+{
+  const bool finds = !arguments.find.empty();
+  if (arguments.sweeps.empty() && !finds)
+  {
+    if (!arguments.results.empty() || arguments.has_directories)
+      throw InputError("--result and --directories belong to --sweep or "
+                       "--find. See 'voussoir --help'.");
+    return false;
+  }
+  if (arguments.validate)
+    throw InputError("--validate looks at one scene; give it without --sweep "
+                     "and --find.");
+  if (finds && !arguments.sweeps.empty())
+    throw InputError("--sweep and --find are given; give one of them.");
+  if (team.size() > 1)
+    throw InputError("--sweep and --find use the cores of one process; give "
+                     "them without mpirun.");
+  if (arguments.file.empty())
+    throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
+                     "see 'voussoir --help'.");
+  const ManyRuns runs = {arguments.file, arguments.assignments,
+                         arguments.results, arguments.has_directories};
+  if (finds)
+  {
+    search(runs, read_search_range(arguments.find), terminal);
+    return true;
+  }
+  std::vector<SweepAxis> axes;
+  for (const std::string &text : arguments.sweeps)
+    axes.push_back(read_sweep_axis(text));
+  sweep(runs, axes, terminal);
+  return true;
+}
+
+/** Whose sections users name, and one of them. */
+const char *const load_cases_section = "Load cases";
+const char *const example_of_load_case =
+    "Load cases/case/Boundary load=traction";
+
+/** A text that is asked for besides runs. */
+std::optional<std::string> text_to_print(const Arguments &arguments)
+{
+  if (arguments.help)
+    return help();
+  if (arguments.version)
+    return "voussoir " VOUSSOIR_VERSION "\n";
+  return {};
+}
+
+/** One that tells of the parameters. */
+std::optional<std::string> text_of_parameters(const Arguments &arguments,
+                                              AnalysisRun &analysis)
+{
+  std::ostringstream text;
+  if (arguments.print_parameters || arguments.print_settings)
+    analysis.print(text, arguments.print_parameters.value_or(""),
+                   parameter_format_of(arguments.format),
+                   arguments.print_settings ? Detail::value : Detail::listing);
+  else if (arguments.print_schema)
+    print_schema(text, analysis.entries(), load_cases_section);
+  else if (arguments.print_reference)
+    write_reference(text, analysis.entries());
+  else if (arguments.print_completion)
+    print_bash_completion(text, option_names(), analysis.tree());
+  else
+    return {};
+  return text.str();
+}
+
+ExitStatus fail(const Streams &streams,
+                const ExitStatus status,
+                const std::string &message)
+{
+  streams.error << streams.screens.error.bad("voussoir:") << ' ' << message
+                << std::endl;
+  return status;
+}
+
+ExitStatus
+run(const Arguments &arguments, const Streams &streams, const Team &team)
+{
+  if (const auto text = text_to_print(arguments))
+    return print(streams.out, *text);
+  // A quiet run shows warnings only, which belong to the errors.
+  Terminal terminal = arguments.quiet
+                          ? Terminal(streams.error, 1, streams.screens.error)
+                          : Terminal(streams.out, 1, streams.screens.out);
+  if (arguments.quiet)
+    terminal.be_quiet();
+  if (run_many(arguments, team, terminal))
+    return ExitStatus::solved;
+  AnalysisRun analysis(terminal, team);
+  ParameterSources sources;
+  if (!arguments.file.empty())
+    sources.file = arguments.file;
+  sources.assignments = arguments.assignments;
+  if (arguments.print_schema)
+    sources.assignments.push_back(example_of_load_case);
+  analysis.read(sources);
+  if (const auto text = text_of_parameters(arguments, analysis))
+    return print(streams.out, *text);
+  if (arguments.file.empty())
+    throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
+                     "see 'voussoir --help'.");
+  // The directory of the file itself, should its name be a link; relative to
+  // the working directory, for messages that a user recognises.
+  namespace fs = std::filesystem;
+  const fs::path directory =
+      fs::proximate(fs::canonical(arguments.file).parent_path());
+  if (arguments.validate)
+  {
+    analysis.validate(directory);
+    return ExitStatus::solved;
+  }
+  terminal.set_verbosity(analysis.verbosity());
+  const RunOutcome outcome = analysis.run(directory, true);
+  return outcome.message.empty()
+             ? ExitStatus::solved
+             : fail(streams, ExitStatus::load_not_carried, outcome.message);
+}
+
+/** Run, whatever is thrown. */
+ExitStatus run_to_its_end(const std::vector<std::string> &words,
+                          const Streams &streams,
+                          const Team &team)
+{
+  try
+  {
+    return run(arguments_of(words), streams, team);
+  }
+  catch (const InputError &e)
+  {
+    return fail(streams, ExitStatus::bad_input, e.what());
+  }
+  catch (const std::filesystem::filesystem_error &e)
+  {
+    return fail(streams, ExitStatus::bad_input,
+                std::string("A file or directory cannot be used: ") + e.what());
+  }
+  catch (const SolverError &e)
+  {
+    return fail(streams, ExitStatus::solver_failed, e.what());
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail(streams, ExitStatus::solver_failed,
+                "There is not enough memory for this packing.");
+  }
+  catch (const std::exception &e)
+  {
+    return fail(streams, ExitStatus::solver_failed,
+                std::string("An unexpected error, which is a defect of the "
+                            "program, ended the run:\n") +
+                    e.what());
+  }
+}
+} // namespace
+
+int run_command_line(const std::vector<std::string> &words,
+                     std::ostream &out,
+                     std::ostream &error,
+                     const Team &team,
+                     const Screens &screens)
+{
+  return static_cast<int>(run_to_its_end(words, {out, error, screens}, team));
+}
+} // namespace Voussoir

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameter_input.h>
+#include <voussoir/base/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/output/blocks_vtu.h>
+#include <voussoir/output/csv.h>
+#include <voussoir/output/drawing_check_vtu.h>
+#include <voussoir/output/interfaces_vtu.h>
+#include <voussoir/output/messages.h>
+#include <voussoir/output/packing_files.h>
+#include <voussoir/output/pvd.h>
+#include <voussoir/output/report/report.h>
+#include <voussoir/output/stress_pieces.h>
+#include <voussoir/output/stress_vtu.h>
+#include <voussoir/output/summary.h>
+#include <voussoir/run/result_writer.h>
+#include <voussoir/run/unused_settings.h>
+#include <voussoir/stress/cell_means.h>
+
+#include <boost/algorithm/string/join.hpp>
+
+#include <cmath>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+const std::string parameters_prm = "parameters.prm";
+
+/** Every file that any run may write. */
+FilesOfRuns all_files()
+{
+  return {{interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
+           stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
+           mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
+           results_pvd, report_html, drawing_check_html, parameters_prm,
+           summary_json},
+          {packing_wkt, packing_off, packing_centres},
+          is_stress_piece};
+}
+
+/** The motion of the blocks beside the forces, if there is one. */
+const Motion *motion_to_show(const Results &results)
+{
+  if (results.settlement)
+    return &results.settlement->motion;
+  return results.load_factor && results.load_factor->has_mechanism()
+             ? &results.load_factor->mechanism
+             : nullptr;
+}
+
+/** What the largest displacement of a mechanism, one, is drawn as: a cell. */
+double size_of_mechanism(const Scene &scene)
+{
+  return std::sqrt(scene.packing.area() / scene.packing.n_cells());
+}
+
+/** Write a collection of @p grids, which ParaView opens as one file. */
+void write_collection(ResultDirectory &files,
+                      const std::vector<std::string> &grids)
+{
+  files.write(results_pvd, [&](std::ostream &out) { write_pvd(out, grids); });
+}
+} // namespace
+
+ResultWriter::ResultWriter(Terminal &terminal,
+                           const Team &team,
+                           dealii::TimerOutput &timer)
+    : terminal(terminal), team(team), timer(timer)
+{}
+
+void ResultWriter::add_entries(dealii::ParameterHandler &prm)
+{
+  using dealii::Patterns::Anything;
+  prm.add_parameter("Title", title, "A title for the results.", Anything());
+  prm.add_parameter("Output directory", output_directory,
+                    "Where the results go; created if need be. A relative path "
+                    "starts at the directory that the program is run in.",
+                    Anything());
+}
+
+void ResultWriter::add_sections(dealii::ParameterHandler &prm)
+{
+  stress.add_parameters(prm);
+  prm.enter_subsection("Output");
+  prm.add_parameter(
+      "Verbosity", shown,
+      "0: the closing summary alone; 1: also the stages and, on a "
+      "screen, the progress of long ones; 2: also the iterations "
+      "of the solver and the joints of which the most is used.",
+      dealii::Patterns::Integer(0, 2));
+  add_choice<ResultFiles>(
+      prm, "Files", result_files,
+      {{ResultFiles::all, "all", "both kinds."},
+       {ResultFiles::csv, "csv",
+        interfaces_csv + ", " + cells_csv + " and " + boundary_csv +
+            ", or those of the mechanism."},
+       {ResultFiles::vtu, "vtu",
+        blocks_vtu + ", " + interfaces_vtu +
+            " and, unless 'Accuracy = draft', " + stress_vtu +
+            ", or that of the mechanism; and " + results_pvd + "."},
+       {ResultFiles::none, "none", "neither."}},
+      "Which results are written besides " + summary_json + " and " +
+          parameters_prm +
+          ". A stress that is not written is not reconstructed.");
+  add_choice<PackingFile>(
+      prm, "Packing", packing_file,
+      {{PackingFile::none, "none", "nothing."},
+       {PackingFile::wkt, "WKT",
+        packing_wkt + ", one POLYGON a line with the name of its group."},
+       {PackingFile::off, "OFF", packing_off + ", without names."}},
+      "What to write for another program, or to be edited and read again by "
+      "the generator 'polygons': the cells, and with them their centres in " +
+          packing_centres + ".");
+  add_choice<Report>(
+      prm, "Report", report,
+      {{Report::automatic, "automatic",
+        "if 'Files = all', up to " + std::to_string(most_cells_in_full) +
+            " cells."},
+       {Report::always, "true",
+        "always; with more cells it shows less, and is large."},
+       {Report::never, "false", "never."}},
+      "Whether to write " + report_html +
+          ", a page with pictures and numbers that any browser opens.");
+  prm.leave_subsection();
+
+  prm.enter_subsection("Units");
+  for (const auto &[name, unit, of] :
+       {std::tuple("Length", &units.length, "lengths"),
+        std::tuple("Stress", &units.stress, "stresses and strengths"),
+        std::tuple(
+            "Force", &units.force,
+            "forces, which are stress times length, per unit thickness")})
+    prm.add_parameter(name, *unit,
+                      std::string("The unit of ") + of + ", for " +
+                          report_html + ". Nothing is converted.",
+                      dealii::Patterns::Anything());
+  prm.leave_subsection();
+}
+
+ResultDirectory ResultWriter::open(const std::string &forces_from)
+{
+  std::error_code not_there;
+  keeps_forces =
+      !forces_from.empty() &&
+      std::filesystem::equivalent(forces_from, output_directory, not_there);
+  return {output_directory, all_files(), terminal};
+}
+
+std::string ResultWriter::show_faults(ResultDirectory &files,
+                                      const DrawingRefused &refused)
+{
+  // The message of one fault shows where it is.
+  if (!writes(ResultFiles::vtu) || refused.check.faults.size() < 2)
+    return {};
+  const bool has_page = report != Report::never;
+  files.write(drawing_check_vtu, [&](std::ostream &out) {
+    write_drawing_check_vtu(out, refused.check);
+  });
+  if (has_page)
+    files.write(drawing_check_html,
+                [&](std::ostream &out) { write_report(out, refused); });
+  files.publish_beside();
+  const std::filesystem::path directory = output_directory;
+  return text(
+      "All are in '", (directory / drawing_check_vtu).string(),
+      "'; open it in ParaView",
+      has_page ? ", or " + drawing_check_html + " beside it in a browser" : "",
+      ".");
+}
+
+bool ResultWriter::writes(const ResultFiles kind) const
+{
+  // Forces from the directory of the results are not lost there, whatever
+  // 'Files' says: publish() removes what is not written.
+  return result_files == ResultFiles::all || result_files == kind ||
+         (kind == ResultFiles::csv && keeps_forces);
+}
+
+bool ResultWriter::reports(const Packing &packing) const
+{
+  return report == Report::always ||
+         (report == Report::automatic && result_files == ResultFiles::all &&
+          packing.n_cells() <= most_cells_in_full);
+}
+
+std::string ResultWriter::write(ResultDirectory &files,
+                                Results &results,
+                                const dealii::ParameterHandler &prm)
+{
+  results.title = title;
+  timer.enter_subsection("stress");
+  terminal.begin("Stress");
+  const std::optional<StressPart> own_part = find_stresses(results);
+  timer.leave_subsection();
+
+  timer.enter_subsection("output");
+  terminal.begin("Output");
+  const Motion *motion = motion_to_show(results);
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name, [&](std::ostream &out) { writer(out, results); });
+  };
+  if (writes(ResultFiles::csv))
+  {
+    add(interfaces_csv, write_interfaces_csv);
+    add(cells_csv, write_cells_csv);
+    add(boundary_csv, write_boundary_csv);
+  }
+  if (writes(ResultFiles::vtu))
+  {
+    std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
+    add(blocks_vtu, write_blocks_vtu);
+    if (stress.reconstruct())
+      grids.insert(grids.begin(), write_stress(files, results, own_part));
+    add(interfaces_vtu, write_interfaces_vtu);
+    if (motion)
+      grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});
+    write_collection(files, grids);
+  }
+  if (motion)
+    write_mechanism(files, results.scene, *motion,
+                    results.settlement ? 1. : size_of_mechanism(results.scene));
+  publish(files, results, prm);
+  show_summary(terminal, results);
+  return {};
+}
+
+std::optional<StressPart> ResultWriter::find_stresses(Results &results)
+{
+  const Scene &scene = results.scene;
+  if (writes(ResultFiles::csv) || writes(ResultFiles::vtu) ||
+      reports(scene.packing))
+  {
+    results.torques = residual_torques(scene, results.forces);
+    results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  }
+  std::optional<StressPart> own_part;
+  if (!stress.reconstruct() || !writes(ResultFiles::vtu))
+    return own_part;
+
+  const Reconstruction how = stress.reconstruction();
+  if (!scene.packing.not_seen_whole().empty())
+  {
+    results.pieces.emplace(scene.packing);
+    results.stress = reconstruct_stress(
+        results.pieces->as_packing(),
+        results.pieces->forces(scene, results.forces), how, terminal);
+    results.stress.undetermined =
+        results.pieces->cells_of(results.stress.undetermined);
+  }
+  else if (team.size() == 1)
+    results.stress = reconstruct_stress(scene, results.forces, how, terminal);
+  else
+  {
+    own_part.emplace(reconstruct_on_root(scene, results.forces, results.motion,
+                                         how, team, terminal));
+    results.stress.n_sub_cells = own_part->stress.n_sub_cells;
+    results.stress.undetermined = own_part->stress.undetermined;
+  }
+  terminal.stage("Stress", text(results.stress.n_sub_cells, " sub-cells"));
+  for (const std::string &warning : undetermined_cells(scene, results.stress))
+    terminal.warning(warning);
+  return own_part;
+}
+
+std::string
+ResultWriter::write_stress(ResultDirectory &files,
+                           const Results &results,
+                           const std::optional<StressPart> &own_part) const
+{
+  if (own_part)
+  {
+    write_stress_pieces(files, *own_part, team);
+    return stress_pvtu;
+  }
+  files.write(stress_vtu, [&](std::ostream &out) {
+    if (!results.pieces)
+      return write_stress_vtu(
+          out, {results.scene.packing, results.stress, results.motion});
+    const Motion motion = results.pieces->motion(results.motion);
+    write_stress_vtu(out, {results.pieces->as_packing(), results.stress, motion,
+                           0, &results.pieces->cell_of()});
+  });
+  return stress_vtu;
+}
+
+std::string ResultWriter::write(ResultDirectory &files,
+                                Collapse &collapse,
+                                const dealii::ParameterHandler &prm)
+{
+  collapse.title = title;
+  timer.enter_subsection("output");
+  terminal.begin("Output");
+  write_mechanism(files, collapse.scene, collapse.motion,
+                  size_of_mechanism(collapse.scene));
+  std::vector<std::string> to_look_at;
+  if (writes(ResultFiles::vtu))
+  {
+    write_collection(files, {mechanism_vtu, mechanism_joints_vtu});
+    to_look_at.push_back(results_pvd);
+  }
+  if (writes(ResultFiles::csv))
+    to_look_at.push_back(mechanism_joints_csv);
+  publish(files, collapse, prm);
+  terminal.status(Status{Status::Kind::collapse, 0.}.word(), false);
+  return message_of(collapse, boost::algorithm::join(to_look_at, " and "));
+}
+
+void ResultWriter::write_mechanism(ResultDirectory &files,
+                                   const Scene &scene,
+                                   const Motion &motion,
+                                   const double factor) const
+{
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name, [&](std::ostream &out) { writer(out, scene, motion); });
+  };
+  if (writes(ResultFiles::vtu))
+  {
+    files.write(mechanism_vtu, [&](std::ostream &out) {
+      write_mechanism_vtu(out, scene.packing, motion, factor);
+    });
+    add(mechanism_joints_vtu, write_mechanism_joints_vtu);
+  }
+  if (writes(ResultFiles::csv))
+  {
+    add(mechanism_csv, write_mechanism_csv);
+    add(mechanism_joints_csv, write_mechanism_joints_csv);
+  }
+}
+
+template <typename Found>
+void ResultWriter::publish(ResultDirectory &files,
+                           Found &found,
+                           const dealii::ParameterHandler &prm)
+{
+  const auto add = [&](const std::string &name, const auto &writer) {
+    files.write(name,
+                [&](std::ostream &out) { writer(out, found.scene.packing); });
+  };
+  if (writes(ResultFiles::vtu) && !found.scene.packing.gaps().empty())
+    add(drawing_check_vtu, [](std::ostream &out, const Packing &packing) {
+      write_drawing_check_vtu(out, check_of_gaps(packing));
+    });
+  if (packing_file == PackingFile::wkt)
+    add(packing_wkt, write_packing_wkt);
+  if (packing_file == PackingFile::off)
+    add(packing_off, write_packing_off);
+  if (packing_file != PackingFile::none)
+    add(packing_centres, write_centres);
+  files.write(parameters_prm, [&](std::ostream &out) {
+    using Style = dealii::ParameterHandler;
+    out << listing_title() << '\n';
+    prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
+  });
+  timer.leave_subsection();
+  found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  if (reports(found.scene.packing))
+    files.write(report_html, [&](std::ostream &out) {
+      write_report(out, found,
+                   {units, changed_settings(prm), terminal.warnings()});
+    });
+  files.write(summary_json, [&](std::ostream &out) {
+    write_summary_json(out, found); // last: it marks a complete set
+  });
+  files.publish();
+  std::vector<std::string> views;
+  if (reports(found.scene.packing))
+    views.push_back(report_html + " shows it in a browser");
+  if (writes(ResultFiles::vtu))
+    views.push_back(results_pvd + " in ParaView");
+  terminal.stage(
+      "Output",
+      "written to " + output_directory +
+          (views.empty() ? "" : "; " + boost::algorithm::join(views, ", ")));
+}
+} // namespace Voussoir

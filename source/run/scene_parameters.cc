@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameter_tree.h>
+#include <voussoir/run/scene_parameters.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
+                                     const std::set<std::string> &cases)
+{
+  prm.add_parameter(
+      "Rotations", blocks_turn,
+      "true: blocks also turn, so that moments are balanced, and touch at both "
+      "ends of an interface, so that its resultant has a place on it: arches "
+      "and towers may overturn. false: they slide only, as in the paper.",
+      dealii::Patterns::Bool());
+  packing.add_parameters(prm);
+  supports.add_parameters(prm);
+  loads.add_parameters(prm);
+  live_loads.add_parameters(prm);
+  load_cases.add_parameters(prm, cases);
+  friction.add_parameters(prm);
+  contact.add_parameters(prm);
+}
+
+Packing SceneParameters::read_packing(const std::filesystem::path &directory,
+                                      Terminal &terminal) const
+{
+  Packing blocks = packing.make_packing(directory, blocks_turn, terminal);
+  for (const std::string &notice : blocks.notices())
+    terminal.warning(notice);
+  supports.support(blocks);
+  return blocks;
+}
+
+std::string SceneParameters::packing_key(const nlohmann::ordered_json &tree)
+{
+  std::string key;
+  for (const char *name : {"Rotations", "Packing", "Supports"})
+    key += values_in(tree.at(name));
+  return key;
+}
+
+SceneData SceneParameters::data(Packing blocks,
+                                const bool with_live_loads,
+                                Terminal &terminal) const
+{
+  SceneData data = {std::move(blocks), {}, {}, {}};
+  data.strengths = friction.strengths(data.packing);
+  contact.add_strengths(data.packing, data.strengths);
+  if (load_cases.forgotten())
+    terminal.warning("There are 'Load cases', and none of them acts; set "
+                     "'Loads/Combination', as in 1.35 dead + 1.5 lorry.");
+  data.loads = loads.loads(data.packing);
+  load_cases.add_combination("Loads", data.packing, data.loads);
+  if (with_live_loads)
+  {
+    data.live_loads = live_loads.loads(data.packing);
+    load_cases.add_combination("Live loads", data.packing, data.live_loads);
+  }
+  for (const auto &warnings :
+       {data.strengths.warnings, data.loads.warnings, data.live_loads.warnings})
+    for (const std::string &warning : warnings)
+      terminal.warning(warning);
+  return data;
+}
+
+Scene SceneParameters::scene_of(SceneData data) const
+{
+  Scene scene(std::move(data.packing), std::move(data.strengths.of_interface),
+              std::move(data.loads),
+              blocks_turn ? rotations() : translations());
+  scene.coefficient = std::move(data.strengths.coefficient);
+  scene.dilates = data.strengths.dilate;
+  scene.tensile_strength = std::move(data.strengths.tensile);
+  scene.compressive_strength = std::move(data.strengths.compressive);
+  return scene;
+}
+
+Scene SceneParameters::scene_at(SceneData data, const double factor) const
+{
+  data.loads.add(factor, data.live_loads);
+  return scene_of(std::move(data));
+}
+
+Scene SceneParameters::live_scene_of(SceneData data) const
+{
+  std::swap(data.loads, data.live_loads);
+  return scene_of(std::move(data));
+}
+} // namespace Voussoir

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/report/colour_scale.h>
+#include <voussoir/output/report/plot.h>
+#include <voussoir/report_page.h>
+#include <voussoir/run/sweep/sweep_files.h>
+#include <voussoir/run/sweep/sweep_results.h>
+#include <voussoir/run/sweep/sweep_values.h>
+
+#include <boost/algorithm/string/join.hpp>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <set>
+
+namespace Voussoir
+{
+namespace
+{
+/** The columns of every sweep: their names, and where summary.json has them. */
+const std::vector<std::pair<std::string, std::string>> columns = {
+    {"load_factor", "load_factor/carried"},
+    {"load_factor_bound", "load_factor/bound"},
+    {"within", "within"},
+    {"equilibrium_residual", "certificate/equilibrium_residual"},
+    {"admissibility_violation", "certificate/admissibility_violation"},
+    {"max_utilisation", "certificate/max_utilisation"},
+    {"work_over_dissipation", "mechanism/work_over_dissipation"},
+    {"closing_violation", "mechanism/closing_violation"},
+    {"iterations", "solver/iterations"}};
+
+/** Those of them that have a plot. */
+const std::set<std::string> worth_a_plot = {"load_factor", "max_utilisation",
+                                            "work_over_dissipation"};
+
+/** The text of a table's field, in quotes if need be. */
+std::string field(const std::string &text)
+{
+  if (text.find_first_of(",\"\n") == text.npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text)
+    quoted += letter == '"' ? std::string("\"\"")
+                            : std::string(1, letter == '\n' ? ' ' : letter);
+  return quoted + '"';
+}
+
+/** The numbers of @p path over the only parameter, by its values. */
+std::vector<PlotPoint> plotted_points(const std::string &path,
+                                      const std::vector<SweepRun> &runs)
+{
+  std::vector<PlotPoint> points;
+  for (const SweepRun &run : runs)
+  {
+    PlotPoint point;
+    if (!boost::conversion::try_lexical_convert(run.values[0], point.x) ||
+        !std::isfinite(point.x))
+      return {}; // words
+    if (boost::conversion::try_lexical_convert(result_at(run.summary, path),
+                                               point.y) &&
+        std::isfinite(point.y))
+    {
+      point.kind = run.answer == Status::Kind::solved     ? "carried"
+                   : run.answer == Status::Kind::collapse ? "collapse"
+                                                          : "within";
+      points.push_back(point);
+    }
+  }
+  std::stable_sort(
+      points.begin(), points.end(),
+      [](const PlotPoint &a, const PlotPoint &b) { return a.x < b.x; });
+  return points;
+}
+
+/** How many runs have a number there that no plot can show. */
+std::size_t n_infinite(const std::string &path,
+                       const std::vector<SweepRun> &runs)
+{
+  return std::count_if(runs.begin(), runs.end(), [&](const SweepRun &run) {
+    double value;
+    return boost::conversion::try_lexical_convert(result_at(run.summary, path),
+                                                  value) &&
+           !std::isfinite(value);
+  });
+}
+
+/** True if positive values have much the same ratios. */
+bool is_by_ratio(const std::vector<PlotPoint> &points)
+{
+  const std::size_t n = points.size();
+  if (n < 3 || points.front().x <= 0.)
+    return false;
+  const double middle = points[n / 2].x;
+  const double first = points.front().x, last = points.back().x;
+  return std::abs(middle - std::sqrt(first * last)) <
+         std::abs(middle - 0.5 * (first + last));
+}
+} // namespace
+
+std::string word_of(const SweepRun &run)
+{
+  return run.has_answer ? Status{run.answer, 0.}.word() : "failed";
+}
+
+std::string SharedWarning::description(const std::vector<std::string> &names,
+                                       const std::vector<SweepRun> &all) const
+{
+  const std::string first = words_of(names, all[runs.front()].values);
+  if (runs.size() == 1)
+    return "With " + first + ": " + text;
+  if (runs.size() == all.size())
+    return "In all runs: " + text;
+  return Voussoir::text("In ", runs.size(), " of ", all.size(),
+                        " runs, the first with ", first, ": ", text);
+}
+
+std::vector<SharedWarning> warnings_of(const std::vector<SweepRun> &runs)
+{
+  std::vector<SharedWarning> warnings;
+  std::map<std::string, std::size_t> place;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const std::string &text : runs[k].warnings)
+    {
+      const auto [found, is_new] = place.emplace(text, warnings.size());
+      if (is_new)
+        warnings.push_back({text, {}});
+      std::vector<std::size_t> &of = warnings[found->second].runs;
+      if (of.empty() || of.back() != k)
+        of.push_back(k);
+    }
+  return warnings;
+}
+
+void write_sweep_csv(std::ostream &out,
+                     const std::vector<std::string> &names,
+                     const std::vector<std::string> &results,
+                     const std::vector<SweepRun> &runs)
+{
+  for (const std::string &name : names)
+    out << field(name) << ',';
+  out << "status";
+  for (const auto &column : columns)
+    out << ',' << column.first;
+  for (const std::string &result : results)
+    out << ',' << field(result);
+  out << ",seconds,message,warnings\n";
+  for (const SweepRun &run : runs)
+  {
+    for (const std::string &value : run.values)
+      out << field(value) << ',';
+    out << word_of(run);
+    for (const auto &column : columns)
+      out << ',' << field(result_at(run.summary, column.second));
+    for (const std::string &result : results)
+      out << ',' << field(result_at(run.summary, result));
+    out << ',' << value_text(run.seconds) << ',' << field(run.reason) << ','
+        << field(boost::algorithm::join(run.warnings, " ")) << '\n';
+  }
+}
+
+void write_sweep_html(std::ostream &out,
+                      const std::vector<std::string> &names,
+                      const std::vector<std::string> &results,
+                      const std::vector<SweepRun> &runs)
+{
+  out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta "
+         "charset=\"utf-8\">\n<title>Sweep</title>\n<style>\n"
+      << page_css << "</style>\n</head>\n<body>\n<h1>"
+      << html_text(boost::algorithm::join(names, ", ")) << "</h1>\n";
+  out << "<p><span class=\"swatch line of-carried\"></span> carried <span "
+         "class=\"swatch line of-hinge\"></span> collapse</p>\n";
+  auto shown = columns;
+  for (const std::string &result : results)
+    shown.emplace_back(result, result);
+  for (std::size_t k = 0; names.size() == 1 && k < shown.size(); ++k)
+  {
+    const auto &[name, path] = shown[k];
+    if (k < columns.size() && worth_a_plot.count(name) == 0)
+      continue;
+    const std::vector<PlotPoint> points = plotted_points(path, runs);
+    if (points.size() < 2)
+      continue;
+    out << plot_svg(names[0], name, points, is_by_ratio(points));
+    if (const std::size_t n = n_infinite(path, runs))
+      out << "<p>" << html_text(name) << " has no bound in " << n << " of "
+          << counted(runs.size(), "run")
+          << ", which the plot leaves out.</p>\n";
+  }
+  out << "<table>\n<tr>";
+  for (const std::string &name : names)
+    out << "<th>" << html_text(name) << "</th>";
+  out << "<th>status</th>";
+  for (const auto &column : shown)
+    out << "<th>" << html_text(column.first) << "</th>";
+  out << "</tr>\n";
+  for (const SweepRun &run : runs)
+  {
+    out << "<tr>";
+    for (const std::string &value : run.values)
+      out << "<td>" << html_text(value) << "</td>";
+    out << "<td>" << word_of(run) << "</td>";
+    for (const auto &column : shown)
+      out << "<td>" << html_text(result_at(run.summary, column.second))
+          << "</td>";
+    out << "</tr>\n";
+  }
+  out << "</table>\n";
+  for (const SharedWarning &warning : warnings_of(runs))
+    out << "<p class=\"warning\">"
+        << html_text(warning.description(names, runs)) << "</p>\n";
+  out << "</body>\n</html>\n";
+}
+} // namespace Voussoir

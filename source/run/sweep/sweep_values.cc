@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/output/text_lines.h>
+#include <voussoir/run/sweep/sweep_values.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/lexical_cast/try_lexical_convert.hpp>
+
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+using dealii::Utilities::split_string_list;
+
+/** More runs than anybody wants are a slip of the pen. */
+constexpr unsigned int most_values = 100000;
+
+const std::string forms_of_sweep =
+    "give NAME=START:END:NUMBER, NAME=START:END:NUMBER:log or NAME=A | B | C, "
+    "such as \"Friction/Strength=0.1:1:20\".";
+
+const std::string forms_of_search =
+    "give NAME=LOW:HIGH or NAME=LOW:HIGH:WIDTH, such as "
+    "\"Friction/Strength=0:1:1e-6\".";
+
+struct NameAndValues
+{
+  NameAndValues(const std::string &option,
+                const std::string &text,
+                const std::string &forms)
+  {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+      throw InputError(option + " '" + text +
+                       "' must have a parameter and its values: " + forms);
+    name = dealii::Utilities::trim(text.substr(0, equals));
+    values = text.substr(equals + 1);
+  }
+
+  std::string name, values;
+};
+
+/** The finite numbers between colons, or none of them. */
+std::vector<double> numbers(const std::vector<std::string> &words)
+{
+  std::vector<double> read(words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (!boost::conversion::try_lexical_convert(words[i], read[i]) ||
+        !std::isfinite(read[i]))
+      return {};
+  return read;
+}
+} // namespace
+
+std::string value_text(const double value)
+{
+  TextLines text;
+  text << value;
+  return text.text();
+}
+
+SweepAxis read_sweep_axis(const std::string &text)
+{
+  const NameAndValues given("--sweep", text, forms_of_sweep);
+  std::vector<std::string> words = split_string_list(given.values, ':');
+  const bool by_ratio = words.size() == 4 && words.back() == "log";
+  if (by_ratio)
+    words.pop_back();
+  if (words.size() == 1)
+    return {given.name, split_string_list(given.values, '|')};
+  const std::vector<double> of = numbers(words);
+  if (of.size() != 3 || of[2] < 2. || of[2] > most_values ||
+      of[2] != std::floor(of[2]) || (by_ratio && !(of[0] * of[1] > 0.)))
+    throw InputError("--sweep '" + text +
+                     "' cannot be read; there must be 2 to 100000 values, for "
+                     "'log' of one sign: " +
+                     forms_of_sweep);
+  const unsigned int n = of[2];
+  SweepAxis axis = {given.name, {}};
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double share = double(k) / (n - 1);
+    // Ends are as given.
+    axis.values.push_back(
+        k == 0 ? words[0]
+        : k == n - 1
+            ? words[1]
+            : value_text(by_ratio ? of[0] * std::pow(of[1] / of[0], share)
+                                  : of[0] + share * (of[1] - of[0])));
+  }
+  return axis;
+}
+
+std::vector<std::vector<std::string>>
+points_of(const std::vector<SweepAxis> &axes)
+{
+  std::vector<std::vector<std::string>> points(1);
+  for (const SweepAxis &axis : axes)
+  {
+    std::vector<std::vector<std::string>> more;
+    for (const auto &point : points)
+      for (const std::string &value : axis.values)
+      {
+        more.push_back(point);
+        more.back().push_back(value);
+      }
+    points = std::move(more);
+  }
+  return points;
+}
+
+SearchRange read_search_range(const std::string &text)
+{
+  const NameAndValues given("--find", text, forms_of_search);
+  const std::vector<double> of = numbers(split_string_list(given.values, ':'));
+  if (of.size() < 2 || of.size() > 3 || !(of[0] < of[1]) ||
+      (of.size() == 3 && !(of[2] > 0. && of[2] < 1.)))
+    throw InputError("--find '" + text +
+                     "' cannot be read; LOW must be less than HIGH, and WIDTH "
+                     "between 0 and 1: " +
+                     forms_of_search);
+  SearchRange range = {given.name, of[0], of[1]};
+  if (of.size() == 3)
+    range.width = of[2];
+  return range;
+}
+} // namespace Voussoir

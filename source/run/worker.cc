@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/stress_pieces.h>
+#include <voussoir/run/worker.h>
+#include <voussoir/statics/least_energy.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace Voussoir
+{
+void run_worker(const Team &team)
+{
+  Terminal &silent = Terminal::silent(); // the root says what there is to say
+  std::optional<StressPart> stress;
+  const std::map<std::string, std::function<void()>> tasks = {
+      {least_energy_task, [&] { work_on_least_energy(team, silent); }},
+      {stress_task, [&] { stress.emplace(work_on_stress(team, silent)); }},
+      {writing_task, [&] { write_stress_piece(*stress, team); }}};
+  for (std::string task = team.wait(); !task.empty(); task = team.wait())
+    tasks.at(task)();
+}
+} // namespace Voussoir
