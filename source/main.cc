@@ -42,12 +42,12 @@ int main(int argc, char **argv)
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;
   Voussoir::Screens screens;
-  Voussoir::Team team;
+  Voussoir::ProcessGroup processes;
   if (Voussoir::started_by_mpirun())
   {
     Voussoir::begin_mpi();
     Voussoir::share_cores();
-    team = Voussoir::Team(MPI_COMM_WORLD);
+    processes = Voussoir::ProcessGroup(MPI_COMM_WORLD);
     interruption.listen();
   }
   else
@@ -58,18 +58,18 @@ int main(int argc, char **argv)
   // this signal back.)
   std::signal(SIGPIPE, SIG_IGN);
   int status = 0;
-  if (team.is_root())
+  if (processes.is_root())
   {
     if (screens.out.overwrites)
       interruption.clear_screen();
     status = Voussoir::run_command_line({argv + 1, argv + argc}, std::cout,
-                                        std::cerr, team, screens);
-    team.call("");
+                                        std::cerr, processes, screens);
+    processes.call("");
   }
   else
   {
     interruption.be_quiet();
-    Voussoir::run_worker(team);
+    Voussoir::run_worker(processes);
   }
-  return team.max(status);
+  return processes.max(status);
 }

@@ -31,20 +31,20 @@ struct Judgement
  * Whether its forces can be compared with those of another run. The linear
  * program has any, which depend on the version of Ipopt.
  */
-inline bool selects_a_state(const Way &way)
+inline bool selects_a_state(const Method &method)
 {
-  return way.name != linear_program.name;
+  return method.name != linear_program.name;
 }
 
 /** What the program does with the outcome of a formulation. */
-inline Judgement judge(const Voussoir::Scene &scene, const Way &way)
+inline Judgement judge(const Voussoir::Scene &scene, const Method &method)
 {
   using namespace Voussoir;
   Judgement judgement;
   try
   {
     const DiscreteProblem problem(scene);
-    const Solution found = Solver(way).solve(problem);
+    const Solution found = Solver(method).solve(problem);
     if (found.mechanism)
     {
       const MechanismCertificate proof =

@@ -16,7 +16,7 @@ struct RoomTest
 
   RoomTest(const std::string &name, const Run run) { all().emplace(name, run); }
 
-  /** Those that the files of this program have. */
+  /** The tests that the files of this program have. */
   static std::map<std::string, Run> &all()
   {
     static std::map<std::string, Run> tests;

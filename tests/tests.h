@@ -67,7 +67,7 @@ inline std::string digits(const double x)
   return out.str();
 }
 
-/** The same in brackets, for a formula. */
+/** All digits in brackets, for a formula. */
 inline std::string bracketed(const double x)
 {
   return '(' + digits(x) + ')';
@@ -258,46 +258,47 @@ inline Voussoir::Packing turned_squares(const int n)
 }
 
 /** A formulation with settings "set Entry = value" of its own subsection. */
-struct Way
+struct Method
 {
   std::string name;
   std::string formulation;
   std::string settings;
 
-  Way with(const std::string &setting) const
+  Method with(const std::string &setting) const
   {
     return {name, formulation, settings + "\n" + setting};
   }
 };
 
-inline const Way compliant = {"compliant", "smoothed friction",
-                              "set Contact = compliant"};
-inline const Way hard = {"hard", "smoothed friction", "set Contact = hard"};
-inline const Way linear_program = {"linear program", "linear program", ""};
-inline const Way least_energy = {"least energy", "least energy", ""};
-inline const Way centre = {"analytic centre", "analytic centre",
-                           "set Barrier weights = edge area"};
-inline const Way centre_equal = {"analytic centre, equal weights",
-                                 "analytic centre",
-                                 "set Barrier weights = equal"};
-inline const std::vector<Way> all_ways = {compliant,    hard,   linear_program,
-                                          least_energy, centre, centre_equal};
+inline const Method compliant = {"compliant", "smoothed friction",
+                                 "set Contact = compliant"};
+inline const Method hard = {"hard", "smoothed friction", "set Contact = hard"};
+inline const Method linear_program = {"linear program", "linear program", ""};
+inline const Method least_energy = {"least energy", "least energy", ""};
+inline const Method centre = {"analytic centre", "analytic centre",
+                              "set Barrier weights = edge area"};
+inline const Method centre_equal = {"analytic centre, equal weights",
+                                    "analytic centre",
+                                    "set Barrier weights = equal"};
+inline const std::vector<Method> all_methods = {
+    compliant, hard, linear_program, least_energy, centre, centre_equal};
 
 /** One way to solve, with a tolerance, and settings of the section Solver. */
 struct Solver
 {
-  explicit Solver(const Way &way,
-                  const double tolerance = 1e-10,
-                  const std::string &settings = "",
-                  const Voussoir::Team &team = Voussoir::Team())
-      : parameters(team), quiet(nowhere, 0)
+  explicit Solver(
+      const Method &method,
+      const double tolerance = 1e-10,
+      const std::string &settings = "",
+      const Voussoir::ProcessGroup &processes = Voussoir::ProcessGroup())
+      : parameters(processes), quiet(nowhere, 0)
   {
     parameters.add_parameters(prm);
     std::ostringstream input;
-    input << "set Formulation = " << way.formulation
+    input << "set Formulation = " << method.formulation
           << "\nsubsection Solver\nset Tolerance = " << tolerance << "\n"
-          << settings << "\nsubsection " << way.formulation << "\n"
-          << way.settings << "\nend\nend\n";
+          << settings << "\nsubsection " << method.formulation << "\n"
+          << method.settings << "\nend\nend\n";
     prm.parse_input_from_string(input.str());
   }
 

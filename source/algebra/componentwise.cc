@@ -21,7 +21,7 @@ bool Componentwise::serves(const Structure &structure,
   for (auto a = coefficients.begin(); a != coefficients.end() && same;
        a += n_contacts + 1)
     same = std::accumulate(a, a + n_contacts, 0.) == a[n_contacts];
-  return structure.team().all(same);
+  return structure.processes().all(same);
 }
 
 bool Componentwise::prepare(const std::vector<double> &coefficients,

@@ -23,7 +23,8 @@ namespace
  */
 constexpr unsigned int n_bodies_for_multigrid = 4000000;
 
-/** The same for one component, whose factors CHOLMOD could not count. */
+/** The bodies from which multigrid serves one component, whose factors CHOLMOD
+ * could not count. */
 constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
 
 /**
@@ -38,7 +39,7 @@ JointSystem::JointSystem(const Structure &structure,
                          const LinearSolver kind,
                          const double residual)
     : structure(structure), kind(kind),
-      residual(structure.n_unknowns() == 2 && structure.team().size() == 1
+      residual(structure.n_unknowns() == 2 && structure.processes().size() == 1
                    ? residual
                    : 0.)
 {
@@ -48,17 +49,18 @@ JointSystem::JointSystem(const Structure &structure,
 std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
 {
   const JointBlocks blocks(structure, apart);
-  const Team &team = structure.team();
-  const bool is_shared = team.size() > 1;
+  const ProcessGroup &processes = structure.processes();
+  const bool is_shared = processes.size() > 1;
   bool direct = kind == LinearSolver::direct;
   if (kind == LinearSolver::automatic)
   {
     const unsigned int n_couplings =
         blocks.n() *
-        team.sum(is_shared ? Substructures::n_coupling_bodies(structure) : 0);
+        processes.sum(is_shared ? Substructures::n_coupling_bodies(structure)
+                                : 0);
     direct =
         n_couplings < n_couplings_for_multigrid &&
-        team.max(structure.n_own_bodies()) <
+        processes.max(structure.n_own_bodies()) <
             (apart ? n_bodies_for_multigrid_of_one : n_bodies_for_multigrid);
   }
   if (!direct)
@@ -138,7 +140,7 @@ std::vector<double> JointSystem::solve(const std::vector<double> &r)
   const std::vector<double> of_own(r.begin(),
                                    r.begin() + structure.n_own_dofs());
   std::vector<double> u = current->solve(of_own, 1);
-  if (!structure.team().all(u.size() == of_own.size()))
+  if (!structure.processes().all(u.size() == of_own.size()))
   {
     const bool is_prepared =
         prepare_coupled(prepared.coefficients, prepared.shift);

@@ -35,9 +35,9 @@ constexpr unsigned int n_smoother_sweeps = 2;
 Multigrid::Multigrid(const JointBlocks &blocks)
     : blocks(blocks), structure(blocks.of())
 {
-  const Team &team = structure.team();
+  const ProcessGroup &processes = structure.processes();
   const unsigned int n = blocks.n(), n_own = structure.n_own_bodies();
-  const global_dof_index n_rows = n * team.sum(n_own);
+  const global_dof_index n_rows = n * processes.sum(n_own);
   dealii::IndexSet own(n_rows);
   own.add_range(row(0, 0), row(0, 0) + n * n_own);
 
@@ -55,9 +55,9 @@ Multigrid::Multigrid(const JointBlocks &blocks)
     couple(joint.cell_minus, joint.cell_plus);
     couple(joint.cell_plus, joint.cell_minus);
   }
-  matrix.reinit(own, own, pattern, team.communicator());
-  right.reinit(own, team.communicator());
-  solution.reinit(own, team.communicator());
+  matrix.reinit(own, own, pattern, processes.communicator());
+  right.reinit(own, processes.communicator());
+  solution.reinit(own, processes.communicator());
 }
 
 global_dof_index Multigrid::row(const unsigned int body,

@@ -74,7 +74,7 @@ NearComponentwise::NearComponentwise(
       residual(residual)
 {
   AssertDimension(structure.n_unknowns(), 2);
-  AssertDimension(structure.team().size(), 1);
+  AssertDimension(structure.processes().size(), 1);
 }
 
 bool NearComponentwise::serves(const Structure &structure,

@@ -32,7 +32,7 @@ double largest(const Structure &structure, const std::vector<double> &v)
   double size = 0.;
   for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     size = std::max(size, std::abs(v[k]));
-  return structure.team().max(size);
+  return structure.processes().max(size);
 }
 
 /** The product over own bodies, on all processes. */
@@ -43,7 +43,7 @@ double product(const Structure &structure,
   long double sum = 0.;
   for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     sum += a[k] * b[k];
-  return static_cast<double>(structure.team().sum(sum));
+  return static_cast<double>(structure.processes().sum(sum));
 }
 
 double proximal_force(const double shift, const double u, const double centre)
@@ -116,7 +116,7 @@ Newton::Direction Newton::direction(const double shift,
   for (std::size_t e = 0, k = 0; k < d.jumps.size(); ++e, k += n_rows)
     longest =
         std::min(longest, law.longest_step(e, &present.jumps[k], &d.jumps[k]));
-  d.longest = fraction_to_boundary * structure.team().min(longest);
+  d.longest = fraction_to_boundary * structure.processes().min(longest);
   return d;
 }
 
@@ -129,7 +129,7 @@ std::vector<double> Newton::stiffnesses() const
   const bool finite =
       std::all_of(second.begin(), second.end(),
                   [](const double k) { return std::isfinite(k); });
-  if (!structure.team().all(finite))
+  if (!structure.processes().all(finite))
     throw NewtonFailure(NewtonFailure::Cause::stiffness);
   return second;
 }
@@ -141,7 +141,7 @@ std::vector<double> Newton::solve(double shift,
   double stiffest = 1.;
   for (const double k : second)
     stiffest = std::max(stiffest, k);
-  stiffest = structure.team().max(stiffest);
+  stiffest = structure.processes().max(stiffest);
   // Rounding can cost the matrix its definiteness; then the step would not lead
   // downhill, and a larger shift is tried, up to the largest coefficient.
   for (; shift <= stiffest; shift *= factor_of_shift)
@@ -201,7 +201,7 @@ public:
       sum +=
           (state.gradient[k] - proximal_force(shift, state.u[k], centre[k])) *
           direction.u[k];
-    return static_cast<double>(newton.structure.team().sum(sum));
+    return static_cast<double>(newton.structure.processes().sum(sum));
   }
 
   State trial;
@@ -270,7 +270,7 @@ void Newton::accept(State trial)
   for (std::size_t k = 0; k < trial.forces.size(); ++k)
     last_force_change = std::max(last_force_change,
                                  std::abs(trial.forces[k] - present.forces[k]));
-  last_force_change = structure.team().max(last_force_change);
+  last_force_change = structure.processes().max(last_force_change);
   present = std::move(trial);
 }
 
@@ -287,7 +287,7 @@ double Newton::imbalance(const double shift,
     largest = std::max(largest,
                        std::abs(proximal_force(shift, present.u[k], centre[k]) -
                                 present.gradient[k]));
-  return structure.team().max(largest);
+  return structure.processes().max(largest);
 }
 
 } // namespace Voussoir

@@ -37,9 +37,9 @@ RotationComplement::RotationComplement(
 {
   AssertDimension(structure.n_unknowns(), 3);
   const unsigned int n_own = structure.n_own_bodies();
-  dealii::IndexSet own(structure.team().sum(n_own));
+  dealii::IndexSet own(structure.processes().sum(n_own));
   own.add_range(structure.first_body(), structure.first_body() + n_own);
-  diagonal.get_vector().reinit(own, structure.team().communicator());
+  diagonal.get_vector().reinit(own, structure.processes().communicator());
 }
 
 bool RotationComplement::prepare(const std::vector<double> &coefficients,
@@ -186,7 +186,7 @@ std::vector<double> RotationComplement::solve(const std::vector<double> &r,
   add_couples(u, -1., m);
 
   const double square = std::inner_product(r.begin(), r.end(), r.begin(), 0.);
-  const double right = std::sqrt(structure.team().sum(square));
+  const double right = std::sqrt(structure.processes().sum(square));
   largest_right = std::max(largest_right, right);
   dealii::SolverControl control(n_max_complement_steps,
                                 std::max(tolerance_of_complement * right,

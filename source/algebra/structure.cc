@@ -18,20 +18,21 @@ Structure::Structure(const Kinematics &kinematics, const FrictionLaw &friction)
   own.friction = &friction;
 }
 
-Structure::Structure(const Team &team, Part part)
-    : own(std::move(part)), processes(team),
+Structure::Structure(const ProcessGroup &processes, Part part)
+    : own(std::move(part)), group(processes),
       unknowns_per_body(own.kinematics->n_unknowns()),
       rows_per_joint(own.kinematics->n_rows())
 {
-  if (team.size() == 1)
+  if (processes.size() == 1)
     return;
-  const unsigned int n_all_dofs = unknowns_per_body * team.sum(n_own_bodies());
+  const unsigned int n_all_dofs =
+      unknowns_per_body * processes.sum(n_own_bodies());
   dealii::IndexSet of_own(n_all_dofs), of_ghosts(n_all_dofs);
   of_own.add_range(dof(own.first, 0), dof(own.first + n_own_bodies(), 0));
   for (const unsigned int ghost : own.ghosts)
     of_ghosts.add_range(dof(ghost, 0), dof(ghost + 1, 0));
   exchange = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
-      of_own, of_ghosts, team.communicator());
+      of_own, of_ghosts, processes.communicator());
 }
 
 void Structure::Joints::add(const Joint &joint,
@@ -100,7 +101,7 @@ double Structure::work(const double *u) const
   long double work = 0.;
   for (unsigned int k = 0; k < own.loads.size(); ++k)
     work += own.loads[k] * u[k];
-  return processes.sum(work);
+  return group.sum(work);
 }
 
 } // namespace Voussoir

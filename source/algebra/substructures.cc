@@ -36,7 +36,7 @@ std::vector<unsigned int> coupling_bodies(const Structure &structure)
   return bodies;
 }
 
-/** Those, and the ghosts of earlier processes. */
+/** The coupling bodies, and the ghosts of earlier processes. */
 std::vector<unsigned int> coupled_bodies(const Structure &structure)
 {
   std::vector<unsigned int> bodies = coupling_bodies(structure);
@@ -65,14 +65,15 @@ bool Substructures::is_direct() const
 bool Substructures::prepare(const std::vector<double> &coefficients,
                             const double shift)
 {
-  const Team &team = structure.team();
-  if (!team.all(factor.factorise(coefficients, shift)))
+  const ProcessGroup &processes = structure.processes();
+  if (!processes.all(factor.factorise(coefficients, shift)))
     return false;
   if (!is_numbered) // where there is nothing to number, too: it is collective
     number_couplings();
   is_numbered = true;
-  const auto parts = team.gather(schur_complement());
-  return team.broadcast(!team.is_root() || factorise_couplings(parts));
+  const auto parts = processes.gather(schur_complement());
+  return processes.broadcast(!processes.is_root() ||
+                             factorise_couplings(parts));
 }
 
 void Substructures::number_couplings()
@@ -82,7 +83,7 @@ void Substructures::number_couplings()
   std::vector<unsigned int> numbers;
   for (const unsigned int unknown : coupled)
     numbers.push_back(n * structure.number_of(unknown / n) + unknown % n);
-  rows = structure.team().gather(numbers);
+  rows = structure.processes().gather(numbers);
   std::vector<unsigned int> all;
   for (const auto &of_process : rows)
     all.insert(all.end(), of_process.begin(), of_process.end());
@@ -191,9 +192,9 @@ std::vector<double>
 Substructures::solve_couplings(const std::vector<double> &right,
                                const unsigned int n_columns) const
 {
-  const Team &team = structure.team();
-  std::vector<std::vector<double>> parts = team.gather(right);
-  if (team.is_root())
+  const ProcessGroup &processes = structure.processes();
+  std::vector<std::vector<double>> parts = processes.gather(right);
+  if (processes.is_root())
     for (unsigned int c = 0; c < n_columns; ++c)
     {
       dealii::Vector<double> u(n_rows);
@@ -206,6 +207,6 @@ Substructures::solve_couplings(const std::vector<double> &right,
         for (unsigned int k = 0; k < rows[r].size(); ++k)
           parts[r][c * rows[r].size() + k] = u[rows[r][k]];
     }
-  return team.scatter(parts);
+  return processes.scatter(parts);
 }
 } // namespace Voussoir

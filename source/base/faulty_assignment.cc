@@ -31,7 +31,7 @@ void add_paths(const nlohmann::ordered_json &section,
   }
 }
 
-/** Those of @p paths that are directly in a section. */
+/** The paths that are directly in a section. */
 std::vector<std::string> directly_in(const std::string &section,
                                      std::vector<std::string> paths)
 {

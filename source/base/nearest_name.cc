@@ -9,7 +9,7 @@ namespace Voussoir
 {
 namespace
 {
-/** Those of @p texts of which a part is nearest to @p name, and near enough. */
+/** The texts of which a part is nearest to @p name, and near enough. */
 template <typename Part>
 std::vector<std::string> nearest(const std::string &name,
                                  const std::vector<std::string> &texts,

@@ -8,7 +8,7 @@ namespace Voussoir
 {
 namespace
 {
-/** See with_uses(). */
+/** A pattern with the uses of its values; see with_uses(). */
 class PatternWithUses : public dealii::Patterns::PatternBase
 {
 public:

@@ -10,7 +10,7 @@ namespace Voussoir
 {
 using dealii::Point;
 using Corners = std::vector<Point<2>>;
-using Crossing = Jumps::Crossing;
+using Crossing = Discontinuities::Crossing;
 
 namespace
 {
@@ -22,7 +22,9 @@ constexpr unsigned int n_max_area_pieces = 2000;
 /** The distance of an argument from its level, over the size of what it is a
  * difference of, that is rounding. */
 constexpr double rounding_of_area = 1e-14;
-/** The same of the slope of an argument that is linear. */
+/** The slope of a linear argument, over the sizes of its terms, that is
+ * rounding.
+ */
 constexpr double rounding_of_slope = 1e-12;
 
 bool is_linear(const Crossing &crossing)
@@ -34,8 +36,9 @@ bool is_linear(const Crossing &crossing)
 }
 
 /** The distances at the corners, those that are rounding as zero. */
-std::vector<double>
-distances(const Corners &corners, const Jumps &jumps, const Crossing &crossing)
+std::vector<double> distances(const Corners &corners,
+                              const Discontinuities &jumps,
+                              const Crossing &crossing)
 {
   std::vector<double> distance;
   for (const Point<2> &corner : corners)
@@ -66,7 +69,7 @@ Corners clip(const Corners &corners, const std::vector<double> &value)
 
 struct AreaCutter
 {
-  const Jumps &jumps;
+  const Discontinuities &jumps;
   const double area;
   std::vector<AreaPiece> open = {}, done = {};
 
@@ -112,7 +115,7 @@ struct AreaCutter
   /** Add the part where a linear function is positive, if it has an area. */
   void add(const AreaPiece &whole,
            const std::vector<double> &value,
-           const Jumps::Limits &limits)
+           const Discontinuities::Limits &limits)
   {
     Corners corners = clip(whole.corners, value);
     if (corners.size() > 2 && signed_area(corners) > 0.)
@@ -122,8 +125,8 @@ struct AreaCutter
   /** Add the parts on both sides of where a linear function is zero. */
   void add_both(const AreaPiece &whole,
                 std::vector<double> value,
-                const Jumps::Limits &limits_above,
-                const Jumps::Limits &limits_below)
+                const Discontinuities::Limits &limits_above,
+                const Discontinuities::Limits &limits_below)
   {
     add(whole, value, limits_above);
     for (double &v : value)
@@ -134,8 +137,8 @@ struct AreaCutter
   void cut_along_line(const AreaPiece &part, const Crossing &crossing)
   {
     add_both(part, distances(part.corners, jumps, crossing),
-             Jumps::on_side(crossing, false, part.limits),
-             Jumps::on_side(crossing, true, part.limits));
+             Discontinuities::on_side(crossing, false, part.limits),
+             Discontinuities::on_side(crossing, true, part.limits));
   }
 
   void cut_in_halves(const AreaPiece &part, const Patch &box)
@@ -161,7 +164,8 @@ struct AreaCutter
 };
 } // namespace
 
-std::vector<AreaPiece> area_pieces(const Corners &corners, const Jumps &jumps)
+std::vector<AreaPiece> area_pieces(const Corners &corners,
+                                   const Discontinuities &jumps)
 {
   return AreaCutter{jumps, signed_area(corners)}.cut(corners);
 }

@@ -46,7 +46,7 @@ struct EdgeIntegrator
 
   const Point<2> a, b;
   const EdgeFunction &f;
-  const Jumps &jumps;
+  const Discontinuities &jumps;
   Samples samples = {};
   double mean_size = 0.;
   EdgeIntegral result = {0., 0., 0., 0., 0.};
@@ -152,7 +152,7 @@ struct EdgeIntegrator
 EdgeIntegral edge_integral(const Point<2> &a,
                            const Point<2> &b,
                            const std::function<double(const Point<2> &)> &f,
-                           const Jumps &jumps)
+                           const Discontinuities &jumps)
 {
   return EdgeIntegrator{a, b, f, jumps}.integral();
 }

@@ -10,7 +10,7 @@
 namespace Voussoir
 {
 using dealii::Point;
-using Crossing = Jumps::Crossing;
+using Crossing = Discontinuities::Crossing;
 
 namespace
 {
@@ -36,10 +36,10 @@ const Crossing &easiest(const std::vector<Crossing> &crossings)
 struct EdgeCutter
 {
   const Point<2> a, b;
-  const Jumps &jumps;
+  const Discontinuities &jumps;
   std::vector<EdgePiece> open = {}, done = {};
 
-  std::vector<EdgePiece> cut(const Jumps::Limits &limits)
+  std::vector<EdgePiece> cut(const Discontinuities::Limits &limits)
   {
     open.push_back({0., 1., true, limits});
     while (!open.empty())
@@ -86,7 +86,7 @@ struct EdgeCutter
     open.push_back(
         {part.begin, part.end,
          part.is_smooth && !jumps.is_step(crossing, middle, part.limits),
-         Jumps::on_side(crossing, is_below, part.limits)});
+         Discontinuities::on_side(crossing, is_below, part.limits)});
   }
 
   /** Cut @p part at the root of a jump's argument, monotonic along it. */
@@ -97,8 +97,9 @@ struct EdgeCutter
     const double last = jumps.distance(crossing, end);
     const auto add = [&](const double from, const double to, const bool below) {
       if (from < to)
-        open.push_back({from, to, part.is_smooth,
-                        Jumps::on_side(crossing, below, part.limits)});
+        open.push_back(
+            {from, to, part.is_smooth,
+             Discontinuities::on_side(crossing, below, part.limits)});
     };
     if (!(first * last < 0.)) // one of them may be zero
       return add(part.begin, part.end, first + last < 0.);
@@ -113,8 +114,8 @@ struct EdgeCutter
 
 std::vector<EdgePiece> edge_pieces(const Point<2> &a,
                                    const Point<2> &b,
-                                   const Jumps &jumps,
-                                   const Jumps::Limits &limits)
+                                   const Discontinuities &jumps,
+                                   const Discontinuities::Limits &limits)
 {
   return EdgeCutter{a, b, jumps}.cut(limits);
 }
@@ -123,7 +124,7 @@ double root_between(const Point<2> &a,
                     const Point<2> &b,
                     const double distance_a,
                     const double distance_b,
-                    const Jumps &jumps,
+                    const Discontinuities &jumps,
                     const Crossing &crossing)
 {
   std::uintmax_t n_evaluations = 200;

@@ -82,7 +82,7 @@ Interval closer_range(const Bounds &bounds, const double middle)
   return lower <= upper ? Interval(lower, upper) : Interval(middle);
 }
 
-/** The same of a level that all of an interval is equal to but for rounding. */
+/** The level that all of an interval is equal to but for rounding, if any. */
 std::optional<double> level_beside(const Interval &a,
                                    const double first_step,
                                    const double period,

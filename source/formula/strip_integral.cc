@@ -25,7 +25,7 @@ constexpr double narrowest_strip = 1e-14;
 struct Strips
 {
   const AreaPiece &piece;
-  const Jumps &jumps;
+  const Discontinuities &jumps;
   const std::function<AreaSums(const Point<2> &)> &f;
   const std::function<bool()> &is_exhausted;
 
@@ -132,7 +132,7 @@ struct Strips
 
 Integral<AreaSums>
 strip_integral(const AreaPiece &piece,
-               const Jumps &jumps,
+               const Discontinuities &jumps,
                const std::function<AreaSums(const Point<2> &)> &f,
                const std::function<bool()> &is_exhausted)
 {

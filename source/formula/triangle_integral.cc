@@ -45,8 +45,8 @@ constexpr double smallest_doubt = 1e-14;
  */
 constexpr double reachable_change = 4096.;
 
-/** The same change with which not even the estimate of strip_integral() can be
- * trusted: a peak was met, but not resolved. */
+/** A change, over the integral, with which not even the estimate of
+ * strip_integral() can be trusted: a peak was met, but not resolved. */
 constexpr double roughness_of_triangle = 1e-2;
 
 /** The part of the area in which nothing is looked for any more. */
@@ -101,7 +101,7 @@ public:
   TriangleIntegrator(const Triangle &triangle,
                      const Point<2> &origin,
                      const TriangleFunction &f,
-                     const Jumps &jumps)
+                     const Discontinuities &jumps)
       : triangle(triangle), origin(origin), area(area_of(triangle)),
         scale(std::sqrt(area)), f(f), jumps(jumps)
   {}
@@ -113,7 +113,7 @@ public:
       integrate_pieces();
       return result();
     }
-    const Jumps::Limits no_limits = jumps.no_limits();
+    const Discontinuities::Limits no_limits = jumps.no_limits();
     look_at(whole(no_limits));
     cut_doubtful();
     return result();
@@ -121,7 +121,7 @@ public:
 
   std::optional<TriangleIntegral> quick_integral()
   {
-    const Jumps::Limits no_limits = jumps.no_limits();
+    const Discontinuities::Limits no_limits = jumps.no_limits();
     const Part part = whole(no_limits);
     if (part.found.unevenness > evenness(part, mean_size))
       return {};
@@ -162,7 +162,7 @@ private:
   {
     Triangle corners;
     Found found;
-    const Jumps::Limits *limits;
+    const Discontinuities::Limits *limits;
     /** The change that cutting it may bring, roughly. */
     double doubt;
 
@@ -170,7 +170,7 @@ private:
   };
 
   /** All of the triangle, whose mean size and samples it sets. */
-  Part whole(const Jumps::Limits &no_limits)
+  Part whole(const Discontinuities::Limits &no_limits)
   {
     const Found found = apply_rule(triangle);
     mean_size = found.size / area;
@@ -352,7 +352,7 @@ private:
   const Point<2> origin;
   const double area, scale;
   const TriangleFunction &f;
-  const Jumps &jumps;
+  const Discontinuities &jumps;
   Sums sum = 0.;
   std::array<Samples, 2> samples;
   double mean_size = 0., error = 0., uncertain = 0.;
@@ -365,7 +365,7 @@ private:
 TriangleIntegral triangle_integral(const Triangle &corners,
                                    const Point<2> &origin,
                                    const TriangleFunction &f,
-                                   const Jumps &jumps)
+                                   const Discontinuities &jumps)
 {
   return TriangleIntegrator(corners, origin, f, jumps).integral();
 }
@@ -373,7 +373,7 @@ TriangleIntegral triangle_integral(const Triangle &corners,
 std::optional<TriangleIntegral> quick_triangle_integral(
     const Triangle &corners, const Point<2> &origin, const TriangleFunction &f)
 {
-  static const Jumps none;
+  static const Discontinuities none;
   return TriangleIntegrator(corners, origin, f, none).quick_integral();
 }
 } // namespace Voussoir

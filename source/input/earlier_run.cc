@@ -25,7 +25,7 @@ namespace
  * packing.
  */
 constexpr double rounding_of_coordinates = 1e-10;
-/** The same of a strength, over itself. */
+/** The difference of two strengths, over one, that may be rounding. */
 constexpr double rounding_of_strengths = 1e-10;
 
 constexpr const char *same_scene =

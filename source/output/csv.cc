@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/csv.h>
 #include <voussoir/output/text_lines.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/utilisation.h>
 
 #include <array>

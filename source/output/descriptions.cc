@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/descriptions.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 
 #include <algorithm>
 #include <cmath>

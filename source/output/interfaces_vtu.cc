@@ -2,7 +2,7 @@
 #include <voussoir/output/interfaces_vtu.h>
 #include <voussoir/output/vtu_file.h>
 #include <voussoir/output/vtu_values.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/utilisation.h>
 
 #include <algorithm>

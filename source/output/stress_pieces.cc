@@ -42,19 +42,19 @@ std::string write(const StressPart &part, const std::string &path)
 
 void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
-                         const Team &team)
+                         const ProcessGroup &processes)
 {
   std::vector<std::string> names;
   std::vector<std::vector<char>> paths;
-  for (unsigned int r = 0; r < team.size(); ++r)
+  for (unsigned int r = 0; r < processes.size(); ++r)
   {
     names.push_back(name_of_piece(std::to_string(r)));
     paths.push_back(characters(files.place_for(names.back()).string()));
   }
-  team.call(writing_task);
-  const auto failures = team.together([&]() {
-    const std::vector<char> path = team.scatter(paths);
-    return team.gather(
+  processes.call(writing_task);
+  const auto failures = processes.together([&]() {
+    const std::vector<char> path = processes.scatter(paths);
+    return processes.gather(
         characters(write(part, std::string(path.begin(), path.end()))));
   });
   for (unsigned int r = 0; r < failures.size(); ++r)
@@ -76,11 +76,11 @@ bool is_stress_piece(const std::string &name)
          name == name_of_piece(process);
 }
 
-void write_stress_piece(const StressPart &part, const Team &team)
+void write_stress_piece(const StressPart &part, const ProcessGroup &processes)
 {
-  team.together([&]() {
-    const std::vector<char> path = team.scatter<char>({});
-    return team.gather(
+  processes.together([&]() {
+    const std::vector<char> path = processes.scatter<char>({});
+    return processes.gather(
         characters(write(part, std::string(path.begin(), path.end()))));
   });
 }

@@ -46,7 +46,7 @@ public:
   {
     return std::get_if<Results>(&findings->found);
   }
-  /** The same where it is needed for @p what. */
+  /** The carried state, which @p what needs. */
   const Results &state(const std::string &what) const
   {
     if (carried() == nullptr)

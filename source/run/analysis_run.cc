@@ -29,11 +29,13 @@ void complete(Collapse & /*collapse*/) {}
 /** @} */
 } // namespace
 
-AnalysisRun::AnalysisRun(Terminal &terminal, const Team &team)
-    : terminal(terminal), team(team), timer(std::cout,
-                                            dealii::TimerOutput::never,
-                                            dealii::TimerOutput::wall_times),
-      analysis(terminal, this->team, timer), writer(terminal, this->team, timer)
+AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
+    : terminal(terminal), processes(processes),
+      timer(std::cout,
+            dealii::TimerOutput::never,
+            dealii::TimerOutput::wall_times),
+      analysis(terminal, this->processes, timer),
+      writer(terminal, this->processes, timer)
 {}
 
 void AnalysisRun::read(const ParameterSources &sources)
@@ -118,8 +120,8 @@ RunOutcome AnalysisRun::run(const std::filesystem::path &directory,
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
   std::optional<EarlierRun> earlier = analysis.earlier_run();
-  if (team.size() > 1)
-    terminal.stage("Processes", std::to_string(team.size()));
+  if (processes.size() > 1)
+    terminal.stage("Processes", std::to_string(processes.size()));
 
   timer.enter_subsection("packing");
   terminal.begin("Packing");

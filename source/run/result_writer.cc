@@ -68,9 +68,9 @@ void write_collection(ResultDirectory &files,
 } // namespace
 
 ResultWriter::ResultWriter(Terminal &terminal,
-                           const Team &team,
+                           const ProcessGroup &processes,
                            dealii::TimerOutput &timer)
-    : terminal(terminal), team(team), timer(timer)
+    : terminal(terminal), processes(processes), timer(timer)
 {}
 
 void ResultWriter::add_entries(dealii::ParameterHandler &prm)
@@ -252,12 +252,12 @@ std::optional<StressPart> ResultWriter::find_stresses(Results &results)
     results.stress.undetermined =
         results.pieces->cells_of(results.stress.undetermined);
   }
-  else if (team.size() == 1)
+  else if (processes.size() == 1)
     results.stress = reconstruct_stress(scene, results.forces, how, terminal);
   else
   {
     own_part.emplace(reconstruct_on_root(scene, results.forces, results.motion,
-                                         how, team, terminal));
+                                         how, processes, terminal));
     results.stress.n_sub_cells = own_part->stress.n_sub_cells;
     results.stress.undetermined = own_part->stress.undetermined;
   }
@@ -274,7 +274,7 @@ ResultWriter::write_stress(ResultDirectory &files,
 {
   if (own_part)
   {
-    write_stress_pieces(files, *own_part, team);
+    write_stress_pieces(files, *own_part, processes);
     return stress_pvtu;
   }
   files.write(stress_vtu, [&](std::ostream &out) {

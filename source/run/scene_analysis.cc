@@ -16,9 +16,10 @@
 namespace Voussoir
 {
 SceneAnalysis::SceneAnalysis(Terminal &terminal,
-                             const Team &team,
+                             const ProcessGroup &processes,
                              dealii::TimerOutput &timer)
-    : terminal(terminal), n_processes(team.size()), timer(timer), solver(team)
+    : terminal(terminal), n_processes(processes.size()), timer(timer),
+      solver(processes)
 {}
 
 void SceneAnalysis::add_entries(dealii::ParameterHandler &prm)
@@ -123,7 +124,8 @@ RunResult SceneAnalysis::find_state(SceneData data,
                       solver.controls().tolerance, timer, terminal)
               : analyse(scene, solver.formulation_for(scene), solver.controls(),
                         record, timer, terminal);
-  std::optional<Settlement> settlement = settle(answer, scene, record);
+  std::optional<Settlement> settlement =
+      try_second_attempts(answer, scene, record);
   auto *const carried = std::get_if<Carried>(&answer);
   if (carried == nullptr)
     return {std::move(owned),
@@ -142,8 +144,8 @@ RunRecord SceneAnalysis::record_of(const Scene &scene) const
   return record;
 }
 
-std::optional<Settlement>
-SceneAnalysis::settle(Answer &answer, const Scene &scene, SolverRecord &record)
+std::optional<Settlement> SceneAnalysis::try_second_attempts(
+    Answer &answer, const Scene &scene, SolverRecord &record)
 {
   const std::vector<SupportMotion> of_supports =
       of_scene.motion_of_supports(scene.packing);

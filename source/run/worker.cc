@@ -11,15 +11,16 @@
 
 namespace Voussoir
 {
-void run_worker(const Team &team)
+void run_worker(const ProcessGroup &processes)
 {
   Terminal &silent = Terminal::silent(); // the root says what there is to say
   std::optional<StressPart> stress;
   const std::map<std::string, std::function<void()>> tasks = {
-      {least_energy_task, [&] { work_on_least_energy(team, silent); }},
-      {stress_task, [&] { stress.emplace(work_on_stress(team, silent)); }},
-      {writing_task, [&] { write_stress_piece(*stress, team); }}};
-  for (std::string task = team.wait(); !task.empty(); task = team.wait())
+      {least_energy_task, [&] { work_on_least_energy(processes, silent); }},
+      {stress_task, [&] { stress.emplace(work_on_stress(processes, silent)); }},
+      {writing_task, [&] { write_stress_piece(*stress, processes); }}};
+  for (std::string task = processes.wait(); !task.empty();
+       task = processes.wait())
     tasks.at(task)();
 }
 } // namespace Voussoir

@@ -26,7 +26,7 @@ Patch box_of(const Packing &packing, const unsigned int c)
 
 /** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
-                     const Jumps &jumps,
+                     const Discontinuities &jumps,
                      const Packing &packing,
                      const unsigned int c)
 {
@@ -93,7 +93,7 @@ bool integrate_quickly(const Packing &packing,
                        const unsigned int c,
                        const std::vector<Triangle> &triangles,
                        const Function &b,
-                       const Jumps &jumps,
+                       const Discontinuities &jumps,
                        std::vector<TriangleIntegral> &parts)
 {
   parts.clear();
@@ -110,12 +110,12 @@ bool integrate_quickly(const Packing &packing,
   return !may_hide_a_peak(parts, jumps, packing, c);
 }
 
-/** The same exactly, whatever it takes. */
+/** Integrate over a cell exactly, whatever it takes. */
 void integrate(const Packing &packing,
                const unsigned int c,
                const std::vector<Triangle> &triangles,
                const Function &b,
-               const Jumps &jumps,
+               const Discontinuities &jumps,
                std::vector<TriangleIntegral> &parts)
 {
   parts.clear();
@@ -127,7 +127,7 @@ void integrate(const Packing &packing,
 BodyForce::BodyForce(
     const Packing &packing,
     const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
-    const Jumps &jumps,
+    const Discontinuities &jumps,
     Inaccuracies *const inaccuracies)
 {
   std::vector<unsigned int> all(packing.n_cells());
@@ -139,7 +139,7 @@ void BodyForce::add(
     const Packing &packing,
     const std::vector<unsigned int> &cells,
     const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
-    const Jumps &jumps,
+    const Discontinuities &jumps,
     Inaccuracies *const inaccuracies)
 {
   if (empty())

@@ -46,8 +46,8 @@ void add_formula(const Packing &packing,
     return;
   }
   Inaccuracies inaccuracies(parameter);
-  force.add(packing, cells, value, Jumps({b.formula(0), b.formula(1)}, {}),
-            &inaccuracies);
+  force.add(packing, cells, value,
+            Discontinuities({b.formula(0), b.formula(1)}, {}), &inaccuracies);
   for (const unsigned int c : cells)
     requested.add(packing.centre(c), force.force(packing, c), force.torque(c));
   for (std::string &warning : inaccuracies.warnings())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/certificate.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/utilisation.h>
 
 #include <algorithm>

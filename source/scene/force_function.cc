@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/force_function.h>
-#include <voussoir/scene/jumps.h>
 
 #include <algorithm>
 #include <cmath>

@@ -62,7 +62,7 @@ public:
 
 private:
   Expression value;
-  Jumps jumps;
+  Discontinuities jumps;
   std::string formula, parameter, word;
   bool is_positive;
   Inaccuracies inaccuracies;

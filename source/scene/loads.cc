@@ -149,7 +149,8 @@ void LoadParameters::add_traction_of_expression(const Packing &packing,
 {
   const std::string parameter = section + "/Traction";
   const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
-  Jumps jumps[2] = {{{g.formula(0)}, {0., 0.}}, {{g.formula(1)}, {0., 0.}}};
+  Discontinuities jumps[2] = {{{g.formula(0)}, {0., 0.}},
+                              {{g.formula(1)}, {0., 0.}}};
   Inaccuracies inaccuracies(parameter);
   for (unsigned int b = 0; b < chosen.size(); ++b)
   {

@@ -23,7 +23,8 @@ namespace
  */
 constexpr double balance_tolerance = 1e-10;
 
-/** The same for what is left of the forces on one cell where they cancel. */
+/** The sum of forces on one cell, over their sizes, that counts as cancelled.
+ */
 constexpr double cancellation_tolerance = 1e-14;
 
 /** The largest number of unbalanced groups that a message names. */

@@ -2,9 +2,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/analysis.h>
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
 #include <voussoir/statics/decide_by_factor.h>
+#include <voussoir/statics/feasible_state.h>
 
 #include <algorithm>
 #include <limits>

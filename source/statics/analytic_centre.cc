@@ -3,7 +3,7 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/analytic_centre.h>
 #include <voussoir/statics/barrier_problem.h>
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
 #include <algorithm>
@@ -112,7 +112,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
       [&](const DiscreteProblem &at_most, const SolverControls &rest) {
         return find_centre(at_most, rest, terminal);
       });
-  return settle(problem, {}, controls, 0., solution, terminal);
+  return try_second_attempts(problem, {}, controls, 0., solution, terminal);
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/analytic_centre.h>
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/assess.h>
 #include <voussoir/statics/equilibrate.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/find_collapse.h>
 
 #include <algorithm>
@@ -60,12 +60,12 @@ bool is_exact(const Scene &scene, const Certificate &certificate)
          certificate.unbalanced.empty();
 }
 
-/** Those of a state within all limits, or none if none was found. */
-std::vector<double> any_forces(const DiscreteProblem &problem)
+/** Forces of a state within all limits; empty if none was found. */
+std::vector<double> feasible_forces(const DiscreteProblem &problem)
 {
   try
   {
-    Solution found = AnyState().solve(problem, {}, Terminal::silent());
+    Solution found = FeasibleState().solve(problem, {}, Terminal::silent());
     if (found.converged() && !found.mechanism)
       return std::move(found.forces);
   }
@@ -102,7 +102,7 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
       problem, nondimensional_forces(problem, forces), slack_beside_errors);
   if (succeeds(corrected))
     return true;
-  const std::vector<double> inside = any_forces(problem);
+  const std::vector<double> inside = feasible_forces(problem);
   return !inside.empty() &&
          std::any_of(shares.begin(), shares.end(), [&](const double share) {
            return succeeds(mixed(corrected, inside, share));
@@ -141,7 +141,7 @@ part_around(const Scene &scene, const unsigned int first, const double load)
   return part;
 }
 
-/** Those cells of a part that have a load. */
+/** The cells of a part that have a load. */
 std::vector<bool> loaded_of(const Scene &scene, std::vector<bool> part)
 {
   for (unsigned int c = 0; c < part.size(); ++c)

@@ -47,9 +47,10 @@ std::vector<double> start_of_barrier(const SharedProblem &problem,
   for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     size_of_terms += std::abs(structure.loads()[k] * u[k]);
   const double resistance = -structure.work(u.data());
-  if (resistance > least_resistance * structure.team().sum(size_of_terms))
+  if (resistance > least_resistance * structure.processes().sum(size_of_terms))
   {
-    const double factor = structure.team().sum(sum_of_weights) / resistance;
+    const double factor =
+        structure.processes().sum(sum_of_weights) / resistance;
     for (double &component : u)
       component *= factor;
   }

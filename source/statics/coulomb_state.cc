@@ -3,9 +3,9 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/coulomb_state.h>
 #include <voussoir/statics/equilibrate.h>
+#include <voussoir/statics/feasible_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr double ample_strength = 1e6;
 constexpr unsigned int depth = 5;
 /** The change of a strength, over the largest force, that is none. */
 constexpr double small_change = 1e-12;
-/** The same with which passes may end without progress. */
+/** The change with which passes may end without progress. */
 constexpr double acceptable_change = 1e-8;
 /** The imbalance of the last pass; others have that of the solver. */
 constexpr double tolerance_of_last = 1e-13;

@@ -10,7 +10,7 @@ namespace Voussoir
 {
 namespace
 {
-/** That of the two bounds, between which nothing is decided. */
+/** The distance of the two bounds, between which nothing is decided. */
 constexpr double distance_of_bounds = 1e-10;
 
 /** What find_load_factor() finds, if anything. */

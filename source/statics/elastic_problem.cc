@@ -3,7 +3,7 @@
 #include <voussoir/statics/elastic_problem.h>
 #include <voussoir/statics/minimise.h>
 #include <voussoir/statics/proximal_steps.h>
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +75,8 @@ private:
     for (unsigned int e = 0; e < n; ++e)
       n_sliding +=
           law.slides(e, &newton.jumps()[std::size_t(e) * structure.n_rows()]);
-    const Team &team = structure.team();
-    return double(team.sum(n_sliding)) / std::max(team.sum(n), 1U);
+    const ProcessGroup &processes = structure.processes();
+    return double(processes.sum(n_sliding)) / std::max(processes.sum(n), 1U);
   }
 
   const Structure &structure;

@@ -3,7 +3,7 @@
 #include <voussoir/base/parameters.h>
 #include <voussoir/statics/elastic_problem.h>
 #include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 #include <voussoir/statics/yielding_joints.h>
 
 #include <deal.II/base/timer.h>
@@ -18,22 +18,22 @@ namespace
 /** The cells per process below which communication outweighs computation. */
 constexpr unsigned int least_cells_per_process = 500;
 
-/** The same by all processes; @p whole and @p order are the root's. */
+/** Minimise by all processes; @p whole and @p order are the root's. */
 Solution minimise_together(const DiscreteProblem *whole,
                            const ElasticOrder &order,
                            const double displacement_unit,
                            const std::vector<double> &start,
-                           const Team &team,
+                           const ProcessGroup &processes,
                            Terminal &terminal)
 {
-  return team.together([&]() {
-    const ElasticOrder of_root = team.broadcast(order);
+  return processes.together([&]() {
+    const ElasticOrder of_root = processes.broadcast(order);
     const dealii::Timer timer;
-    const SharedProblem problem(whole, team);
+    const SharedProblem problem(whole, processes);
     const double seconds_to_share = timer.wall_time();
     Solution solution =
         minimise_elastic(problem, of_root, displacement_unit, start, terminal);
-    if (team.size() > 1)
+    if (processes.size() > 1)
       solution.seconds["sharing"] = seconds_to_share;
     return solution;
   });
@@ -73,22 +73,23 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
     return minimise_yielding(problem, order, displacement_unit,
                              std::move(start), terminal);
   const bool is_shared =
-      problem.n_cells() >= least_cells_per_process * controls.team.size();
-  const Team team = is_shared ? controls.team : Team();
-  team.call(least_energy_task);
-  if (team.size() > 1)
+      problem.n_cells() >= least_cells_per_process * controls.processes.size();
+  const ProcessGroup processes =
+      is_shared ? controls.processes : ProcessGroup();
+  processes.call(least_energy_task);
+  if (processes.size() > 1)
     start.clear();
   const Solution solution = minimise_together(
-      &problem, order, displacement_unit, start, team, terminal);
-  return settle(problem, elastic_costs(problem), controls, displacement_unit,
-                solution, terminal);
+      &problem, order, displacement_unit, start, processes, terminal);
+  return try_second_attempts(problem, elastic_costs(problem), controls,
+                             displacement_unit, solution, terminal);
 }
 
-void work_on_least_energy(const Team &team, Terminal &terminal)
+void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal)
 {
   try
   {
-    minimise_together(nullptr, {}, 0., {}, team, terminal);
+    minimise_together(nullptr, {}, 0., {}, processes, terminal);
   }
   catch (const SolverError &)
   {

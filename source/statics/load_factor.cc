@@ -3,7 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/load_factor.h>
 
 #include <algorithm>
@@ -145,8 +145,8 @@ Motion FactorSearch::find_collapse_at_rest()
 {
   if (!(largest_component(loads.dead) > 0.))
     return {};
-  AnyForces any = find_any_forces(by_rows, loads_at(0.),
-                                  controls.n_max_iterations, terminal);
+  FeasibleForces any = find_feasible_forces(
+      by_rows, loads_at(0.), controls.n_max_iterations, terminal);
   found.n_iterations += any.n_iterations;
   if (any.state)
   {
@@ -304,7 +304,7 @@ LoadFactor FactorSearch::result()
 {
   if (state == SelfDual::State::unbounded)
   {
-    const AnyForces at_one = find_any_forces(
+    const FeasibleForces at_one = find_feasible_forces(
         by_rows, loads_at(loads.sense), controls.n_max_iterations, terminal);
     found.is_unbounded = at_one.state.has_value();
     if (at_one.state)

@@ -24,7 +24,7 @@ constexpr double rounding_margin = 1e-12;
  */
 constexpr double rounding_of_closing = 1e-13;
 
-/** The same that is worth correcting where the supports clamp the packing. */
+/** A closing that is worth correcting where the supports clamp the packing. */
 constexpr double closing_to_correct = 0.1;
 /** The shift of that correction, relative to stiffnesses of one. */
 constexpr double holding_shift = 1e-8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/scene/reactions.h>
-#include <voussoir/statics/all_states.h>
+#include <voussoir/statics/feasible_set.h>
 #include <voussoir/statics/ranges.h>
 
 #include <deal.II/base/parallel.h>
@@ -97,9 +97,9 @@ public:
   /** @} */
   /** The errors of all so far. */
   RangeProofs proofs;
-  /** AllStates::reference(). */
+  /** FeasibleSet::reference(). */
   double reference() const { return states.reference(); }
-  /** AllStates::are_inner(). */
+  /** FeasibleSet::are_inner(). */
   bool are_inner() const { return states.are_inner(); }
 
 private:
@@ -114,7 +114,7 @@ private:
   GreatestValue greatest(Part &part, const ForceFunction &function);
   void count();
 
-  const AllStates states;
+  const FeasibleSet states;
   const std::vector<ForceFunction> &functions;
   const std::vector<unsigned int> &pressed;
   const bool by_interior_point;

@@ -30,7 +30,7 @@ constexpr double outlying = 10.;
 /** The residual at which the conjugate gradients of a step stop. */
 constexpr double reduction_of_gradients = 1e-11, share_of_residual = 1e-3;
 constexpr unsigned int n_self_dual_gradients = 12;
-/** The same for the refinement of the bordered system. */
+/** Where the refinement of the bordered system stops. */
 constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
 constexpr unsigned int n_refined_steps = 3;
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/scene/jumps.h>
-#include <voussoir/statics/all_states.h>
+#include <voussoir/scene/displacement_jumps.h>
+#include <voussoir/statics/feasible_set.h>
 #include <voussoir/statics/settlement.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ ForceFunction work_of_ground(const InterfaceJumps &jumps,
   return work;
 }
 
-/** The same in another unit. */
+/** A motion in another unit. */
 Motion times(Motion motion, const double factor)
 {
   for (dealii::Tensor<1, 2> &u : motion.displacement)
@@ -44,7 +44,7 @@ Motion times(Motion motion, const double factor)
  * Of all motions that prove the value in @p found, those of least energy, the
  * one whose unknowns have the least sum of sizes.
  */
-void choose_motion(const AllStates &states,
+void choose_motion(const FeasibleSet &states,
                    StateProgram program,
                    const ForceFunction &work,
                    GreatestValue &found)
@@ -90,7 +90,7 @@ Settlement find_settlement(const Scene &scene,
   const ForceFunction work =
       work_of_ground(jumps, scene.packing).times(1. / size);
 
-  const AllStates states(scene);
+  const FeasibleSet states(scene);
   StateProgram program = states.program();
   GreatestValue found = states.greatest(program, work);
   if (!found.is_bounded())

@@ -85,40 +85,42 @@ void transfer(Part &part, const Pass &pass)
 
 SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole) {}
 
-SharedProblem::SharedProblem(const DiscreteProblem *whole, const Team &team)
-    : whole(whole), team(team)
+SharedProblem::SharedProblem(const DiscreteProblem *whole,
+                             const ProcessGroup &processes)
+    : whole(whole), processes(processes)
 {
-  if (team.size() == 1)
+  if (processes.size() == 1)
     return;
   Structure::Part own;
-  if (team.is_root())
+  if (processes.is_root())
   {
     cut();
     // Its own last, so that no more than two are held at a time.
-    for (unsigned int r = team.size(); r-- > 0;)
+    for (unsigned int r = processes.size(); r-- > 0;)
     {
       own = make_part(r);
       if (r > 0)
-        transfer(own, [&](const auto &values) { team.send(values, r); });
+        transfer(own, [&](const auto &values) { processes.send(values, r); });
     }
   }
   else
     transfer(own, [&](auto &values) {
-      values = team.receive<
+      values = processes.receive<
           typename std::remove_reference_t<decltype(values)>::value_type>(0);
     });
-  part = std::make_unique<const Structure>(team, std::move(own));
+  part = std::make_unique<const Structure>(processes, std::move(own));
 }
 
 void SharedProblem::cut()
 {
-  AssertThrow(whole->n_cells() >= team.size(), dealii::ExcInternalError());
+  AssertThrow(whole->n_cells() >= processes.size(), dealii::ExcInternalError());
   std::vector<unsigned int> part(whole->n_bodies(), 0); // that of the ground
   std::vector<unsigned int> cells(whole->n_cells());
   std::iota(cells.begin(), cells.end(), 0);
-  bisect(whole->centres(), cells.begin(), cells.end(), 0, team.size(), part);
+  bisect(whole->centres(), cells.begin(), cells.end(), 0, processes.size(),
+         part);
 
-  first_body.assign(team.size() + 1, 0);
+  first_body.assign(processes.size() + 1, 0);
   for (const unsigned int p : part)
     ++first_body[p + 1];
   std::partial_sum(first_body.begin(), first_body.end(), first_body.begin());
@@ -131,7 +133,7 @@ void SharedProblem::cut()
     bodies[number[b]] = b;
   }
 
-  joints_of.resize(team.size());
+  joints_of.resize(processes.size());
   for (unsigned int e = 0; e < whole->joints().size(); ++e)
   {
     const unsigned int one = part[whole->joints()[e].cell_minus];
@@ -208,7 +210,7 @@ void SharedProblem::on_root(const Action &action) const
       fault = error.what();
       failed = true;
     }
-  if (team.broadcast(failed))
+  if (processes.broadcast(failed))
     throw SolverError(fault);
 }
 
@@ -230,7 +232,7 @@ bool SharedProblem::has_opening() const
 {
   bool has_one = false;
   on_root([&]() { has_one = !opening_of(*whole).displacement.empty(); });
-  return team.broadcast(has_one);
+  return processes.broadcast(has_one);
 }
 
 std::optional<Mechanism>
@@ -240,7 +242,7 @@ SharedProblem::search(const std::vector<double> &u,
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);
   on_root([&]() { found = how(*whole, all); });
-  if (team.broadcast(found.has_value()) && !found)
+  if (processes.broadcast(found.has_value()) && !found)
     found.emplace();
   return found;
 }
@@ -251,7 +253,7 @@ void SharedProblem::collect(const std::vector<double> &u,
                             Solution &solution) const
 {
   std::vector<double> all = gather(u);
-  const auto parts = team.gather(forces);
+  const auto parts = processes.gather(forces);
   if (whole == nullptr)
     return;
   const unsigned int n_rows = whole->n_rows();
@@ -271,7 +273,7 @@ std::vector<double> SharedProblem::gather(const std::vector<double> &u) const
 {
   if (!part)
     return u;
-  const auto parts = team.gather(
+  const auto parts = processes.gather(
       std::vector<double>(u.begin(), u.begin() + part->n_own_dofs()));
   const unsigned int n = part->n_unknowns();
   std::vector<double> all(n * bodies.size());
@@ -284,12 +286,13 @@ std::vector<double> SharedProblem::gather(const std::vector<double> &u) const
 /** The part of what the root has in the order of the whole. */
 std::vector<double> SharedProblem::scatter(const std::vector<double> &u) const
 {
-  std::vector<std::vector<double>> parts(team.is_root() ? team.size() : 0);
+  std::vector<std::vector<double>> parts(processes.is_root() ? processes.size()
+                                                             : 0);
   for (unsigned int r = 0; r < parts.size(); ++r)
     for (unsigned int k = first_body[r]; k < first_body[r + 1]; ++k)
       for (unsigned int i = 0; i < part->n_unknowns(); ++i)
         parts[r].push_back(u[part->dof(bodies[k], i)]);
-  std::vector<double> result = team.scatter(parts);
+  std::vector<double> result = processes.scatter(parts);
   result.resize(part->n_dofs());
   part->update_ghosts(result);
   return result;

@@ -7,7 +7,7 @@
 #include <voussoir/statics/displacement_program.h>
 #include <voussoir/statics/find_opening.h>
 #include <voussoir/statics/hard_contact.h>
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 #include <voussoir/statics/smoothed_friction.h>
 #include <voussoir/statics/smoothed_joint.h>
 
@@ -208,7 +208,7 @@ private:
     return *interior;
   }
 
-  /** settle(), with compliant contact by the same state. */
+  /** try_second_attempts(), with compliant contact by the same state. */
   void ask_interior_point(Solution before)
   {
     std::vector<JointCost> costs;
@@ -217,8 +217,9 @@ private:
         costs.push_back(
             {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
     const bool was_converged = before.converged();
-    interior = settle(problem, costs, controls, 1. / law.displacement_unit(),
-                      std::move(before), terminal);
+    interior = try_second_attempts(problem, costs, controls,
+                                   1. / law.displacement_unit(),
+                                   std::move(before), terminal);
     if (contact == Contact::compliant && interior->converged() &&
         !was_converged)
       refine_compliant_contact(*interior);

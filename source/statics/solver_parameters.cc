@@ -22,10 +22,10 @@ std::vector<std::unique_ptr<Formulation>> all_formulations()
 }
 } // namespace
 
-SolverParameters::SolverParameters(const Team &team)
+SolverParameters::SolverParameters(const ProcessGroup &processes)
     : formulations(all_formulations()), coulomb_state(*formulations.back())
 {
-  common.team = team;
+  common.processes = processes;
 }
 
 const Formulation &SolverParameters::formulation_for(const Scene &scene) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/strength_factor.h>
 
 #include <cmath>

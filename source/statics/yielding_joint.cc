@@ -71,7 +71,7 @@ Structure with_middle(const DiscreteProblem &problem)
     part.joints.add(problem.joints()[e], rows.data(), part.kinematics->n_rows(),
                     problem.n_unknowns() > 2);
   }
-  return Structure(Team(), std::move(part));
+  return Structure(ProcessGroup(), std::move(part));
 }
 
 std::vector<double> without_middle(const DiscreteProblem &problem,

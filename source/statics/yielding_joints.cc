@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/newton.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/proximal_steps.h>
 #include <voussoir/statics/solver_controls.h>
 #include <voussoir/statics/yielding_joint.h>
@@ -122,7 +122,7 @@ Solution minimise_yielding(const DiscreteProblem &problem,
   {
     found = find_state_or_collapse(problem, order.n_max_iterations, terminal);
     if (found->converged())
-      found->selection = AnyState().selection();
+      found->selection = FeasibleState().selection();
   }
   found->n_iterations += attempt.n_iterations();
   found->n_evaluations += attempt.n_evaluations();

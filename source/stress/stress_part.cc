@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/stress/cell_forces.h>
+#include <voussoir/stress/side_forces.h>
 #include <voussoir/stress/stress_part.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -39,24 +39,28 @@ void for_each_list(MessageType &message, const Visitor &visit)
 /** No name of a group has it; see check_group_name(). */
 constexpr char between_names = '\n';
 
-void send(const Team &team, const unsigned int process, const Message &message)
+void send(const ProcessGroup &processes,
+          const unsigned int process,
+          const Message &message)
 {
   const std::string names = boost::algorithm::join(
       message.cells.group_names, std::string(1, between_names));
-  team.send(std::vector<char>(names.begin(), names.end()), process);
-  team.send(std::vector<double>{message.cells.tolerance}, process);
-  for_each_list(message, [&](const auto &list) { team.send(list, process); });
+  processes.send(std::vector<char>(names.begin(), names.end()), process);
+  processes.send(std::vector<double>{message.cells.tolerance}, process);
+  for_each_list(message,
+                [&](const auto &list) { processes.send(list, process); });
 }
 
-Message receive(const Team &team)
+Message receive(const ProcessGroup &processes)
 {
   Message message;
-  const std::vector<char> names = team.receive<char>(0);
+  const std::vector<char> names = processes.receive<char>(0);
   boost::algorithm::split(message.cells.group_names, names,
                           [](const char c) { return c == between_names; });
-  message.cells.tolerance = team.receive<double>(0).front();
+  message.cells.tolerance = processes.receive<double>(0).front();
   for_each_list(message, [&](auto &list) {
-    list = team.receive<typename std::decay_t<decltype(list)>::value_type>(0);
+    list =
+        processes.receive<typename std::decay_t<decltype(list)>::value_type>(0);
   });
   return message;
 }
@@ -73,11 +77,11 @@ Motion part_of(const Motion &motion, const CellRange &cells)
   return part;
 }
 
-/** The same on all processes, each with its own message. */
+/** Reconstruct on all processes, each with its own message. */
 StressPart reconstruct(Message message,
                        const unsigned int first_cell,
                        const Reconstruction &how,
-                       const Team &team,
+                       const ProcessGroup &processes,
                        Terminal &terminal)
 {
   Packing packing(std::move(message.cells));
@@ -85,9 +89,10 @@ StressPart reconstruct(Message message,
       reconstruct_stress(packing, message.forces, how, terminal);
   for (unsigned int &c : stress.undetermined)
     c += first_cell;
-  const auto n_sub_cells = team.sum<unsigned long long>(stress.n_sub_cells);
-  const auto of_all = team.gather(stress.undetermined);
-  if (team.is_root())
+  const auto n_sub_cells =
+      processes.sum<unsigned long long>(stress.n_sub_cells);
+  const auto of_all = processes.gather(stress.undetermined);
+  if (processes.is_root())
   {
     stress.n_sub_cells = n_sub_cells;
     stress.undetermined.clear();
@@ -104,38 +109,39 @@ StressPart reconstruct_on_root(const Scene &scene,
                                const InterfaceForces &forces,
                                const Motion &motion,
                                const Reconstruction &how,
-                               const Team &team,
+                               const ProcessGroup &processes,
                                Terminal &terminal)
 {
-  team.call(stress_task);
-  return team.together([&]() {
-    team.broadcast(how);
+  processes.call(stress_task);
+  return processes.together([&]() {
+    processes.broadcast(how);
     const std::size_t n_cells = scene.packing.n_cells();
     Message message;
     // Its own last, so that no more than two are held at a time.
-    for (unsigned int r = team.size(); r-- > 0;)
+    for (unsigned int r = processes.size(); r-- > 0;)
     {
       const CellRange cells = {
-          static_cast<unsigned int>(n_cells * r / team.size()),
-          static_cast<unsigned int>(n_cells * (r + 1) / team.size())};
+          static_cast<unsigned int>(n_cells * r / processes.size()),
+          static_cast<unsigned int>(n_cells * (r + 1) / processes.size())};
       message = {cut_free(scene.packing, cells),
                  cell_forces(scene, forces, cells), part_of(motion, cells)};
       if (r > 0)
       {
-        team.send(std::vector<unsigned int>{cells.begin}, r);
-        send(team, r, message);
+        processes.send(std::vector<unsigned int>{cells.begin}, r);
+        send(processes, r, message);
       }
     }
-    return reconstruct(std::move(message), 0, how, team, terminal);
+    return reconstruct(std::move(message), 0, how, processes, terminal);
   });
 }
 
-StressPart work_on_stress(const Team &team, Terminal &terminal)
+StressPart work_on_stress(const ProcessGroup &processes, Terminal &terminal)
 {
-  return team.together([&]() {
-    const Reconstruction how = team.broadcast(Reconstruction());
-    const unsigned int first_cell = team.receive<unsigned int>(0).front();
-    return reconstruct(receive(team), first_cell, how, team, terminal);
+  return processes.together([&]() {
+    const Reconstruction how = processes.broadcast(Reconstruction());
+    const unsigned int first_cell = processes.receive<unsigned int>(0).front();
+    return reconstruct(receive(processes), first_cell, how, processes,
+                       terminal);
   });
 }
 } // namespace Voussoir

@@ -43,28 +43,28 @@ std::string bad_files()
 
 void run(const std::string &name, const std::string &settings, const int right)
 {
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     fs::remove_all("output");
     // Once with all that is computed from the forces.
     std::ofstream("scene.prm")
-        << settings << "\nset Formulation = " << way.formulation
+        << settings << "\nset Formulation = " << method.formulation
         << "\nset Accuracy = "
-        << (way.name == least_energy.name ? "fine" : "draft")
-        << "\nsubsection Solver\n subsection " << way.formulation << "\n  "
-        << way.settings << "\n end\nend\n";
+        << (method.name == least_energy.name ? "fine" : "draft")
+        << "\nsubsection Solver\n subsection " << method.formulation << "\n  "
+        << method.settings << "\n end\nend\n";
     std::ostringstream out, error;
     const int status = Voussoir::run_command_line({"scene.prm"}, out, error);
     const std::string message = error.str();
-    check(name + ", " + way.name + ": status " + std::to_string(right) +
+    check(name + ", " + method.name + ": status " + std::to_string(right) +
               (status == right
                    ? ""
                    : " but " + std::to_string(status) + " " + message),
           status == right);
-    check(name + ", " + way.name + ": a sentence if it failed",
+    check(name + ", " + method.name + ": a sentence if it failed",
           status == 0 || (message.size() > 40 &&
                           message.substr(message.size() - 2) == ".\n"));
-    check(name + ", " + way.name + ": no NaN" + bad_files(),
+    check(name + ", " + method.name + ": no NaN" + bad_files(),
           bad_files().empty());
   }
 }

@@ -114,13 +114,13 @@ void carry_pressure(const std::string &name,
 {
   Worst certificate, mean;
   std::string not_carried;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     const Scene scene = scene_under_stress(packing, 0.5, pressure);
-    const Judgement found = judge(scene, way);
+    const Judgement found = judge(scene, method);
     if (found.verdict != Verdict::carried)
     {
-      not_carried += " " + way.name + " (" + found.message + ")";
+      not_carried += " " + method.name + " (" + found.message + ")";
       continue;
     }
     certificate.add(found.error);
@@ -150,14 +150,14 @@ void try_short_edges()
     const std::string name = text("edge of ", h);
     carry_pressure(name, around_short_edge(h));
     Worst difference;
-    for (const Way &way : all_ways)
+    for (const Method &method : all_methods)
     {
-      if (!selects_a_state(way))
+      if (!selects_a_state(method))
         continue;
       const InterfaceForces forces =
-          judge(scene_under_stress(around_short_edge(h), 0.5, pressure), way)
+          judge(scene_under_stress(around_short_edge(h), 0.5, pressure), method)
               .forces;
-      const auto limit = shortest.emplace(way.name, forces).first;
+      const auto limit = shortest.emplace(method.name, forces).first;
       difference.add(forces.normal.size() == limit->second.normal.size()
                          ? distance(forces, limit->second)
                          : 1e300);
@@ -220,15 +220,15 @@ void try_shear(const std::string &name,
                const std::function<Scene(double)> &scene_at,
                const bool centres_may_refuse = false)
 {
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const double strength : {1.5, 1.01, 0.99})
     {
-      const Judgement found = judge(scene_at(strength), way);
-      check(name + ", s_T = " + std::to_string(strength) + ", " + way.name,
+      const Judgement found = judge(scene_at(strength), method);
+      check(name + ", s_T = " + std::to_string(strength) + ", " + method.name,
             found.verdict ==
                     (strength > 1. ? Verdict::carried : Verdict::collapse) ||
                 (centres_may_refuse && strength > 1. &&
-                 way.formulation == "analytic centre" &&
+                 method.formulation == "analytic centre" &&
                  found.verdict == Verdict::refused && !found.message.empty()));
     }
 }
@@ -279,22 +279,22 @@ void try_few_cells()
 {
   const Packing one(voronoi_cells(points({{0.3, 0.8}}), unit));
   const Scene alone = scene_under_stress(one, 1., pressure);
-  for (const Way &way : all_ways)
-    check("one cell, " + way.name,
-          judge(alone, way).verdict == Verdict::carried);
+  for (const Method &method : all_methods)
+    check("one cell, " + method.name,
+          judge(alone, method).verdict == Verdict::carried);
   for (const unsigned int n : {2, 3})
   {
     PointList row;
     for (unsigned int i = 0; i < n; ++i)
       row.points.emplace_back((i + 0.5) / n, 0.5);
     Worst error;
-    for (const Way &way : all_ways)
+    for (const Method &method : all_methods)
     {
       // The joints are as long as the sides: |f^n| = 1, f^t = 0.
       const Judgement found = judge(
           scene_under_stress(Packing(voronoi_cells(row, unit)), 1., pressure),
-          way);
-      check(std::to_string(n) + " cells, " + way.name,
+          method);
+      check(std::to_string(n) + " cells, " + method.name,
             found.verdict == Verdict::carried);
       for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
         error.add(std::abs(found.forces.normal[e] + 1.) +

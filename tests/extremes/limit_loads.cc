@@ -49,20 +49,20 @@ void approach(const std::string &name,
               const int n_digits)
 {
   std::cout << name << std::endl;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (int k = 1; k <= n_digits; ++k)
       for (const double sign : {-1., 1.})
       {
         const Judgement found =
-            judge(scene_at(1. + sign * std::pow(10., -k)), way);
+            judge(scene_at(1. + sign * std::pow(10., -k)), method);
         const Verdict right = sign < 0. ? Verdict::carried : Verdict::collapse;
         const std::string load =
             std::string(sign < 0. ? "1 - 1e-" : "1 + 1e-") + std::to_string(k);
-        check("  " + way.name + " at " + load + ": not wrong",
+        check("  " + method.name + " at " + load + ": not wrong",
               found.verdict == right || (found.verdict == Verdict::refused &&
                                          !found.message.empty()));
-        if (way.formulation != "analytic centre" || sign > 0. || k <= 5)
-          check("  " + way.name + " at " + load + ": answered",
+        if (method.formulation != "analytic centre" || sign > 0. || k <= 5)
+          check("  " + method.name + " at " + load + ": answered",
                 found.verdict == right);
       }
 }

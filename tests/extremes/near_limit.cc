@@ -36,22 +36,22 @@ void approach(const std::string &name,
 {
   const double limit = limit_strength(scene_at(near), near);
   std::cout << name << std::endl;
-  for (const Way &way : {compliant, least_energy})
+  for (const Method &method : {compliant, least_energy})
     for (int k = 3; k <= 6; ++k)
       for (const double sign : {1., -1.})
       {
         const Judgement found =
-            judge(scene_at(limit * (1. + sign * std::pow(10., -k))), way);
+            judge(scene_at(limit * (1. + sign * std::pow(10., -k))), method);
         const std::string strength =
             std::string(sign > 0. ? "1 + 1e-" : "1 - 1e-") + std::to_string(k);
-        const std::string what = "  " + way.name + " at " + strength;
+        const std::string what = "  " + method.name + " at " + strength;
         if (sign > 0.)
           check(what + ": carried, residual at most 1e-9",
                 found.verdict == Verdict::carried && found.error <= 1e-9);
         else
           check(what + ": collapse",
                 found.verdict == Verdict::collapse ||
-                    (way.name == "least energy" && k == 6 &&
+                    (method.name == "least energy" && k == 6 &&
                      found.verdict == Verdict::carried &&
                      found.error <= 1e-10));
       }

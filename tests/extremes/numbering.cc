@@ -47,12 +47,12 @@ CellLoops renumbered(const CellLoops &cells,
 Forces forces_by_pair(const CellLoops &cells,
                       const std::vector<unsigned int> &old_number,
                       const unsigned int turn,
-                      const Way &way)
+                      const Method &method)
 {
   const Scene scene =
       scene_under_stress(Packing(renumbered(cells, old_number, turn)), 0.35,
                          tensor(-1.2, 0.1, 0.1, -0.8));
-  const Judgement found = judge(scene, way);
+  const Judgement found = judge(scene, method);
   Forces forces;
   for (unsigned int e = 0; e < found.forces.normal.size(); ++e)
   {
@@ -86,9 +86,9 @@ void try_orders(const unsigned int n_cells, const unsigned int n_orders)
       voronoi_cells(random_points(n_cells, 4), Rectangle{{0., 0.}, {1., 1.}});
   std::vector<unsigned int> identity(n_cells);
   std::iota(identity.begin(), identity.end(), 0);
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const Forces reference = forces_by_pair(cells, identity, 0, way);
+    const Forces reference = forces_by_pair(cells, identity, 0, method);
     Worst worst;
     std::vector<unsigned int> order = identity;
     std::mt19937 random(1);
@@ -98,10 +98,10 @@ void try_orders(const unsigned int n_cells, const unsigned int n_orders)
         std::next_permutation(order.begin(), order.end());
       else
         std::shuffle(order.begin(), order.end(), random);
-      worst.add(difference(reference, forces_by_pair(cells, order, k, way)));
+      worst.add(difference(reference, forces_by_pair(cells, order, k, method)));
     }
     check_error(std::to_string(n_orders) + " orders of " +
-                    std::to_string(n_cells) + " cells, " + way.name,
+                    std::to_string(n_cells) + " cells, " + method.name,
                 worst.error, 1e-8);
   }
 }

@@ -63,10 +63,10 @@ void compare(const std::string &name,
              const dealii::Tensor<2, 2> &S)
 {
   std::cout << name << std::endl;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     const Scene scene = scene_at({1., 1.}, strength, S);
-    const Judgement reference = judge(scene, way);
+    const Judgement reference = judge(scene, method);
     bool all_carried = reference.verdict == Verdict::carried;
     Worst mean, difference;
     if (all_carried)
@@ -74,7 +74,7 @@ void compare(const std::string &name,
     for (const Scale &scale : scales)
     {
       const Scene scaled = scene_at(scale, strength, S);
-      const Judgement found = judge(scaled, way);
+      const Judgement found = judge(scaled, method);
       if (found.verdict != Verdict::carried)
       {
         all_carried = false;
@@ -85,16 +85,16 @@ void compare(const std::string &name,
         difference.add(
             distance(reference.forces, nondimensional(found.forces, scale)));
     }
-    check("  " + way.name + ": carried at every scale", all_carried);
-    check_error("  " + way.name + ": mean stress", mean.error, 1e-8);
-    if (selects_a_state(way))
-      check_error("  " + way.name + ": forces at all scales", difference.error,
-                  1e-8);
+    check("  " + method.name + ": carried at every scale", all_carried);
+    check_error("  " + method.name + ": mean stress", mean.error, 1e-8);
+    if (selects_a_state(method))
+      check_error("  " + method.name + ": forces at all scales",
+                  difference.error, 1e-8);
     // These give a uniform pressure back, least energy every uniform stress.
-    if (way.name == least_energy.name ||
+    if (method.name == least_energy.name ||
         (S[0][1] == 0. &&
-         (way.name == compliant.name || way.name == centre.name)))
-      check_error("  " + way.name + ": uniform stress",
+         (method.name == compliant.name || method.name == centre.name)))
+      check_error("  " + method.name + ": uniform stress",
                   distance_from_uniform(scene, reference.forces, S), 1e-6);
   }
 }
@@ -113,21 +113,21 @@ void try_offset(const double offset)
     p += dealii::Point<2>(offset, -offset);
   const Packing there(voronoi_cells(
       points, Rectangle{{offset, -offset}, {offset + 1., 1. - offset}}));
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     const Scene near = scene_under_stress(here, 0.3, sheared);
     const Scene far = scene_under_stress(there, 0.3, sheared);
-    const Judgement reference = judge(near, way);
-    const Judgement found = judge(far, way);
-    check("  " + way.name + ": carried", found.verdict == Verdict::carried);
-    check_error("  " + way.name + ": mean stress",
+    const Judgement reference = judge(near, method);
+    const Judgement found = judge(far, method);
+    check("  " + method.name + ": carried", found.verdict == Verdict::carried);
+    check_error("  " + method.name + ": mean stress",
                 error_of_mean(far, found.forces, sheared), 1e-8);
-    if (selects_a_state(way))
-      check_error("  " + way.name + ": forces as at the origin",
+    if (selects_a_state(method))
+      check_error("  " + method.name + ": forces as at the origin",
                   distance(reference.forces, found.forces),
-                  (way.name == hard.name ? sensitive : 1.) * rounding);
-    if (way.name == least_energy.name)
-      check_error("  " + way.name + ": uniform stress",
+                  (method.name == hard.name ? sensitive : 1.) * rounding);
+    if (method.name == least_energy.name)
+      check_error("  " + method.name + ": uniform stress",
                   distance_from_uniform(far, found.forces, sheared), rounding);
   }
 }
@@ -137,7 +137,7 @@ void try_offset(const double offset)
 void try_supported_wall(const double strength, const bool stands)
 {
   std::cout << "a wall on the ground, s_T = " << strength << std::endl;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     Worst certificate, difference;
     std::string wrong;
@@ -157,7 +157,7 @@ void try_supported_wall(const double strength, const bool stands)
       const std::vector<double> strengths(packing.interfaces().size(),
                                           strength * scale.stress);
       const Judgement found =
-          judge(Scene(std::move(packing), strengths, std::move(loads)), way);
+          judge(Scene(std::move(packing), strengths, std::move(loads)), method);
       if (found.verdict != (stands ? Verdict::carried : Verdict::collapse))
         wrong += text(" not at ", scale.length, ", ", scale.stress, " (",
                       found.message, ")");
@@ -172,13 +172,13 @@ void try_supported_wall(const double strength, const bool stands)
       difference.add(
           distance(reference.forces, nondimensional(found.forces, scale)));
     }
-    check("  " + way.name + (stands ? ": carried" : ": collapse") +
+    check("  " + method.name + (stands ? ": carried" : ": collapse") +
               " at every scale" + wrong,
           wrong.empty());
-    check_error("  " + way.name + ": certificate", certificate.error, 1e-8);
-    if (selects_a_state(way))
-      check_error("  " + way.name + ": forces at all scales", difference.error,
-                  1e-8);
+    check_error("  " + method.name + ": certificate", certificate.error, 1e-8);
+    if (selects_a_state(method))
+      check_error("  " + method.name + ": forces at all scales",
+                  difference.error, 1e-8);
   }
 }
 
@@ -209,7 +209,7 @@ void try_groups(const double ratio, const bool on_ground)
                         const dealii::Tensor<1, 2> &n) {
     return (x[0] > 1.5 ? ratio : 1.) * (sheared * n);
   };
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     // What is enough for the large load is more than enough for the other.
     Packing packing(both);
@@ -217,14 +217,15 @@ void try_groups(const double ratio, const bool on_ground)
       packing.support(
           boundary_edges_where(packing, "ny < -0.5 && y < 1e-9", ""));
     const Scene scene = scene_with(std::move(packing), 0.3, load);
-    const Judgement found = judge(scene, way);
-    check("  " + way.name + ": carried, or refused with a message",
+    const Judgement found = judge(scene, method);
+    check("  " + method.name + ": carried, or refused with a message",
           found.verdict == Verdict::carried ||
               (found.verdict == Verdict::refused && !found.message.empty()));
     // Where no joint slides least energy takes one step, exact for both.
-    if ((way.name == least_energy.name && (!on_ground || ratio > 1e-8)) ||
+    if ((method.name == least_energy.name && (!on_ground || ratio > 1e-8)) ||
         ratio == 0.)
-      check("  " + way.name + ": carried", found.verdict == Verdict::carried);
+      check("  " + method.name + ": carried",
+            found.verdict == Verdict::carried);
     if (found.verdict != Verdict::carried || ratio == 0.)
       continue;
     // The certificate sees an error in the smaller load alone.

@@ -29,7 +29,7 @@ EdgeIntegral
 integral(const std::string &formula, const Point<2> &a, const Point<2> &b)
 {
   const Expression expression(formula, {"x", "y"}, "a test");
-  const Jumps jumps({expression.formula()}, {});
+  const Discontinuities jumps({expression.formula()}, {});
   return edge_integral(
       a, b,
       [&](const Point<2> &p) {

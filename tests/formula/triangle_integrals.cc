@@ -45,7 +45,7 @@ Triangle random_triangle(Numbers &numbers)
 TriangleIntegral integral(const std::string &formula, const Triangle &triangle)
 {
   const Expression expression(formula, {"x", "y"}, "a test");
-  const Jumps jumps({expression.formula()}, {});
+  const Discontinuities jumps({expression.formula()}, {});
   return triangle_integral(
       triangle, triangle[0],
       [&](const Point<2> &p) {

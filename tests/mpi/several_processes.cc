@@ -67,14 +67,16 @@ double largest_force(const InterfaceForces &forces)
 
 void compare_forces(const std::string &name,
                     const Scene &scene,
-                    const Team &team,
+                    const ProcessGroup &processes,
                     const std::vector<std::string> &methods)
 {
   const InterfaceForces alone = Solver(least_energy).forces(scene);
   for (const std::string &method : methods)
   {
-    const Way way = least_energy.with("set Linear solver = " + method);
-    const InterfaceForces together = Solver(way, 1e-10, "", team).forces(scene);
+    const Method with_method =
+        least_energy.with("set Linear solver = " + method);
+    const InterfaceForces together =
+        Solver(with_method, 1e-10, "", processes).forces(scene);
     check_error(name + ", " + method + ": distance from one process alone",
                 distance(alone, together) / largest_force(alone), 1e-10);
     check_error(name + ", " + method + ": equilibrium",
@@ -82,10 +84,11 @@ void compare_forces(const std::string &name,
   }
 }
 
-void compare_collapse(const Scene &scene, const Team &team)
+void compare_collapse(const Scene &scene, const ProcessGroup &processes)
 {
   const DiscreteProblem problem(scene);
-  const Solution found = Solver(least_energy, 1e-10, "", team).solve(problem);
+  const Solution found =
+      Solver(least_energy, 1e-10, "", processes).solve(problem);
   check("collapse is found", found.mechanism.has_value());
   if (found.mechanism)
     check("collapse is proven",
@@ -96,7 +99,7 @@ void compare_collapse(const Scene &scene, const Team &team)
 void compare_stress(const std::string &name,
                     const Scene &scene,
                     const Reconstruction &how,
-                    const Team &team)
+                    const ProcessGroup &processes)
 {
   Solver solver(least_energy);
   const InterfaceForces forces = solver.forces(scene);
@@ -104,7 +107,7 @@ void compare_stress(const std::string &name,
   const StressField alone =
       reconstruct_stress(scene, forces, how, solver.quiet);
   const StressPart part =
-      reconstruct_on_root(scene, forces, u, how, team, solver.quiet);
+      reconstruct_on_root(scene, forces, u, how, processes, solver.quiet);
   check(name + ": number of sub-cells",
         part.stress.n_sub_cells == alone.sub_cells.size());
   check(name + ": undetermined cells",
@@ -121,10 +124,10 @@ int main()
 {
   begin_mpi();
   dealii::MultithreadInfo::set_thread_limit(1);
-  const Team team(MPI_COMM_WORLD);
-  if (!team.is_root())
+  const ProcessGroup processes(MPI_COMM_WORLD);
+  if (!processes.is_root())
   {
-    run_worker(team);
+    run_worker(processes);
     return 0;
   }
 
@@ -137,25 +140,26 @@ int main()
                               tensor(-1 + d, 0, 0, -1 - d), kinematics);
   };
   // Multigrid talks so much that more processes than cores wait for each other.
-  compare_forces("no joint slides", cells(0.2), team, {"direct", "multigrid"});
-  compare_forces("joints slide and open", cells(0.5), team, {"automatic"});
-  compare_forces("on the ground", heavy_wall(0.8), team, {"automatic"});
-  // Cut between the two on two processes, and on three.
-  compare_forces("apart", apart(1000, 1000), team, {"direct"});
-  compare_forces("apart, unequal", apart(1500, 3000), team, {"direct"});
-  compare_collapse(cells(0.9), team);
-  compare_forces("blocks turn", cells(0.2, rotations()), team,
+  compare_forces("no joint slides", cells(0.2), processes,
                  {"direct", "multigrid"});
-  compare_forces("blocks turn, slide and open", cells(0.4, rotations()), team,
-                 {"automatic"});
+  compare_forces("joints slide and open", cells(0.5), processes, {"automatic"});
+  compare_forces("on the ground", heavy_wall(0.8), processes, {"automatic"});
+  // Cut between the two on two processes, and on three.
+  compare_forces("apart", apart(1000, 1000), processes, {"direct"});
+  compare_forces("apart, unequal", apart(1500, 3000), processes, {"direct"});
+  compare_collapse(cells(0.9), processes);
+  compare_forces("blocks turn", cells(0.2, rotations()), processes,
+                 {"direct", "multigrid"});
+  compare_forces("blocks turn, slide and open", cells(0.4, rotations()),
+                 processes, {"automatic"});
   compare_forces("blocks turn, on the ground", heavy_wall(0.8, rotations()),
-                 team, {"automatic"});
-  compare_collapse(cells(0.9, rotations()), team);
+                 processes, {"automatic"});
+  compare_collapse(cells(0.9, rotations()), processes);
   const Scene small =
       scene_under_stress(random_packing(50, 1), 0.5, tensor(-1.1, 0, 0, -0.9));
-  compare_stress("standard", small, {false, 0, 0}, team);
-  compare_stress("fine", small, {true, 0, 0}, team);
-  compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, team);
+  compare_stress("standard", small, {false, 0, 0}, processes);
+  compare_stress("fine", small, {true, 0, 0}, processes);
+  compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, processes);
   std::cout.rdbuf(terminal);
-  team.call("");
+  processes.call("");
 }

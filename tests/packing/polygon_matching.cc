@@ -84,7 +84,7 @@ Contacts contacts(const Packing &packing)
   return found;
 }
 
-/** The same contacts, and lengths that differ by no more than this. */
+/** True for equal contacts, with lengths that differ by no more than this. */
 bool agree(const Contacts &a, const Contacts &b, const double difference)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),

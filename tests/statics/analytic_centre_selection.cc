@@ -67,19 +67,19 @@ void run()
 {
   const Scene scene = scene_under_stress(random_packing(150, 3), 0.5,
                                          tensor(-1.2, 0.1, 0.1, -0.8));
-  for (const Way &way : {centre, centre_equal})
+  for (const Method &method : {centre, centre_equal})
   {
-    const bool equal = way.name != centre.name;
-    const InterfaceForces f = Solver(way).forces(scene);
-    std::cout << way.name << std::endl;
-    for (const Way &other : all_ways)
-      if (other.name != way.name)
+    const bool equal = method.name != centre.name;
+    const InterfaceForces f = Solver(method).forces(scene);
+    std::cout << method.name << std::endl;
+    for (const Method &other : all_methods)
+      if (other.name != method.name)
         check_error("  derivative towards " + other.name,
                     derivative(scene, equal, f, Solver(other).forces(scene)),
                     1e-9);
     for (const double tolerance : {1e-8, 1e-9, 1e-12})
       check_error("  another tolerance",
-                  distance(f, Solver(way, tolerance).forces(scene)), 1e-8);
+                  distance(f, Solver(method, tolerance).forces(scene)), 1e-8);
     // Displacements that open every joint, since A is positive definite and
     // the line between two centres normal to their joint.
     for (const auto &A : {tensor(1e-4, 0, 0, 1e-4), tensor(1e4, 0, 0, 1e4),

@@ -48,15 +48,15 @@ void run()
   const double R = 3., gamma = 20.;
   for (const auto &[n, limit] : limits)
     for (const double thickness : {0.1 * R, 1.2 * R})
-      for (const Way &way : all_ways)
+      for (const Method &method : all_methods)
       {
         const std::string name = std::to_string(n) + " voussoirs, thickness " +
                                  (thickness < R ? "0.1" : "1.2") + " R, " +
-                                 way.name + ": ";
+                                 method.name + ": ";
         const Scene stands =
             arch(n, R, thickness, gamma, (1. + margin) * limit * gamma * R);
         const DiscreteProblem problem(stands);
-        const Solution found = Solver(way, 1e-8).solve(problem);
+        const Solution found = Solver(method, 1e-8).solve(problem);
         check(name + "carried above", !found.mechanism);
         if (!found.mechanism)
         {
@@ -74,7 +74,7 @@ void run()
         const Scene falls =
             arch(n, R, thickness, gamma, (1. - margin) * limit * gamma * R);
         const Solution mechanism =
-            Solver(way, 1e-8).solve(DiscreteProblem(falls));
+            Solver(method, 1e-8).solve(DiscreteProblem(falls));
         check(name + "collapse below",
               mechanism.mechanism &&
                   certify_mechanism(falls, mechanism.mechanism->motion)

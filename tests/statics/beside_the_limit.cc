@@ -5,7 +5,7 @@
 // loads decides.
 
 #include <voussoir/statics/analysis.h>
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/load_factor.h>
 
 #include "tests.h"
@@ -44,7 +44,7 @@ std::string verdict(const Scene &scene)
   try
   {
     const Answer answer =
-        analyse(scene, AnyState(), {}, record, timer, Terminal::silent());
+        analyse(scene, FeasibleState(), {}, record, timer, Terminal::silent());
     return std::holds_alternative<Carried>(answer) ? "carried" : "collapse";
   }
   catch (const SolverError &error)
@@ -53,12 +53,12 @@ std::string verdict(const Scene &scene)
   }
 }
 
-/** True if AnyState finds nothing by itself. */
+/** True if FeasibleState finds nothing by itself. */
 bool is_open(const Scene &scene)
 {
   try
   {
-    AnyState().solve(DiscreteProblem(scene), {}, Terminal::silent());
+    FeasibleState().solve(DiscreteProblem(scene), {}, Terminal::silent());
     return false;
   }
   catch (const Undecided &)

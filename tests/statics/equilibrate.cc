@@ -30,12 +30,12 @@ double error(const Scene &scene, const InterfaceForces &forces)
  */
 void tighten(const std::string &name, const Scene &scene)
 {
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const double before = error(scene, Solver(way, 1e-2).forces(scene));
-    const double after =
-        error(scene, Solver(way, 1e-2, "set Equilibrate = true").forces(scene));
-    check_error(name + ", " + way.name + ": balanced and admissible", after,
+    const double before = error(scene, Solver(method, 1e-2).forces(scene));
+    const double after = error(
+        scene, Solver(method, 1e-2, "set Equilibrate = true").forces(scene));
+    check_error(name + ", " + method.name + ": balanced and admissible", after,
                 1e-13);
     check("  no worse than before", after <= std::max(before, 1e-15));
   }

@@ -12,13 +12,13 @@ namespace test_formulations_biaxial
 {
 using namespace Voussoir;
 
-void try_load(const Way &way, const Packing &packing, const double d)
+void try_load(const Method &method, const Packing &packing, const double d)
 {
   const Scene scene =
       scene_under_stress(packing, 0.3, tensor(-1 + d, 0, 0, -1 - d));
   const DiscreteProblem problem(scene);
-  const Solution solution = Solver(way).solve(problem);
-  std::cout << "  " << way.name << ", d = " << d << ": ";
+  const Solution solution = Solver(method).solve(problem);
+  std::cout << "  " << method.name << ", d = " << d << ": ";
   if (solution.mechanism)
   {
     const auto proof = certify_mechanism(scene, solution.mechanism->motion);
@@ -44,15 +44,15 @@ void run()
 {
   const Packing squares = turned_squares(46);
   std::cout << squares.n_cells() << " turned squares" << std::endl;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const double d : {0.2999, 0.31, 2.})
-      try_load(way, squares, d);
+      try_load(method, squares, d);
 
   std::cout << "1000 random cells" << std::endl;
   const Packing random = random_packing(1000, 1);
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const double d : {0.2999, 0.31, 0.65, 0.651, 0.9})
-      try_load(way, random, d);
+      try_load(method, random, d);
 }
 
 const RoomTest test("formulations_biaxial", run);

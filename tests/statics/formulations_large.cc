@@ -9,17 +9,17 @@ namespace test_formulations_large
 {
 using namespace Voussoir;
 
-void solve(const Way &way,
+void solve(const Method &method,
            const dealii::Tensor<2, 2> &S,
            const double strength,
            const unsigned int n_allowed)
 {
   const Scene scene = scene_under_stress(random_packing(10000, 1), strength, S);
   const DiscreteProblem problem(scene);
-  const Solution solution = Solver(way).solve(problem);
+  const Solution solution = Solver(method).solve(problem);
   const Certificate certificate =
       certify(scene, dimensional_forces(problem, solution));
-  std::cout << way.name << ", strength " << strength << std::endl;
+  std::cout << method.name << ", strength " << strength << std::endl;
   check_error("  evaluations", solution.n_evaluations, n_allowed);
   check_error("  equilibrium", certificate.equilibrium_residual, 1e-9);
   check_error("  admissibility", certificate.admissibility_violation, 1e-9);

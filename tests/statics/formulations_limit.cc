@@ -10,12 +10,12 @@ namespace test_formulations_limit
 {
 using namespace Voussoir;
 
-void try_strength(const Way &way, const double strength)
+void try_strength(const Method &method, const double strength)
 {
   const Scene scene = shear_wall(strength);
   const DiscreteProblem problem(scene);
-  const Solution solution = Solver(way).solve(problem);
-  std::cout << way.name << ", s_T = " << strength << ": ";
+  const Solution solution = Solver(method).solve(problem);
+  std::cout << method.name << ", s_T = " << strength << ": ";
   if (solution.mechanism)
   {
     const auto proof = certify_mechanism(scene, solution.mechanism->motion);
@@ -49,12 +49,12 @@ void try_strength(const Way &way, const double strength)
   // No state is strictly admissible. Ipopt with hard contact approaches p = 0
   // as the square root of its barrier parameter; the linear program and the
   // centre have room in q, which is 1 in the mean over a course only.
-  const double tolerance = way.name == "hard" ? 1e-3 : 1e-6;
+  const double tolerance = method.name == "hard" ? 1e-3 : 1e-6;
   check_error("  normal stress of the bed joints", normal, tolerance);
-  if (way.formulation == "smoothed friction" ||
-      way.formulation == "least energy" || strength == 1.)
+  if (method.formulation == "smoothed friction" ||
+      method.formulation == "least energy" || strength == 1.)
     check_error("  |q|/|e| - 1 of the bed joints", tangential, tolerance);
-  if (way.formulation == "analytic centre")
+  if (method.formulation == "analytic centre")
   {
     check("  all bed joints marked as never pressed", unmarked == 0);
     check("  joints that always slide are at the limit only",
@@ -65,14 +65,14 @@ void try_strength(const Way &way, const double strength)
 }
 
 /** A wall of another shape has the same limit. */
-void try_shape(const Way &way, const double width, const double height)
+void try_shape(const Method &method, const double width, const double height)
 {
   for (const double strength : {1.5, 0.99})
   {
     const Scene scene = shear_wall(strength, width, height);
     const DiscreteProblem problem(scene);
-    const Solution solution = Solver(way).solve(problem);
-    std::cout << way.name << ", " << width << " x " << height
+    const Solution solution = Solver(method).solve(problem);
+    std::cout << method.name << ", " << width << " x " << height
               << ", s_T = " << strength << ": "
               << (solution.mechanism ? "collapse" : "carried") << std::endl;
     if (!solution.mechanism)
@@ -84,26 +84,26 @@ void try_shape(const Way &way, const double width, const double height)
 }
 
 /** Just above the limit marks are right or not given; the limit is obeyed. */
-void try_marks(const Way &way)
+void try_marks(const Method &method)
 {
   for (const double above : {1e-3, 1e-5, 1e-6, 1e-7, 1e-9})
   {
     const Scene scene = shear_wall(1. + above);
     const DiscreteProblem problem(scene);
-    const Solution solution = Solver(way).solve(problem);
+    const Solution solution = Solver(method).solve(problem);
     bool right = solution.never_pressed.empty() ||
                  std::count(solution.always_sliding.begin(),
                             solution.always_sliding.end(), true) == 0;
     for (unsigned int e = 0; e < solution.never_pressed.size(); ++e)
       right &= solution.never_pressed[e] ==
                (std::abs(scene.packing.interfaces()[e].normal[1]) > 0.5);
-    check(way.name + ": marks right or none", right);
-    check(way.name + ": some at 1e-3",
+    check(method.name + ": marks right or none", right);
+    check(method.name + ": some at 1e-3",
           above < 1e-3 || !solution.never_pressed.empty());
 
-    Solver solver(way);
+    Solver solver(method);
     for (const unsigned int n : {1, 60, 75})
-      check(way.name + ": within the iterations allowed",
+      check(method.name + ": within the iterations allowed",
             solver.parameters.formulation()
                     .solve(problem, {1e-10, n}, solver.quiet)
                     .n_iterations <= n);
@@ -112,19 +112,19 @@ void try_marks(const Way &way)
 
 void run()
 {
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const double strength : {10., 1.5, 1.001, 1., 0.999, 0.9, 0.1})
       // Where every force is given, hard contact has no room at all.
       if (!(strength == 1. &&
-            (way.name == "hard" || way.name == "linear program")))
-        try_strength(way, strength);
+            (method.name == "hard" || method.name == "linear program")))
+        try_strength(method, strength);
 
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const auto &[width, height] :
          {std::make_pair(2., 1.), {3., 1.}, {7., 1.}, {1., 100.}, {100., 1.}})
-      try_shape(way, width, height);
-  for (const Way &way : {centre, centre_equal})
-    try_marks(way);
+      try_shape(method, width, height);
+  for (const Method &method : {centre, centre_equal})
+    try_marks(method);
 }
 
 const RoomTest test("formulations_limit", run);

@@ -12,11 +12,11 @@ using namespace Voussoir;
 void solve(const std::string &what, const Scene &scene)
 {
   std::cout << what << std::endl;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const InterfaceForces forces = Solver(way).forces(scene);
+    const InterfaceForces forces = Solver(method).forces(scene);
     const Certificate certificate = certify(scene, forces);
-    check_error("  " + way.name,
+    check_error("  " + method.name,
                 std::max(certificate.equilibrium_residual,
                          certificate.admissibility_violation),
                 1e-8);
@@ -73,10 +73,10 @@ void run()
                    return (x[1] > 2. ? -2. : -1.) * n;
                  });
   solve("two groups", groups);
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const InterfaceForces forces = Solver(way).forces(groups);
-    check_error(way.name + ": normal forces",
+    const InterfaceForces forces = Solver(method).forces(groups);
+    check_error(method.name + ": normal forces",
                 std::abs(forces.normal[0] + 1.) +
                     std::abs(forces.normal[1] + 2.),
                 1e-8);

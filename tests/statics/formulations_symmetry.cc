@@ -34,11 +34,11 @@ void run()
         image[e] = k;
     }
 
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    if (way.name == linear_program.name)
+    if (method.name == linear_program.name)
       continue;
-    const InterfaceForces forces = Solver(way).forces(scene);
+    const InterfaceForces forces = Solver(method).forces(scene);
     double error = 0., least = 0., most = -1e300;
     for (unsigned int e = 0; e < interfaces.size(); ++e)
     {
@@ -53,8 +53,8 @@ void run()
       least = std::min(least, forces.normal[e]);
       most = std::max(most, forces.normal[e]);
     }
-    check_error(way.name + ": asymmetry", error, 1e-8);
-    check(way.name + ": forces differ", most - least > 0.05);
+    check_error(method.name + ": asymmetry", error, 1e-8);
+    check(method.name + ": forces differ", most - least > 0.05);
   }
 }
 

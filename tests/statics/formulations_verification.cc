@@ -13,7 +13,7 @@ using namespace Voussoir;
 
 void verify(const std::string &name,
             const std::vector<dealii::Point<2>> &points,
-            const Way &way)
+            const Method &method)
 {
   const auto S = tensor(-1, -1, -1, -1);
   PointList list;
@@ -21,14 +21,14 @@ void verify(const std::string &name,
   const Scene scene =
       scene_under_stress(Packing(voronoi_cells(list, {{0, 0}, {1, 1}})), 10, S);
   const DiscreteProblem problem(scene);
-  const Solution solution = Solver(way).solve(problem);
+  const Solution solution = Solver(method).solve(problem);
   const InterfaceForces forces = dimensional_forces(problem, solution);
 
-  std::cout << name << ", " << way.name << ": " << forces.normal.size()
+  std::cout << name << ", " << method.name << ": " << forces.normal.size()
             << " interfaces" << std::endl;
   check_error("  error of the tractions",
               distance_from_uniform(scene, forces, S),
-              way.name == "linear program" ? 1e-6 : 1e-9);
+              method.name == "linear program" ? 1e-6 : 1e-9);
   check_error("  equilibrium", certify(scene, forces).equilibrium_residual,
               1e-9);
   check_error("  admissibility", certify(scene, forces).admissibility_violation,
@@ -45,12 +45,13 @@ void verify(const std::string &name,
 
 void run()
 {
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
     verify("verification 1",
-           {{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.25}, {0.75, 0.75}}, way);
+           {{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.25}, {0.75, 0.75}}, method);
     verify("verification 2",
-           {{0.5, 1. / 6}, {0.5, 5. / 6}, {1. / 6, 0.5}, {5. / 6, 0.5}}, way);
+           {{0.5, 1. / 6}, {0.5, 5. / 6}, {1. / 6, 0.5}, {5. / 6, 0.5}},
+           method);
   }
 }
 

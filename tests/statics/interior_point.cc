@@ -4,7 +4,7 @@
 // them as well, and load factors that are known in closed form; its forces are
 // admissible and balanced to rounding. Friction follows its law.
 
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 
 #include "tests.h"
 
@@ -12,14 +12,15 @@ namespace test_interior_point
 {
 using namespace Voussoir;
 
-/** What each joint costs in the formulation @p way. */
-std::vector<JointCost> costs_of(const DiscreteProblem &problem, const Way &way)
+/** What each joint costs in the formulation @p method. */
+std::vector<JointCost> costs_of(const DiscreteProblem &problem,
+                                const Method &method)
 {
   std::vector<JointCost> costs;
   for (const auto &joint : problem.joints())
   {
     const double compliance = joint.distance / joint.length;
-    if (way.name == least_energy.name)
+    if (method.name == least_energy.name)
       costs.push_back({compliance, compliance, 0.});
     else
       costs.push_back({compliance, 0., compliance * joint.strength});
@@ -29,14 +30,14 @@ std::vector<JointCost> costs_of(const DiscreteProblem &problem, const Way &way)
 
 void compare(const std::string &name, const Scene &scene)
 {
-  for (const Way &way : {compliant, least_energy})
+  for (const Method &method : {compliant, least_energy})
   {
     const DiscreteProblem problem(scene);
-    Solver solver(way, 1e-12);
+    Solver solver(method, 1e-12);
     const Solution known = solver.solve(problem);
     const Solution found = minimise_by_interior_point(
-        problem, costs_of(problem, way), {1e-12, 200}, 1., {}, solver.quiet);
-    std::cout << name << ", " << way.name << std::endl;
+        problem, costs_of(problem, method), {1e-12, 200}, 1., {}, solver.quiet);
+    std::cout << name << ", " << method.name << std::endl;
     check("  known: " + known.stop.words(), known.converged());
     check("  found", found.converged());
     if (!known.converged() || !found.converged())
@@ -57,7 +58,7 @@ void compare(const std::string &name, const Scene &scene)
           std::max(difference,
                    (known.motion.displacement[c] -
                     found.motion.displacement[c] *
-                        (way.name == least_energy.name
+                        (method.name == least_energy.name
                              ? problem.stress_scale() * problem.length_scale()
                              : 1.))
                        .norm());

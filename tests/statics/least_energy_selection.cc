@@ -40,9 +40,9 @@ void compare(const std::string &what, const Scene &scene)
   check_error("  equilibrium", certificate.equilibrium_residual, 1e-10);
   check_error("  admissibility", certificate.admissibility_violation, 1e-12);
   check("  some joints slide", certificate.max_utilisation > 1. - 1e-12);
-  for (const Way &way : all_ways)
-    check_error("  energy that " + way.name + " could save",
-                -slope(scene, f, Solver(way).forces(scene)), 1e-8);
+  for (const Method &method : all_methods)
+    check_error("  energy that " + method.name + " could save",
+                -slope(scene, f, Solver(method).forces(scene)), 1e-8);
 }
 
 void run()

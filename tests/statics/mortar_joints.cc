@@ -8,8 +8,8 @@
 
 #include <voussoir/base/geometry.h>
 #include <voussoir/statics/load_factor.h>
-#include <voussoir/stress/cell_forces.h>
 #include <voussoir/stress/cell_means.h>
+#include <voussoir/stress/side_forces.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_real_distribution.hpp>

@@ -7,8 +7,8 @@
 // without dilatancy are built.
 
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/factor_without_dilatancy.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/least_energy.h>
 #include <voussoir/statics/load_factor.h>
 
@@ -250,8 +250,8 @@ void compare_with_other_states(const double lift,
   {
     const DiscreteProblem tighter(
         wall_with_limits(lift, tension * share, crushing * share, kinematics));
-    const Solution other = AnyState().solve(share < 1. ? tighter : problem, {},
-                                            Terminal::silent());
+    const Solution other = FeasibleState().solve(share < 1. ? tighter : problem,
+                                                 {}, Terminal::silent());
     check("  another state", other.converged());
     if (!other.converged())
       continue;

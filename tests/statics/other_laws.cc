@@ -52,21 +52,21 @@ public:
 };
 
 void compare(const std::string &what,
-             const Way &way,
+             const Method &method,
              const Scene &known,
              const Scene &scene)
 {
-  const std::string name = what + ", " + way.name;
+  const std::string name = what + ", " + method.name;
   const DiscreteProblem problem(known), other(scene);
-  const Solution expected = Solver(way).solve(problem);
-  const Solution found = Solver(way).solve(other);
+  const Solution expected = Solver(method).solve(problem);
+  const Solution found = Solver(method).solve(other);
   check(name + ": the same verdict",
         found.mechanism.has_value() == expected.mechanism.has_value() &&
             found.converged() == expected.converged());
   if (expected.mechanism)
     check("  which proves it",
           proves_collapse(certify_mechanism(known, found.mechanism->motion)));
-  else if (way.name == linear_program.name) // whose forces are any
+  else if (method.name == linear_program.name) // whose forces are any
     check_error("  admissible and balanced",
                 certify(known, dimensional_forces(other, found)).error(), 1e-8);
   else
@@ -77,9 +77,9 @@ void compare(const std::string &what,
 }
 
 /** The utilisation of the first joint of the analytic centre. */
-double used_of_first(const Scene &scene, const Way &way)
+double used_of_first(const Scene &scene, const Method &method)
 {
-  const InterfaceForces forces = Solver(way).forces(scene);
+  const InterfaceForces forces = Solver(method).forces(scene);
   return Utilisation(scene, forces)(0);
 }
 
@@ -95,14 +95,14 @@ void run()
                                            tensor(-1.3, 0.1, 0.1, -0.7));
     Scene scene = known;
     scene.kinematics = &idle;
-    for (const Way &way : all_ways)
-      compare("idle, " + name, way, known, scene);
+    for (const Method &method : all_methods)
+      compare("idle, " + name, method, known, scene);
 
     Scene half = scene_under_stress(random_packing(100, 1), 0.5 * strength,
                                     tensor(-1.3, 0.1, 0.1, -0.7));
     half.friction = &twice;
-    for (const Way &way : all_ways)
-      compare("twice, " + name, way, known, half);
+    for (const Method &method : all_methods)
+      compare("twice, " + name, method, known, half);
     if (strength > 0.2)
       check("what it uses of its strength",
             std::abs(used_of_first(half, centre) -

@@ -119,10 +119,10 @@ Scene arch(const unsigned int n, const double thickness, const bool on_line)
 }
 
 /** True if carried, false if collapse is proven; an error is neither. */
-bool stands(const Scene &scene, const Way &way)
+bool stands(const Scene &scene, const Method &method)
 {
   const DiscreteProblem problem(scene);
-  const Solution found = Solver(way).solve(problem);
+  const Solution found = Solver(method).solve(problem);
   if (found.mechanism)
   {
     const MechanismCertificate proof =
@@ -145,15 +145,15 @@ template <typename SceneAt>
 void approach(const std::string &name,
               const double limit,
               const double margin,
-              const std::vector<Way> &ways,
+              const std::vector<Method> &ways,
               const SceneAt &scene_at)
 {
-  for (const Way &way : ways)
+  for (const Method &method : ways)
   {
-    check(name + ", " + way.name + ": stands below",
-          stands(scene_at(limit * (1. - margin)), way));
-    check(name + ", " + way.name + ": falls above",
-          !stands(scene_at(limit * (1. + margin)), way));
+    check(name + ", " + method.name + ": stands below",
+          stands(scene_at(limit * (1. - margin)), method));
+    check(name + ", " + method.name + ": falls above",
+          !stands(scene_at(limit * (1. + margin)), method));
   }
 }
 
@@ -174,7 +174,7 @@ void run()
   for (const unsigned int n : {1, 10, 100})
     approach("a column of " + std::to_string(n), 0.3, 1e-9, {least_energy},
              [&](const double share) { return column(n, 0.3, 1., share); });
-  approach("a column of 5", 0.3, 1e-4, all_ways,
+  approach("a column of 5", 0.3, 1e-4, all_methods,
            [&](const double share) { return column(5, 0.3, 1., share); });
   for (const unsigned int n : {1, 7})
     approach("a tilted column of " + std::to_string(n), std::atan(1. / 2.5),

@@ -93,7 +93,7 @@ Scene scene_of(const CellLoops &cells, const Transformed &view)
 using Forces =
     std::map<std::pair<unsigned int, unsigned int>, std::array<double, 4>>;
 
-Forces forces_of(const CellLoops &cells, Transformed view, const Way &way)
+Forces forces_of(const CellLoops &cells, Transformed view, const Method &method)
 {
   if (view.old_number.empty())
   {
@@ -101,7 +101,7 @@ Forces forces_of(const CellLoops &cells, Transformed view, const Way &way)
     std::iota(view.old_number.begin(), view.old_number.end(), 0);
   }
   const Scene scene = scene_of(cells, view);
-  const Judgement found = judge(scene, way);
+  const Judgement found = judge(scene, method);
   Forces forces;
   if (found.verdict != Verdict::carried)
     return forces;
@@ -149,12 +149,12 @@ void run()
             views["renumbered"].old_number.end(), 0);
   std::shuffle(views["renumbered"].old_number.begin(),
                views["renumbered"].old_number.end(), std::mt19937(1));
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const Forces reference = forces_of(cells, Transformed(), way);
+    const Forces reference = forces_of(cells, Transformed(), method);
     for (const auto &[name, view] : views)
-      check_error(way.name + ", " + name,
-                  difference(reference, forces_of(cells, view, way)), 1e-8);
+      check_error(method.name + ", " + name,
+                  difference(reference, forces_of(cells, view, method)), 1e-8);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include <voussoir/output/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/reactions.h>
 #include <voussoir/scene/supports.h>
 #include <voussoir/statics/ranges.h>
@@ -37,9 +37,9 @@ std::vector<SupportMotion> motion_of(const Packing &packing,
 }
 
 /** The settlement, with checks of both proofs and that they fit each other. */
-Settlement settle(const std::string &name,
-                  const Scene &scene,
-                  const std::string &displacement)
+Settlement try_second_attempts(const std::string &name,
+                               const Scene &scene,
+                               const std::string &displacement)
 {
   std::cout << name << std::endl;
   const Settlement found =
@@ -162,8 +162,8 @@ void spreading_arch(const double thickness)
                                    0., rotations());
   const double spread = 0.01;
   const Settlement found =
-      settle("a spreading arch, t = " + std::to_string(thickness), scene,
-             "x > 0 ? 0.01 : 0; 0");
+      try_second_attempts("a spreading arch, t = " + std::to_string(thickness),
+                          scene, "x > 0 ? 0.01 : 0; 0");
   const LinesOfThrust lines(scene);
   const double least = lines.farthest(1.);
   const Point<2> haunch = lines.touched(least);
@@ -223,8 +223,8 @@ void closing_arch(const double thickness)
   const Scene scene = under_weight(on_ground(semicircle(400, thickness)), 100.,
                                    0., rotations());
   const Settlement found =
-      settle("a closing arch, t = " + std::to_string(thickness), scene,
-             "if(x > 0, -0.01, 0); 0");
+      try_second_attempts("a closing arch, t = " + std::to_string(thickness),
+                          scene, "if(x > 0, -0.01, 0); 0");
   const double greatest = LinesOfThrust(scene).farthest(-1.);
   check_error("  greatest thrust",
               std::abs(thrust_of(scene, found.forces) / greatest - 1.), 1e-8);
@@ -236,8 +236,8 @@ void floor_that_tilts()
   const Scene scene =
       under_weight(on_ground(wall(2, 1, 1., 1.)), 10., 0., rotations());
   const Settlement found =
-      settle("a floor that tilts and sinks", scene,
-             "0.02 - 1e-3 * y; -0.1 + 1e-3 * (x - 0.5); 1e-3");
+      try_second_attempts("a floor that tilts and sinks", scene,
+                          "0.02 - 1e-3 * y; -0.1 + 1e-3 * (x - 0.5); 1e-3");
   double error = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
   {
@@ -259,8 +259,8 @@ void wall_that_rises(const double strength)
   packing.support(rests);
   const Scene scene = under_weight(packing, strength, 0., translations());
   const Settlement found =
-      settle("a wall that rises, s = " + std::to_string(strength), scene,
-             "0; nx > 0.5 ? 0.25 : 0");
+      try_second_attempts("a wall that rises, s = " + std::to_string(strength),
+                          scene, "0; nx > 0.5 ? 0.25 : 0");
   // The wall carries the block up, or slides past it.
   const double up = strength > 1. ? 0.25 : 0.;
   check_error("  the block",
@@ -292,7 +292,8 @@ void floor_that_slides()
 {
   const Scene scene =
       under_weight(on_ground(wall(3, 2, 2., 1.)), 0., 0.5, translations());
-  const Settlement found = settle("a floor that slides", scene, "0.3; 0");
+  const Settlement found =
+      try_second_attempts("a floor that slides", scene, "0.3; 0");
   double error = 0.;
   for (const Tensor<1, 2> &u : found.motion.displacement)
     error = std::max(error, (u - Tensor<1, 2>({0.3, 0.})).norm());
@@ -308,9 +309,9 @@ void random_walls()
       {
         const Scene scene = under_weight(on_ground(random_packing(40, seed)),
                                          0.5, mu, *kinematics);
-        settle("40 cells, " + kinematics->name() +
-                   (mu > 0. ? ", Coulomb" : ", Tresca"),
-               scene, "0; x > 0.5 ? -1e-3 : 0");
+        try_second_attempts("40 cells, " + kinematics->name() +
+                                (mu > 0. ? ", Coulomb" : ", Tresca"),
+                            scene, "0; x > 0.5 ? -1e-3 : 0");
       }
 }
 

@@ -16,12 +16,12 @@ using namespace Voussoir;
 using dealii::Point;
 using dealii::Tensor;
 
-Status::Kind status_of(const Scene &scene, const Way &way)
+Status::Kind status_of(const Scene &scene, const Method &method)
 {
   try
   {
     const DiscreteProblem problem(scene);
-    const Solution solution = Solver(way).solve(problem);
+    const Solution solution = Solver(method).solve(problem);
     if (solution.mechanism)
       return proves_collapse(
                  certify_mechanism(scene, solution.mechanism->motion))
@@ -133,23 +133,23 @@ Scene grains(const double strength)
 
 /** By what the two scenes are below and above their limits. */
 void check_near_limit(const std::string &what,
-                      const Way &way,
+                      const Method &method,
                       const Scene &below,
                       const Scene &above)
 {
-  check(what + ", " + way.name + ": below the limit not solved",
-        status_of(below, way) != Status::Kind::solved);
-  check(what + ", " + way.name + ": above it no collapse",
-        status_of(above, way) != Status::Kind::collapse);
+  check(what + ", " + method.name + ": below the limit not solved",
+        status_of(below, method) != Status::Kind::solved);
+  check(what + ", " + method.name + ": above it no collapse",
+        status_of(above, method) != Status::Kind::collapse);
 }
 
 void run()
 {
-  const std::vector<Way> ways = {least_energy,   compliant, hard,
-                                 linear_program, centre,    centre_equal};
+  const std::vector<Method> ways = {least_energy,   compliant, hard,
+                                    linear_program, centre,    centre_equal};
   for (const double light :
        {1., 1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13})
-    for (const Way &way : ways)
+    for (const Method &method : ways)
     {
       unsigned int n_wrong = 0, n_vague = 0;
       for (const double resistance : {0.5, 2.})
@@ -157,7 +157,7 @@ void run()
         const auto scenes = light_parts(light, resistance);
         for (const Scene &scene : scenes)
         {
-          const Status::Kind kind = status_of(scene, way);
+          const Status::Kind kind = status_of(scene, method);
           const Status::Kind right =
               resistance < 1. ? Status::Kind::collapse : Status::Kind::solved;
           n_vague += kind == Status::Kind::carried_within;
@@ -165,26 +165,27 @@ void run()
         }
       }
       std::ostringstream name;
-      name << "light parts of " << light << ", " << way.name;
+      name << "light parts of " << light << ", " << method.name;
       check(name.str() + ": no wrong word", n_wrong == 0);
       // Below, and where the centre has lost its digits, it may be left open.
-      if (light >= 1e-10 && way.formulation != centre.formulation)
+      if (light >= 1e-10 && method.formulation != centre.formulation)
         check(name.str() + ": a word for each", n_vague == 0);
     }
 
   // The wall is carried from a strength of one on; the limit of the grains is
   // a strength of limit (1 + 1e-8).
   const double limit = 0.016775105177451635;
-  for (const Way &way : ways)
+  for (const Method &method : ways)
   {
     for (const double off : {1e-5, 1e-6, 1e-7, 1e-8})
     {
       std::ostringstream name;
       name << "wall, " << off << " off the limit";
-      check_near_limit(name.str(), way, shear_wall(1. - off),
+      check_near_limit(name.str(), method, shear_wall(1. - off),
                        shear_wall(1. + off));
     }
-    check_near_limit("grains", way, grains(limit), grains(limit * (1. + 1e-6)));
+    check_near_limit("grains", method, grains(limit),
+                     grains(limit * (1. + 1e-6)));
   }
 
   // Forces that are balanced to a loose tolerance only say so.

@@ -96,9 +96,9 @@ void run()
   double top = 0.;
   for (const double h : heights)
     top += h;
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const InterfaceForces forces = Solver(way, 1e-13).forces(pile);
+    const InterfaceForces forces = Solver(method, 1e-13).forces(pile);
     double error = 0.;
     for (unsigned int e = 0; e < forces.normal.size(); ++e)
     {
@@ -107,25 +107,25 @@ void run()
       error = std::max(error,
                        std::abs(forces.normal[e] / i.length / expected - 1.));
     }
-    check_error("column, " + way.name + ": stress over gamma z - 1", error,
+    check_error("column, " + method.name + ": stress over gamma z - 1", error,
                 1e-12);
   }
 
   // The reaction is the weight.
   const Scene brickwork =
       under_weight(wall(30, 12, 3., 2.), 5., gamma, "y < 0.01");
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
   {
-    const InterfaceForces forces = Solver(way).forces(brickwork);
+    const InterfaceForces forces = Solver(method).forces(brickwork);
     const auto ground = reactions(brickwork, forces);
-    check("wall, " + way.name + ": one straight support of the right length",
+    check("wall, " + method.name + ": one straight support of the right length",
           ground.size() == 1 && ground[0].start == Point<2>(0., 0.) &&
               ground[0].end == Point<2>(3., 0.));
-    check_error("wall, " + way.name + ": reaction over weight - 1",
+    check_error("wall, " + method.name + ": reaction over weight - 1",
                 std::abs(ground[0].force[1] / (6. * gamma) - 1.), 1e-12);
-    check_error("wall, " + way.name + ": imbalance on the ground",
+    check_error("wall, " + method.name + ": imbalance on the ground",
                 balance_on_ground(brickwork, ground).imbalance, 1e-12);
-    check_certificate("wall, " + way.name, brickwork, forces);
+    check_certificate("wall, " + method.name, brickwork, forces);
   }
 
   // A block between two walls hangs by friction on both of its sides if they
@@ -137,28 +137,28 @@ void run()
     const DiscreteProblem problem(clamped);
     check("clamped: nothing opens both sides",
           opening_of(problem).displacement.empty());
-    for (const Way &way : {least_energy, compliant})
+    for (const Method &method : {least_energy, compliant})
     {
-      const Solution solution = Solver(way).solve(problem);
+      const Solution solution = Solver(method).solve(problem);
       if (strength > 0.5)
       {
         const InterfaceForces forces = dimensional_forces(problem, solution);
-        check_certificate("clamped, " + way.name, clamped, forces);
-        check_error("clamped, " + way.name +
+        check_certificate("clamped, " + method.name, clamped, forces);
+        check_error("clamped, " + method.name +
                         ": half of the weight on each side",
                     std::max(std::abs(std::abs(forces.tangential[0]) - 0.5),
                              std::abs(std::abs(forces.tangential[1]) - 0.5)),
                     1e-9);
       }
       else
-        check("clamped, " + way.name + ": falls by a mechanism",
+        check("clamped, " + method.name + ": falls by a mechanism",
               solution.mechanism &&
                   certify_mechanism(clamped, solution.mechanism->motion)
                           .work_over_dissipation > 1.);
     }
     if (strength > 0.5)
-      for (const Way &way : {hard, linear_program, centre})
-        show_refusal([&] { Solver(way).solve(problem); });
+      for (const Method &method : {hard, linear_program, centre})
+        show_refusal([&] { Solver(method).solve(problem); });
   }
 
   // So does a wall between two others; its courses cannot rise one by one.
@@ -167,14 +167,14 @@ void run()
     const Scene clamped =
         under_weight(wall(20, 10), strength, 1., "abs(nx) > 0.5");
     const DiscreteProblem problem(clamped);
-    for (const Way &way : {least_energy, compliant})
+    for (const Method &method : {least_energy, compliant})
     {
-      const Solution solution = Solver(way).solve(problem);
+      const Solution solution = Solver(method).solve(problem);
       if (strength > 0.5)
-        check_certificate("clamped wall, " + way.name, clamped,
+        check_certificate("clamped wall, " + method.name, clamped,
                           dimensional_forces(problem, solution));
       else
-        check("clamped wall, " + way.name + ": falls by a mechanism",
+        check("clamped wall, " + method.name + ": falls by a mechanism",
               solution.mechanism &&
                   certify_mechanism(clamped, solution.mechanism->motion)
                           .work_over_dissipation > 1.);
@@ -220,8 +220,9 @@ void run()
   for (unsigned int e = 0; e < arch_problem.joints().size(); ++e)
     opens &= arch_problem.opening(e, opening.data()) > 0.;
   check("flat arch: a motion opens every joint", opens);
-  for (const Way &way : all_ways)
-    check_certificate("flat arch, " + way.name, arch, Solver(way).forces(arch));
+  for (const Method &method : all_methods)
+    check_certificate("flat arch, " + method.name, arch,
+                      Solver(method).forces(arch));
 
   // Grains in a box: supported below and at both sides, open above.
   const Scene box = under_weight(random_packing(300, 4), 0.2, 1., "ny < 0.5");
@@ -230,9 +231,9 @@ void run()
   // A corner: supports that do not face each other always leave an interior.
   const Scene corner =
       under_weight(random_packing(50, 2), 0.1, 1., "ny < -0.5 || nx < -0.5");
-  for (const Way &way : all_ways)
-    check_certificate("corner, " + way.name, corner,
-                      Solver(way).forces(corner));
+  for (const Method &method : all_methods)
+    check_certificate("corner, " + method.name, corner,
+                      Solver(method).forces(corner));
 
   // What floats is named.
   CellLoops apart;

@@ -51,7 +51,7 @@ double error_of(const std::vector<Point<2>> &vertices,
   return error_of(fan, vertices, centre, S);
 }
 
-/** The same of the refined reconstruction. */
+/** The error of the refined reconstruction. */
 double error_of_refined(const std::vector<Point<2>> &vertices,
                         const Point<2> &centre,
                         const Tensor<2, 2> &S,

@@ -16,10 +16,11 @@ namespace test_reconstruction_scenes
 using namespace Voussoir;
 using dealii::Tensor;
 
-double
-error_of_uniform(const Scene &scene, const Tensor<2, 2> &S, const Way &way)
+double error_of_uniform(const Scene &scene,
+                        const Tensor<2, 2> &S,
+                        const Method &method)
 {
-  Solver solver(way);
+  Solver solver(method);
   const InterfaceForces forces = solver.forces(scene);
   double error = 0.;
   for (const auto &sub_cell :
@@ -38,23 +39,23 @@ void run()
   squares.points = {{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.25}, {0.75, 0.75}};
   triangles.points = {
       {0.5, 1. / 6}, {0.5, 5. / 6}, {1. / 6, 0.5}, {5. / 6, 0.5}};
-  for (const Way &way : all_ways)
+  for (const Method &method : all_methods)
     for (const PointList &points : {squares, triangles})
       check_error(
-          std::to_string(points.points.size()) + " cells, " + way.name,
+          std::to_string(points.points.size()) + " cells, " + method.name,
           error_of_uniform(
               scene_under_stress(Packing(voronoi_cells(points, unit)), 10, S),
-              S, way),
-          way.name == "linear program" ? 1e-6 : 1e-9);
+              S, method),
+          method.name == "linear program" ? 1e-6 : 1e-9);
   check_error("one cell",
               error_of_uniform(scene_under_stress(random_packing(1, 1), 1, S),
                                S, compliant),
               1e-12);
-  for (const Way &way : {compliant, least_energy, centre})
-    check_error("homogeneous compression, " + way.name,
+  for (const Method &method : {compliant, least_energy, centre})
+    check_error("homogeneous compression, " + method.name,
                 error_of_uniform(scene_under_stress(random_packing(60, 4), 10,
                                                     tensor(-1, 0, 0, -1)),
-                                 tensor(-1, 0, 0, -1), way),
+                                 tensor(-1, 0, 0, -1), method),
                 1e-9);
 
   // A state without uniform stress: means, torques, threads.

@@ -64,7 +64,7 @@ std::vector<Tensor<1, 2>> shifts_of(const Stress stress,
 const std::vector<Point<2>> with_corners = {
     {-0.55, -0.5}, {0.5, -0.47}, {0.46, 0.5}, {-0.48, 0.52}};
 
-/** The same with corners cut: n_cut sides of length h about corners 0 and 2. */
+/** The quadrilateral with n_cut sides of length h about corners 0 and 2. */
 std::vector<Point<2>> without_corners(const double h, const unsigned int n_cut)
 {
   std::vector<Point<2>> vertices;

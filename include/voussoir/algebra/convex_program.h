@@ -97,7 +97,7 @@ struct IpoptResult
   unsigned int n_evaluations = 0;
   /** The reason for which it stopped. */
   IpoptOutcome outcome = IpoptOutcome::other;
-  /** The same as the number that Ipopt has for it. */
+  /** The number that Ipopt has for the outcome. */
   int status = 0;
 };
 

@@ -12,7 +12,7 @@ class LinearMethod
 {
 public:
   virtual ~LinearMethod() = default;
-  /** See JointSystem::prepare(). */
+  /** Prepare solves, as JointSystem::prepare() says. */
   virtual bool prepare(const std::vector<double> &coefficients,
                        double shift) = 0;
   /**

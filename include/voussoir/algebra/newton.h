@@ -99,7 +99,7 @@ public:
   const std::vector<double> &forces() const { return present.forces; }
   /** The largest component of the sum of all forces on a cell. */
   double imbalance() const;
-  /** The same with the force -shift (u - centre) of the proximal term. */
+  /** The imbalance with the force -shift (u - centre) of the proximal term. */
   double imbalance(double shift, const std::vector<double> &centre) const;
   /**
    * The size of the last step, measured by the energy.

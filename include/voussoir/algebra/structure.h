@@ -4,7 +4,7 @@
 
 #include <voussoir/algebra/friction_law.h>
 #include <voussoir/algebra/kinematics.h>
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/tensor.h>
@@ -93,11 +93,11 @@ public:
     std::vector<dealii::Tensor<1, 2>> centres;
   };
 
-  /** The part of this process of what @p team shares. */
-  Structure(const Team &team, Part part);
+  /** The part of this process of what @p processes share. */
+  Structure(const ProcessGroup &processes, Part part);
 
   /** The processes that share the structure. */
-  const Team &team() const { return processes; }
+  const ProcessGroup &processes() const { return group; }
   /** The motions of the bodies. */
   const Kinematics &kinematics() const { return *own.kinematics; }
   /** The law of friction of the joints. */
@@ -174,9 +174,9 @@ public:
    * negative where bodies interpenetrate, or in the last row the sliding.
    */
   double jump(unsigned int e, unsigned int r, const double *u) const;
-  /** The same of its contact that opens least. */
+  /** The jump of the contact of joint @p e that opens least. */
   double opening(unsigned int e, const double *u) const;
-  /** The same of its tangential row. */
+  /** The jump of the tangential row of joint @p e. */
   double sliding(unsigned int e, const double *u) const;
   /** Find the jumps in all rows of joint @p e. */
   void find_jumps(unsigned int e, const double *u, double *jumps) const
@@ -216,7 +216,7 @@ protected:
   Part own;
 
 private:
-  Team processes;
+  ProcessGroup group;
   unsigned int unknowns_per_body;
   unsigned int rows_per_joint;
   /** The exchange of the unknowns of ghosts; null if there are none. */

@@ -2,7 +2,7 @@
 #ifndef voussoir_formula_area_pieces_h
 #define voussoir_formula_area_pieces_h
 
-#include <voussoir/formula/jumps.h>
+#include <voussoir/formula/discontinuities.h>
 
 #include <optional>
 #include <vector>
@@ -15,12 +15,12 @@ struct AreaPiece
   /** Convex, counterclockwise; lengths. */
   std::vector<dealii::Point<2>> corners;
   /** The only jump that may cross it, if there is one. */
-  std::optional<Jumps::Crossing> crossing;
+  std::optional<Discontinuities::Crossing> crossing;
   /** The coordinate, 0 or 1, along which its argument increases or decreases
    * everywhere, so that the curve is a graph over the other one. */
   unsigned int along = 0;
   /** The known bounds of the jumps there. */
-  Jumps::Limits limits;
+  Discontinuities::Limits limits;
   /** True if it is so small that it does not count, and is not cut again. */
   bool is_uncertain = false;
 };
@@ -35,7 +35,7 @@ struct AreaPiece
  * Computing* 37 (2015), A993), or the piece is negligible.
  */
 std::vector<AreaPiece> area_pieces(const std::vector<dealii::Point<2>> &corners,
-                                   const Jumps &jumps);
+                                   const Discontinuities &jumps);
 } // namespace Voussoir
 
 #endif

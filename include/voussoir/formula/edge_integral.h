@@ -2,7 +2,7 @@
 #ifndef voussoir_formula_edge_integral_h
 #define voussoir_formula_edge_integral_h
 
-#include <voussoir/formula/jumps.h>
+#include <voussoir/formula/discontinuities.h>
 
 #include <functional>
 
@@ -42,7 +42,7 @@ EdgeIntegral
 edge_integral(const dealii::Point<2> &a,
               const dealii::Point<2> &b,
               const std::function<double(const dealii::Point<2> &)> &f,
-              const Jumps &jumps);
+              const Discontinuities &jumps);
 } // namespace Voussoir
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef voussoir_formula_edge_pieces_h
 #define voussoir_formula_edge_pieces_h
 
-#include <voussoir/formula/jumps.h>
+#include <voussoir/formula/discontinuities.h>
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct EdgePiece
   /** True if the function is known to be smooth inside. */
   bool is_smooth;
   /** The known bounds of the jumps there. */
-  Jumps::Limits limits;
+  Discontinuities::Limits limits;
 };
 
 /**
@@ -31,8 +31,8 @@ struct EdgePiece
  */
 std::vector<EdgePiece> edge_pieces(const dealii::Point<2> &a,
                                    const dealii::Point<2> &b,
-                                   const Jumps &jumps,
-                                   const Jumps::Limits &limits);
+                                   const Discontinuities &jumps,
+                                   const Discontinuities::Limits &limits);
 
 /**
  * The root of the distance of @p crossing on the straight line from @p a to @p
@@ -42,8 +42,8 @@ double root_between(const dealii::Point<2> &a,
                     const dealii::Point<2> &b,
                     double distance_a,
                     double distance_b,
-                    const Jumps &jumps,
-                    const Jumps::Crossing &crossing);
+                    const Discontinuities &jumps,
+                    const Discontinuities::Crossing &crossing);
 } // namespace Voussoir
 
 #endif

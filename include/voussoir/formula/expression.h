@@ -42,7 +42,7 @@ public:
    * for. Not thread safe.
    */
   double operator()(const std::vector<double> &values) const;
-  /** The same of a list that is not stored. */
+  /** The value for a list that is not stored. */
   double operator()(std::initializer_list<double> values) const;
 
   /** True if the formula uses none of the variables. */

@@ -42,7 +42,7 @@ public:
   std::vector<std::string> warnings() const;
 
 private:
-  /** Those of one kind. */
+  /** The inaccuracies of one kind. */
   struct Kind
   {
     unsigned int number = 0;

@@ -24,7 +24,7 @@ using AreaSums = Integrals<6>;
  */
 Integral<AreaSums>
 strip_integral(const AreaPiece &piece,
-               const Jumps &jumps,
+               const Discontinuities &jumps,
                const std::function<AreaSums(const dealii::Point<2> &)> &f,
                const std::function<bool()> &is_exhausted);
 } // namespace Voussoir

@@ -2,7 +2,7 @@
 #ifndef voussoir_formula_triangle_integral_h
 #define voussoir_formula_triangle_integral_h
 
-#include <voussoir/formula/jumps.h>
+#include <voussoir/formula/discontinuities.h>
 #include <voussoir/formula/samples.h>
 
 #include <deal.II/base/tensor.h>
@@ -56,7 +56,7 @@ TriangleIntegral triangle_integral(
     const std::array<dealii::Point<2>, 3> &corners,
     const dealii::Point<2> &origin,
     const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)> &f,
-    const Jumps &jumps);
+    const Discontinuities &jumps);
 
 /**
  * The same by one application of the rule; nothing if the function is not even

@@ -17,7 +17,7 @@ namespace Voussoir
 /** The files that any run may write, by their names. */
 struct FilesOfRuns
 {
-  /** Those that a later run replaces or removes. */
+  /** Results, which a later run replaces or removes. */
   std::vector<std::string> results;
   /** Packings, which are there to be edited: they are removed by no run. */
   std::vector<std::string> packings = {};
@@ -83,7 +83,7 @@ public:
    */
   void publish();
 
-  /** The same, and leave the results of an earlier run where they are. */
+  /** Put written files in place beside the results of an earlier run. */
   void publish_beside();
 
 private:

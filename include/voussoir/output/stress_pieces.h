@@ -18,16 +18,16 @@ namespace Voussoir
  */
 void write_stress_pieces(ResultDirectory &files,
                          const StressPart &part,
-                         const Team &team);
+                         const ProcessGroup &processes);
 
 /** True if @p name is that of the part of a process. */
 bool is_stress_piece(const std::string &name);
 
-/** The name of this task, to which the root calls; see Team::call(). */
+/** The name of this task, to which the root calls; see ProcessGroup::call(). */
 inline const std::string writing_task = "writing";
 
 /** The part of another process in write_stress_pieces(). */
-void write_stress_piece(const StressPart &part, const Team &team);
+void write_stress_piece(const StressPart &part, const ProcessGroup &processes);
 } // namespace Voussoir
 
 #endif

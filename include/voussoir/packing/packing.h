@@ -95,7 +95,7 @@ struct CellLoops
   {
     return loops[first[cell] + i % n_sides(cell)];
   }
-  /** The same by its place; lengths. */
+  /** The place of vertex @p i of a cell; lengths. */
   const dealii::Point<2> &vertex(const unsigned int cell,
                                  const unsigned int i) const
   {
@@ -282,7 +282,7 @@ public:
 
   /** The cells that are not convex; ascending numbers. */
   const std::vector<unsigned int> &not_convex() const { return concave; }
-  /** Those of them that cannot be seen whole from their centre. */
+  /** The cells that cannot be seen whole from their centre; ascending. */
   const std::vector<unsigned int> &not_seen_whole() const { return hiding; }
   /** True if all of @p cell can be seen from its centre. */
   bool is_seen_whole(unsigned int cell) const;

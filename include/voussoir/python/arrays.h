@@ -47,7 +47,7 @@ pybind11::array_t<Number> view(const Number *first,
   return array;
 }
 
-/** The same of all of a vector of numbers, vectors or tensors. */
+/** A view of all of a vector of numbers, vectors or tensors. */
 template <typename Object, typename Owner>
 pybind11::array_t<double> view_of(const std::vector<Object> &of,
                                   const std::vector<pybind11::ssize_t> &shape,

@@ -4,7 +4,7 @@
 
 #include <voussoir/base/assigned_entries.h>
 #include <voussoir/base/print_parameters.h>
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/run/result_writer.h>
 #include <voussoir/run/scene_analysis.h>
 #include <voussoir/run/shared_packings.h>
@@ -57,9 +57,10 @@ class AnalysisRun
 public:
   /**
    * @param terminal sees what the run notices.
-   * @param team the processes that help, beside this one, its root.
+   * @param processes the processes that help, beside this one, its root.
    */
-  explicit AnalysisRun(Terminal &terminal, const Team &team = Team());
+  explicit AnalysisRun(Terminal &terminal,
+                       const ProcessGroup &processes = ProcessGroup());
 
   /**
    * Declare all parameters, with the load cases that the sources name, and read
@@ -74,7 +75,7 @@ public:
    * @throws InputError as assign_parameter() does.
    */
   void assign(const std::string &assignment);
-  /** See PackingParameters::give(). */
+  /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { analysis.give(std::move(polygons)); }
 
   /** The entries with their values. */
@@ -141,7 +142,7 @@ private:
                        ResultDirectory *files);
 
   Terminal &terminal;
-  const Team team;
+  const ProcessGroup processes;
   /** The wall clock times of the stages. */
   dealii::TimerOutput timer;
   /** The scene and the question about it. */

@@ -6,7 +6,7 @@
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/results.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
 #include <voussoir/terminal/terminal.h>
@@ -23,9 +23,9 @@ namespace Voussoir
 class ResultWriter
 {
 public:
-  /** @param team the processes that help, beside this one, its root. */
+  /** @param processes the processes that help, beside this one, its root. */
   ResultWriter(Terminal &terminal,
-               const Team &team,
+               const ProcessGroup &processes,
                dealii::TimerOutput &timer);
 
   /** @{ */
@@ -123,7 +123,7 @@ private:
                const dealii::ParameterHandler &prm);
 
   Terminal &terminal;
-  const Team &team;
+  const ProcessGroup &processes;
   dealii::TimerOutput &timer;
   std::string title;
   std::string output_directory = "output";

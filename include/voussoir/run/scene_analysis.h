@@ -4,7 +4,7 @@
 
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/results.h>
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/run/scene_parameters.h>
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/statics/load_factor_parameters.h>
@@ -39,9 +39,9 @@ struct RunResult
 class SceneAnalysis
 {
 public:
-  /** @param team the processes that help, beside this one, its root. */
+  /** @param processes the processes that help, beside this one, its root. */
   SceneAnalysis(Terminal &terminal,
-                const Team &team,
+                const ProcessGroup &processes,
                 dealii::TimerOutput &timer);
 
   /** @{ */
@@ -61,7 +61,7 @@ public:
   /** What the directory of an earlier run has, if forces are from there. */
   std::optional<EarlierRun> earlier_run() const;
 
-  /** See PackingParameters::give(). */
+  /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { of_scene.give(std::move(polygons)); }
   /** The packing with its supports; see PackingParameters::make_packing(). */
   Packing read_packing(const std::filesystem::path &directory) const
@@ -108,7 +108,7 @@ private:
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   /** The settlement, if supports move, with its forces as the answer. */
   std::optional<Settlement>
-  settle(Answer &answer, const Scene &scene, SolverRecord &record);
+  try_second_attempts(Answer &answer, const Scene &scene, SolverRecord &record);
   /** The ranges of forces that are asked for, if any are. */
   std::optional<Ranges> ranges_of(const Scene &scene);
   /** The samples of all states that are asked for, if any are. */

@@ -3,7 +3,7 @@
 #define voussoir_run_scene_parameters_h
 
 #include <voussoir/packing/packing_parameters.h>
-#include <voussoir/scene/contact.h>
+#include <voussoir/scene/contact_parameters.h>
 #include <voussoir/scene/friction.h>
 #include <voussoir/scene/load_cases.h>
 #include <voussoir/scene/loads.h>
@@ -31,7 +31,7 @@ struct SceneData
   Strengths strengths;
   /** The loads that stay as they are. */
   Loads loads;
-  /** Those that a factor multiplies, if one is looked for. */
+  /** The loads that a factor multiplies, if one is looked for. */
   Loads live_loads;
 };
 
@@ -75,7 +75,7 @@ public:
    */
   SceneData
   data(Packing blocks, bool with_live_loads, Terminal &terminal) const;
-  /** See PackingParameters::give(). */
+  /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { packing.give(std::move(polygons)); }
   /** How the supports of @p packing move; see SupportParameters::motion(). */
   auto motion_of_supports(const Packing &packing) const
@@ -84,7 +84,7 @@ public:
   }
   /** The scene with its loads, without the live ones. */
   Scene scene_of(SceneData data) const;
-  /** The same with the live loads times @p factor besides. */
+  /** The scene with the live loads times @p factor besides. */
   Scene scene_at(SceneData data, double factor) const;
   /** The scene with the live loads instead. */
   Scene live_scene_of(SceneData data) const;

@@ -2,7 +2,7 @@
 #ifndef voussoir_run_worker_h
 #define voussoir_run_worker_h
 
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 
 namespace Voussoir
 {
@@ -10,7 +10,7 @@ namespace Voussoir
  * Take part, as a worker, in each task that the root calls to, until there is
  * none left.
  */
-void run_worker(const Team &team);
+void run_worker(const ProcessGroup &processes);
 } // namespace Voussoir
 
 #endif

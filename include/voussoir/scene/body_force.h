@@ -2,8 +2,8 @@
 #ifndef voussoir_scene_body_force_h
 #define voussoir_scene_body_force_h
 
+#include <voussoir/formula/discontinuities.h>
 #include <voussoir/formula/inaccuracies.h>
-#include <voussoir/formula/jumps.h>
 #include <voussoir/packing/packing.h>
 
 #include <deal.II/base/tensor.h>
@@ -36,7 +36,7 @@ public:
   BodyForce(const Packing &packing,
             const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
                                                      unsigned int)> &b,
-            const Jumps &jumps = Jumps(),
+            const Discontinuities &jumps = Discontinuities(),
             Inaccuracies *inaccuracies = nullptr);
 
   /** Add a body force on some @p cells, which have had none. */
@@ -44,7 +44,7 @@ public:
            const std::vector<unsigned int> &cells,
            const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
                                                     unsigned int)> &b,
-           const Jumps &jumps,
+           const Discontinuities &jumps,
            Inaccuracies *inaccuracies);
 
   /** Add the force @p f, per unit thickness, spread evenly over @p cell. */

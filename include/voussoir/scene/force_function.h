@@ -26,7 +26,7 @@ struct ForceFunction
   /** Each interface has at most one. */
   std::vector<Term> terms;
 
-  /** The same times @p factor. */
+  /** This function times @p factor. */
   ForceFunction times(double factor) const;
   /** Its value; S L. */
   double operator()(const InterfaceForces &forces) const;

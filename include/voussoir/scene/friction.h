@@ -46,7 +46,7 @@ public:
     tresca,
     /** c_e |e| - mu_e f_e^n. */
     coulomb,
-    /** The same, where joints open by mu_e times the sliding. */
+    /** c_e |e| - mu_e f_e^n, where joints open by mu_e times the sliding. */
     associated_coulomb
   };
 

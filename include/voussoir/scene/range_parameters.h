@@ -12,7 +12,7 @@
 
 namespace Voussoir
 {
-/** How the ends of ranges are found; see AllStates. */
+/** How the ends of ranges are found; see FeasibleSet. */
 enum class RangeMethod
 {
   /** The quicker one, as far as the numbers of both tell. */

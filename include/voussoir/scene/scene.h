@@ -168,7 +168,7 @@ struct InterfaceForces
                ? -couple(interface, e) / (interface.length * normal[e])
                : 0.;
   }
-  /** The same about the midpoint: the couple of the forces at the ends. */
+  /** The moment about the midpoint: the couple of the forces at the ends. */
   double couple(const Packing::Interface &interface, unsigned int e) const
   {
     return at_ends.empty()

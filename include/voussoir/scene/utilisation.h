@@ -18,7 +18,7 @@ public:
   /** Of @p forces, which must outlive the object, as the @p scene must. */
   Utilisation(const Scene &scene, const InterfaceForces &forces);
 
-  /** That of interface @p e, 1 at its limit. */
+  /** The utilisation of interface @p e, 1 at its limit. */
   double operator()(unsigned int e) const;
 
 private:

@@ -28,7 +28,7 @@ struct SolverRecord
   std::string selection;
   /** The reason for which the solver stopped; see Stop::words(). */
   std::string outcome;
-  /** The same of the solver that found the forces, if they were read. */
+  /** Why the solver that found the forces stopped, if they were read. */
   std::string earlier_outcome;
   /** Solution::n_iterations. */
   unsigned int n_iterations = 0;

@@ -2,8 +2,8 @@
 #ifndef voussoir_statics_dikin_ellipsoid_h
 #define voussoir_statics_dikin_ellipsoid_h
 
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/extreme_states.h>
+#include <voussoir/statics/feasible_state.h>
 
 #include <cstddef>
 #include <vector>

@@ -139,7 +139,7 @@ public:
    */
   DiscreteProblem with_strengths_up_to(double strength) const;
 
-  /** The same problem with other loads, those of loads_of(). */
+  /** This problem with other loads, those of loads_of(). */
   DiscreteProblem with_loads(const std::vector<double> &loads) const;
 
   /**
@@ -195,7 +195,7 @@ private:
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group;
   friend const Opening &opening_of(const DiscreteProblem &problem);
-  /** See opening_of(). */
+  /** What opening_of() has found. */
   mutable std::optional<Opening> found_opening;
 };
 } // namespace Voussoir

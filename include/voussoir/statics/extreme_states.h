@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_extreme_states_h
 #define voussoir_statics_extreme_states_h
 
-#include <voussoir/statics/all_states.h>
+#include <voussoir/statics/feasible_set.h>
 #include <voussoir/statics/state_polytope.h>
 
 #include <vector>
@@ -23,7 +23,7 @@ public:
    * at.
    *
    * @throws InputError if forces have no bound.
-   * @throws SolverError as AllStates does, or if friction is at its limit in
+   * @throws SolverError as FeasibleSet does, or if friction is at its limit in
    *   all states of a joint whose forces vary.
    */
   ExtremeStates(const Scene &scene,
@@ -54,7 +54,7 @@ private:
 
   const Scene &scene;
   const StatePolytope &polytope;
-  const AllStates states;
+  const FeasibleSet states;
   StateProgram program;
   std::vector<std::vector<double>> found;
   std::vector<bool> varying;

@@ -47,7 +47,7 @@ public:
   void linearise();
   /** dv = compliance() dq + constant() in a step to the product @p target. */
   double compliance() const { return slope; }
-  /** See compliance(). */
+  /** The constant beside compliance(). */
   double constant(const double target) const
   {
     const double of_v = target * (q / room) - v;
@@ -71,9 +71,9 @@ public:
    * Journal on Optimization* 2 (1992), 575); without smoothing only.
    */
   void correct_for(const Step &predictor);
-  /** The multiple of the step that lambda may take, and that s may take. */
+  /** The multiple of the step that lambda may take. */
   double longest_of_force(const Step &step) const;
-  /** See longest_of_force(). */
+  /** The multiple of the step that s may take. */
   double longest_of_sliding(const Step &step) const;
   /** Take parts of the step, of lambda and of s. */
   void take(const Step &step,

@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_greatest_force_h
 #define voussoir_statics_greatest_force_h
 
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/state_program.h>
 
 #include <vector>

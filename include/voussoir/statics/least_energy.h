@@ -46,14 +46,14 @@ private:
   LinearSolver linear_solver = LinearSolver::automatic;
 };
 
-/** The name of this task, to which the root calls; see Team::call(). */
+/** The name of this task, to which the root calls; see ProcessGroup::call(). */
 inline const std::string least_energy_task = "least energy";
 
 /**
  * The part of another process than the root in LeastEnergy::solve(), once it is
  * called to it.
  */
-void work_on_least_energy(const Team &team, Terminal &terminal);
+void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -30,9 +30,9 @@ struct LoadFactorControls
  */
 struct FactorTrials
 {
-  /** Those with one. */
+  /** Factors with a state. */
   std::vector<double> with_state;
-  /** Those without. */
+  /** Factors without one. */
   std::vector<double> without_state;
   /** True if there are none: the two bounds are proofs. */
   bool empty() const { return with_state.empty() && without_state.empty(); }
@@ -46,7 +46,7 @@ struct LoadFactor
 {
   /** True if there is no greatest, or least, factor. */
   bool is_unbounded = false;
-  /** That of the forces: carried. */
+  /** The factor of the forces, which is carried. */
   double carried = 0.;
   /** None beyond it is carried; infinite if unbounded. */
   double bound = std::numeric_limits<double>::infinity();

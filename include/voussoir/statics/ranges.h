@@ -4,7 +4,7 @@
 
 #include <voussoir/scene/range_parameters.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/all_states.h>
+#include <voussoir/statics/feasible_set.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <array>

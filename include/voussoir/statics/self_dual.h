@@ -78,7 +78,7 @@ public:
     /** The factor. */
     double alpha;
   };
-  /** See Point. */
+  /** The present point. */
   Point point() const;
   /**
    * The largest of all errors: the gap between the two objectives, relative to

@@ -14,11 +14,11 @@
 namespace Voussoir
 {
 /**
- * A problem that the processes of a team solve together. The root has the whole
- * and keeps it; each has a part: as many cells as the others, by recursive
- * coordinate bisection of their centres. The ground is the root's: a body that
- * couples to later processes, so that only it does, and not all that rests on
- * it. Questions on the whole are answered by the root.
+ * A problem that the processes of a group solve together. The root has the
+ * whole and keeps it; each has a part: as many cells as the others, by
+ * recursive coordinate bisection of their centres. The ground is the root's: a
+ * body that couples to later processes, so that only it does, and not all that
+ * rests on it. Questions on the whole are answered by the root.
  *
  * Alone, a process works on the whole itself.
  */
@@ -34,7 +34,7 @@ public:
    *
    * @param whole on the root; none on the others.
    */
-  SharedProblem(const DiscreteProblem *whole, const Team &team);
+  SharedProblem(const DiscreteProblem *whole, const ProcessGroup &processes);
 
   /** The part of this process. */
   const Structure &structure() const { return part ? *part : *whole; }
@@ -82,7 +82,7 @@ private:
   std::vector<double> scatter(const std::vector<double> &u) const;
 
   const DiscreteProblem *whole;
-  Team team;
+  ProcessGroup processes;
   /** None if this process is alone. */
   std::unique_ptr<const Structure> part;
 

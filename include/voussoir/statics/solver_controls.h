@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_solver_controls_h
 #define voussoir_statics_solver_controls_h
 
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/scene/motion.h>
 
 namespace Voussoir
@@ -22,7 +22,7 @@ struct SolverControls
    * The processes that can help; a formulation that cannot use them works on
    * the root alone.
    */
-  Team team = Team();
+  ProcessGroup processes = ProcessGroup();
   /**
    * A motion near that of the solution, as a formulation returns it, or null.
    * LeastEnergy starts from it, if it is alone.

@@ -2,8 +2,8 @@
 #ifndef voussoir_statics_solver_parameters_h
 #define voussoir_statics_solver_parameters_h
 
-#include <voussoir/statics/any_state.h>
 #include <voussoir/statics/coulomb_state.h>
+#include <voussoir/statics/feasible_state.h>
 
 #include <memory>
 #include <vector>
@@ -15,14 +15,15 @@ class SolverParameters
 {
 public:
   /** With all formulations, and the processes that can help them. */
-  explicit SolverParameters(const Team &team = Team());
+  explicit SolverParameters(const ProcessGroup &processes = ProcessGroup());
 
   /** Declare the entry and the section, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** The one that was chosen, with its parameters. */
   const Formulation &formulation() const { return *formulations[chosen]; }
-  /** The same, or AnyState or CoulombState if the joints of @p scene need it.
+  /** The chosen one, or FeasibleState or CoulombState if joints of @p scene
+   * need it.
    */
   const Formulation &formulation_for(const Scene &scene) const;
   /** The one of Coulomb's friction without dilatancy. */
@@ -34,7 +35,7 @@ public:
 private:
   std::vector<std::unique_ptr<Formulation>> formulations;
   unsigned int chosen = 0;
-  AnyState any_state;
+  FeasibleState any_state;
   CoulombState coulomb_state;
   SolverControls common;
 };

@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_state_program_h
 #define voussoir_statics_state_program_h
 
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 
 #include <deque>
 #include <memory>
@@ -27,7 +27,7 @@ class StateProgram
 public:
   /** @param problem must outlive this object and its copies. */
   explicit StateProgram(const RowProblem &problem);
-  /** The same with a state to start from of its own, for another thread. */
+  /** A copy with a state of its own to start from, for another thread. */
   StateProgram(const StateProgram &other);
   ~StateProgram();
 

@@ -5,7 +5,7 @@
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/motion.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/stress/cell_forces.h>
+#include <voussoir/stress/side_forces.h>
 
 #include <vector>
 

@@ -123,7 +123,7 @@ public:
     return divergences(sub_cell * multiplier.dofs_per_cell + j, k);
   }
 
-  /** Those of a sub-cell, in the cell that place() was given last. */
+  /** The integrals of a sub-cell, in the cell that place() was given last. */
   const Integrals &integrals(const unsigned int sub_cell) const
   {
     return all_integrals[sub_cell];
@@ -153,7 +153,7 @@ private:
   const dealii::FE_RaviartThomas<2> element;
   const dealii::FE_DGQ<2> multiplier;
   const dealii::QGauss<2> gauss;
-  /** Those of gauss, and last the middle. */
+  /** The points of gauss, and last the middle. */
   const dealii::Quadrature<2> points;
 
   std::vector<Flux> fluxes;

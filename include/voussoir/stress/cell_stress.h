@@ -98,7 +98,7 @@ public:
   unsigned int n_sub_cells() const { return spaces.n_sub_cells(); }
 
 protected:
-  /** See CellSpaces; @p with_flux_mass says whether find_fluxes() needs it. */
+  /** Of CellSpaces; @p with_flux_mass says whether find_fluxes() needs it. */
   CellStress(const SubTriangulation &cut,
              unsigned int n_sides,
              unsigned int degree,

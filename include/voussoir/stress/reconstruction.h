@@ -3,8 +3,8 @@
 #define voussoir_stress_reconstruction_h
 
 #include <voussoir/scene/scene.h>
-#include <voussoir/stress/cell_forces.h>
 #include <voussoir/stress/cell_stress.h>
+#include <voussoir/stress/side_forces.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -120,7 +120,7 @@ StressField reconstruct_stress(const Packing &packing,
                                const Reconstruction &how,
                                Terminal &terminal);
 
-/** The same for all cells of a scene. */
+/** The stress in all cells of a scene. */
 StressField reconstruct_stress(const Scene &scene,
                                const InterfaceForces &forces,
                                const Reconstruction &how,

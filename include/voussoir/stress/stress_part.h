@@ -2,7 +2,7 @@
 #ifndef voussoir_stress_stress_part_h
 #define voussoir_stress_stress_part_h
 
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/scene/motion.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/terminal/terminal.h>
@@ -40,14 +40,14 @@ StressPart reconstruct_on_root(const Scene &scene,
                                const InterfaceForces &forces,
                                const Motion &motion,
                                const Reconstruction &how,
-                               const Team &team,
+                               const ProcessGroup &processes,
                                Terminal &terminal);
 
-/** The name of this task, to which the root calls; see Team::call(). */
+/** The name of this task, to which the root calls; see ProcessGroup::call(). */
 inline const std::string stress_task = "stress";
 
-/** The same for another process. */
-StressPart work_on_stress(const Team &team, Terminal &terminal);
+/** The part of another process than the root. */
+StressPart work_on_stress(const ProcessGroup &processes, Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -21,9 +21,9 @@ struct Screen
 
   /** @p text in colour or, if there are none, as it is. */
   std::string good(const std::string &text) const { return in("32", text); }
-  /** The same in the colour of warnings. */
+  /** @p text in the colour of warnings. */
   std::string doubtful(const std::string &text) const { return in("33", text); }
-  /** The same in the colour of errors. */
+  /** @p text in the colour of errors. */
   std::string bad(const std::string &text) const { return in("31", text); }
 
 private:

@@ -52,7 +52,7 @@ public:
       in_progress->say(state);
   }
 
-  /** The same, where @p total things are counted, such as "cells". */
+  /** Report how many of @p total things are done, such as "cells". */
   void progress(const std::size_t done,
                 const std::size_t total,
                 const std::string &things)
@@ -68,7 +68,7 @@ public:
   void warning(const std::string &message);
   /** All of these, in their order; none of the silent one. */
   const std::vector<std::string> &warnings() const { return warned; }
-  /** The same, of which none are kept. */
+  /** Hand over all warnings, of which none are kept. */
   std::vector<std::string> take_warnings() { return std::exchange(warned, {}); }
 
   /** A line of the closing summary. Shown unless quiet. */

@@ -2,7 +2,7 @@
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/load_arrows.h>
 #include <voussoir/output/vtu_values.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 
 #include <algorithm>
 #include <cmath>

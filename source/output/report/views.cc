@@ -4,7 +4,7 @@
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/views.h>
 #include <voussoir/output/vtu_values.h>
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 #include <voussoir/scene/utilisation.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ using dealii::Tensor;
  */
 constexpr double narrow_for_cell = 0.05;
 
-/** The same over the distance up to which cells touch. */
+/** The width of such a gap over the distance up to which cells touch. */
 constexpr double narrow_for_touching = 10.;
 
 /** The largest sine of the angle between sides that face each other. */

@@ -46,7 +46,9 @@ ExitStatus print(std::ostream &out, const std::string &text)
 }
 
 /** Run a scene many times, if that is asked for. */
-bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
+bool run_many(const Arguments &arguments,
+              const ProcessGroup &processes,
+              Terminal &terminal)
 {
   const bool finds = !arguments.find.empty();
   if (arguments.sweeps.empty() && !finds)
@@ -61,7 +63,7 @@ bool run_many(const Arguments &arguments, const Team &team, Terminal &terminal)
                      "and --find.");
   if (finds && !arguments.sweeps.empty())
     throw InputError("--sweep and --find are given; give one of them.");
-  if (team.size() > 1)
+  if (processes.size() > 1)
     throw InputError("--sweep and --find use the cores of one process; give "
                      "them without mpirun.");
   if (arguments.file.empty())
@@ -125,8 +127,9 @@ ExitStatus fail(const Streams &streams,
   return status;
 }
 
-ExitStatus
-run(const Arguments &arguments, const Streams &streams, const Team &team)
+ExitStatus run(const Arguments &arguments,
+               const Streams &streams,
+               const ProcessGroup &processes)
 {
   if (const auto text = text_to_print(arguments))
     return print(streams.out, *text);
@@ -136,9 +139,9 @@ run(const Arguments &arguments, const Streams &streams, const Team &team)
                           : Terminal(streams.out, 1, streams.screens.out);
   if (arguments.quiet)
     terminal.be_quiet();
-  if (run_many(arguments, team, terminal))
+  if (run_many(arguments, processes, terminal))
     return ExitStatus::solved;
-  AnalysisRun analysis(terminal, team);
+  AnalysisRun analysis(terminal, processes);
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;
@@ -171,11 +174,11 @@ run(const Arguments &arguments, const Streams &streams, const Team &team)
 /** Run, whatever is thrown. */
 ExitStatus run_to_its_end(const std::vector<std::string> &words,
                           const Streams &streams,
-                          const Team &team)
+                          const ProcessGroup &processes)
 {
   try
   {
-    return run(arguments_of(words), streams, team);
+    return run(arguments_of(words), streams, processes);
   }
   catch (const InputError &e)
   {
@@ -208,9 +211,10 @@ ExitStatus run_to_its_end(const std::vector<std::string> &words,
 int run_command_line(const std::vector<std::string> &words,
                      std::ostream &out,
                      std::ostream &error,
-                     const Team &team,
+                     const ProcessGroup &processes,
                      const Screens &screens)
 {
-  return static_cast<int>(run_to_its_end(words, {out, error, screens}, team));
+  return static_cast<int>(
+      run_to_its_end(words, {out, error, screens}, processes));
 }
 } // namespace Voussoir

@@ -32,7 +32,7 @@ const std::vector<std::pair<std::string, std::string>> columns = {
     {"closing_violation", "mechanism/closing_violation"},
     {"iterations", "solver/iterations"}};
 
-/** Those of them that have a plot. */
+/** The columns that have a plot. */
 const std::set<std::string> worth_a_plot = {"load_factor", "max_utilisation",
                                             "work_over_dissipation"};
 

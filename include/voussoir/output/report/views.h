@@ -45,7 +45,7 @@ struct Picture
  */
 Picture
 picture_of(const Results &results, const UnitNames &names, bool in_full);
-/** The same of a collapse: the mechanism. */
+/** The picture of a collapse: the mechanism. */
 Picture
 picture_of(const Collapse &collapse, const UnitNames &names, bool in_full);
 /** A drawing: its cells, those with faults in colour, and what faults cover. */

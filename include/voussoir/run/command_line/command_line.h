@@ -2,7 +2,7 @@
 #ifndef voussoir_run_command_line_command_line_h
 #define voussoir_run_command_line_command_line_h
 
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 #include <voussoir/terminal/screen.h>
 
 #include <iosfwd>
@@ -32,7 +32,7 @@ struct Screens
  * @param arguments those after the name of the program.
  * @param out takes the stages and the summary.
  * @param error takes the one message of a run that did not solve its scene.
- * @param team the processes that help; this one is the root.
+ * @param processes the processes that help; this one is the root.
  * @param screens the devices to which the streams write.
  * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
  *   the solver failed. Never throws.
@@ -40,7 +40,7 @@ struct Screens
 int run_command_line(const std::vector<std::string> &arguments,
                      std::ostream &out,
                      std::ostream &error,
-                     const Team &team = Team(),
+                     const ProcessGroup &processes = ProcessGroup(),
                      const Screens &screens = {});
 } // namespace Voussoir
 

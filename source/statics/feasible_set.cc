@@ -3,7 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/certificate.h>
-#include <voussoir/statics/all_states.h>
+#include <voussoir/statics/feasible_set.h>
 #include <voussoir/statics/greatest_force.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace
 /** What proofs may leave to rounding. */
 constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
                  largest_width = 1e-9;
-/** The same of an interior point, which does not end in a vertex. */
+/** The width of proofs by an interior point, which does not end in a vertex. */
 constexpr double largest_width_of_interior = 1e-8;
 /**
  * By how much a motion may close joints, over the jumps of the function, at
@@ -36,7 +36,7 @@ double largest_displacement(const Motion &motion)
 }
 } // namespace
 
-AllStates::AllStates(const Scene &scene)
+FeasibleSet::FeasibleSet(const Scene &scene)
     : scene(scene), problem(scene), by_rows(problem), force(0.)
 {
   for (const dealii::Tensor<1, 2> &load : scene.load)
@@ -45,7 +45,7 @@ AllStates::AllStates(const Scene &scene)
     force = problem.stress_scale() * problem.length_scale();
 }
 
-StateProgram AllStates::program() const
+StateProgram FeasibleSet::program() const
 {
   StateProgram first(by_rows);
   if (!first.find_state())
@@ -56,7 +56,8 @@ StateProgram AllStates::program() const
   return first;
 }
 
-std::vector<double> AllStates::coefficients(const ForceFunction &function) const
+std::vector<double>
+FeasibleSet::coefficients(const ForceFunction &function) const
 {
   std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
   const unsigned int n = problem.n_contacts();
@@ -70,20 +71,20 @@ std::vector<double> AllStates::coefficients(const ForceFunction &function) const
   return c;
 }
 
-bool AllStates::is_ray(const std::vector<double> &x) const
+bool FeasibleSet::is_ray(const std::vector<double> &x) const
 {
   return largest_component(by_rows.forces().on_bodies(x)) <=
          rounding_of_ray * largest_component(x);
 }
 
-bool AllStates::is_proven(const GreatestValue &value) const
+bool FeasibleSet::is_proven(const GreatestValue &value) const
 {
   return is_proven(value, largest_width);
 }
 
 /** A value is proven by the bound of its own programme. */
-bool AllStates::is_proven(const GreatestValue &value,
-                          const double largest_width) const
+bool FeasibleSet::is_proven(const GreatestValue &value,
+                            const double largest_width) const
 {
   return value.error_of_state <= largest_error_of_state &&
          value.bound.closing_violation <= largest_closing &&
@@ -97,8 +98,8 @@ bool AllStates::is_proven(const GreatestValue &value,
  * The most of c . x that @p u proves for forces within their bounds: (V2) of
  * the rows. Rows without a bound are judged as joints, ForceBound.
  */
-double AllStates::bound_of_programme(const std::vector<double> &c,
-                                     const std::vector<double> &u) const
+double FeasibleSet::bound_of_programme(const std::vector<double> &c,
+                                       const std::vector<double> &u) const
 {
   const std::vector<double> jumps = by_rows.rows().jumps(u);
   double bound = -dot(by_rows.loads(), u);
@@ -113,16 +114,16 @@ double AllStates::bound_of_programme(const std::vector<double> &c,
   return bound;
 }
 
-GreatestValue AllStates::found(StateProgram &program,
-                               const ForceFunction &function) const
+GreatestValue FeasibleSet::found(StateProgram &program,
+                                 const ForceFunction &function) const
 {
   const std::vector<double> c = coefficients(function);
   return judged(program.maximise(c), c, function);
 }
 
-GreatestValue AllStates::judged(StateProgram::Optimum optimum,
-                                const std::vector<double> &c,
-                                const ForceFunction &function) const
+GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
+                                  const std::vector<double> &c,
+                                  const ForceFunction &function) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!optimum.is_found)
@@ -160,8 +161,8 @@ GreatestValue AllStates::judged(StateProgram::Optimum optimum,
  * Now and then Clp ends before the optimum, and goes on if it is asked again;
  * or rounding has spoilt its factors.
  */
-GreatestValue AllStates::greatest(StateProgram &program,
-                                  const ForceFunction &function) const
+GreatestValue FeasibleSet::greatest(StateProgram &program,
+                                    const ForceFunction &function) const
 {
   GreatestValue value = found(program, function);
   if (!is_proven(value))
@@ -184,8 +185,8 @@ GreatestValue AllStates::greatest(StateProgram &program,
   return value;
 }
 
-std::optional<GreatestValue> AllStates::greatest(const ForceFunction &function,
-                                                 Terminal &terminal) const
+std::optional<GreatestValue>
+FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
   const StateProgram::Optimum optimum = greatest_force(by_rows, c, terminal);

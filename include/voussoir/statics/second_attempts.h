@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_statics_settle_h
-#define voussoir_statics_settle_h
+#ifndef voussoir_statics_second_attempts_h
+#define voussoir_statics_second_attempts_h
 
 #include <voussoir/statics/interior_point.h>
 #include <voussoir/statics/mechanism.h>
@@ -68,12 +68,12 @@ find_collapse_by_load_factor(const DiscreteProblem &problem,
  * 1e-8 of the limit). First the load factor, for a proof of collapse; then, if
  * there are @p costs, minimise_by_interior_point().
  */
-Solution settle(const DiscreteProblem &problem,
-                const std::vector<JointCost> &costs,
-                const SolverControls &controls,
-                double displacement_unit,
-                Solution solution,
-                Terminal &terminal);
+Solution try_second_attempts(const DiscreteProblem &problem,
+                             const std::vector<JointCost> &costs,
+                             const SolverControls &controls,
+                             double displacement_unit,
+                             Solution solution,
+                             Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_stress_cell_forces_h
-#define voussoir_stress_cell_forces_h
+#ifndef voussoir_stress_side_forces_h
+#define voussoir_stress_side_forces_h
 
 #include <voussoir/packing/cell_range.h>
 #include <voussoir/scene/scene.h>

@@ -2,7 +2,7 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/any_state.h>
+#include <voussoir/statics/feasible_state.h>
 #include <voussoir/statics/sufficient_strengths.h>
 
 #include <utility>
@@ -23,16 +23,16 @@ std::vector<double> collapse_of(BoundedForces &forces,
   return mechanism_near(forces, loads, ray).u;
 }
 
-/** The same as find_any_forces() with the present rows. */
-AnyForces find_with_rows(RowProblem &problem,
-                         const std::vector<double> &loads,
-                         const unsigned int n_max_iterations,
-                         Terminal &terminal)
+/** Forces or a collapse, as find_feasible_forces(), with the present rows. */
+FeasibleForces find_with_rows(RowProblem &problem,
+                              const std::vector<double> &loads,
+                              const unsigned int n_max_iterations,
+                              Terminal &terminal)
 {
   const SelfDual::Loads fixed = {loads, {}, 1.};
   SelfDual program(problem.forces(), fixed);
   SelfDual::State state = SelfDual::State::running;
-  AnyForces found;
+  FeasibleForces found;
   while (state == SelfDual::State::running && !found.state &&
          program.n_iterations() < n_max_iterations)
   {
@@ -118,12 +118,12 @@ Motion RowProblem::motion_of(std::vector<double> u) const
   return problem.motion_of_cells(u, 1.);
 }
 
-AnyForces find_any_forces(RowProblem &problem,
-                          const std::vector<double> &loads,
-                          const unsigned int n_max_iterations,
-                          Terminal &terminal)
+FeasibleForces find_feasible_forces(RowProblem &problem,
+                                    const std::vector<double> &loads,
+                                    const unsigned int n_max_iterations,
+                                    Terminal &terminal)
 {
-  AnyForces found;
+  FeasibleForces found;
   for (unsigned int round = 0;; ++round)
   {
     const unsigned int n_before = found.n_iterations;
@@ -141,7 +141,7 @@ AnyForces find_any_forces(RowProblem &problem,
 namespace
 {
 /** The solution of a problem that collapses as @p found says. */
-Solution collapse_with(const RowProblem &problem, const AnyForces &found)
+Solution collapse_with(const RowProblem &problem, const FeasibleForces &found)
 {
   Solution solution;
   solution.stop = Stop::Reason::collapse;
@@ -161,8 +161,8 @@ Solution find_at_once(const DiscreteProblem &problem,
                       Terminal &terminal)
 {
   RowProblem by_rows(problem);
-  const AnyForces found =
-      find_any_forces(by_rows, by_rows.loads(), n_max_iterations, terminal);
+  const FeasibleForces found = find_feasible_forces(by_rows, by_rows.loads(),
+                                                    n_max_iterations, terminal);
   Solution solution;
   if (!found.collapse.empty())
     solution = collapse_with(by_rows, found);
@@ -190,9 +190,9 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
       });
 }
 
-Solution AnyState::select(const DiscreteProblem &problem,
-                          const SolverControls &controls,
-                          Terminal &terminal) const
+Solution FeasibleState::select(const DiscreteProblem &problem,
+                               const SolverControls &controls,
+                               Terminal &terminal) const
 {
   Solution found =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/scene/jumps.h>
+#include <voussoir/scene/displacement_jumps.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_statics_any_state_h
-#define voussoir_statics_any_state_h
+#ifndef voussoir_statics_feasible_state_h
+#define voussoir_statics_feasible_state_h
 
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/bounded_rows.h>
@@ -32,7 +32,7 @@ public:
   const BoundedRows &rows() const { return *present_rows; }
   /** Their forces; the ground and one cell of each group are held. */
   BoundedForces &forces() { return *present_forces; }
-  /** The same. */
+  /** The forces of the rows. */
   const BoundedForces &forces() const { return *present_forces; }
   /**
    * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
@@ -63,8 +63,8 @@ private:
   std::unique_ptr<BoundedForces> present_forces;
 };
 
-/** What find_any_forces() found: one of the two, or neither. */
-struct AnyForces
+/** What find_feasible_forces() found: one of the two, or neither. */
+struct FeasibleForces
 {
   /** Forces strictly within their bounds, without a factor. */
   std::optional<FactorState> state;
@@ -78,10 +78,10 @@ struct AnyForces
  * Find any admissible forces that balance @p loads, see RowProblem::loads(), or
  * their collapse, by SelfDual. Joints that crush may be cut anew.
  */
-AnyForces find_any_forces(RowProblem &problem,
-                          const std::vector<double> &loads,
-                          unsigned int n_max_iterations,
-                          Terminal &terminal);
+FeasibleForces find_feasible_forces(RowProblem &problem,
+                                    const std::vector<double> &loads,
+                                    unsigned int n_max_iterations,
+                                    Terminal &terminal);
 
 /**
  * Find any admissible forces of a problem, or its collapse.
@@ -92,7 +92,8 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 unsigned int n_max_iterations,
                                 Terminal &terminal);
 
-/** AnyState found neither forces nor a mechanism; see decide_by_factor(). */
+/** FeasibleState found neither forces nor a mechanism; see decide_by_factor().
+ */
 class Undecided : public SolverError
 {
 public:
@@ -104,7 +105,7 @@ public:
  * bear tension, or crush, for which the others select nothing: any state, far
  * from the limits of most joints.
  */
-class AnyState : public Formulation
+class FeasibleState : public Formulation
 {
 public:
   std::string name() const override { return "interior point"; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_statics_all_states_h
-#define voussoir_statics_all_states_h
+#ifndef voussoir_statics_feasible_set_h
+#define voussoir_statics_feasible_set_h
 
 #include <voussoir/scene/force_function.h>
 #include <voussoir/statics/state_program.h>
@@ -19,7 +19,7 @@ struct GreatestValue
   /** What the motion proves. */
   ForceBound bound;
   /**
-   * What it proves of the states of the programme, AllStates::are_inner(),
+   * What it proves of the states of the programme, FeasibleSet::are_inner(),
    * which are fewer; S L times the unit.
    */
   double bound_of_programme;
@@ -52,11 +52,11 @@ struct GreatestValue
  * within their sections, BoundedRows, and so fewer states: what they find is
  * attained, and the motions prove by how much all states have more at most.
  */
-class AllStates
+class FeasibleSet
 {
 public:
   /** @param scene whose loads are carried; it must outlive this object. */
-  explicit AllStates(const Scene &scene);
+  explicit FeasibleSet(const Scene &scene);
 
   /**
    * The programme of the states, with one to start from. Copies of it serve

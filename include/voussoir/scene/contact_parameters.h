@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_scene_contact_h
-#define voussoir_scene_contact_h
+#ifndef voussoir_scene_contact_parameters_h
+#define voussoir_scene_contact_parameters_h
 
 #include <voussoir/scene/friction.h>
 

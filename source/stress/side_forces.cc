@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/stress/cell_forces.h>
+#include <voussoir/stress/side_forces.h>
 
 namespace Voussoir
 {

@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/find_opening.h>
-#include <voussoir/statics/settle.h>
+#include <voussoir/statics/second_attempts.h>
 
 #include <algorithm>
 #include <new>
@@ -18,7 +18,7 @@ namespace
  */
 constexpr double product_over_tolerance = 1e-2;
 constexpr double smallest_product = 1e-12;
-/** The same where rounding may be what keeps it from getting smaller. */
+/** A product that rounding may keep from getting smaller. */
 constexpr double product_near_rounding = 1e-9;
 
 /** The product, and the imbalance, with which the load factor has no error. */
@@ -147,12 +147,12 @@ find_collapse_by_load_factor(const DiscreteProblem &problem, Terminal &terminal)
   return mechanism;
 }
 
-Solution settle(const DiscreteProblem &problem,
-                const std::vector<JointCost> &costs,
-                const SolverControls &controls,
-                const double displacement_unit,
-                Solution solution,
-                Terminal &terminal)
+Solution try_second_attempts(const DiscreteProblem &problem,
+                             const std::vector<JointCost> &costs,
+                             const SolverControls &controls,
+                             const double displacement_unit,
+                             Solution solution,
+                             Terminal &terminal)
 {
   if (solution.converged() || solution.mechanism)
     return solution;

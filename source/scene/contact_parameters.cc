@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters.h>
 #include <voussoir/base/text.h>
-#include <voussoir/scene/contact.h>
+#include <voussoir/scene/contact_parameters.h>
 #include <voussoir/scene/joint_quantity.h>
 
 #include <algorithm>

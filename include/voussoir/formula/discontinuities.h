@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_formula_jumps_h
-#define voussoir_formula_jumps_h
+#ifndef voussoir_formula_discontinuities_h
+#define voussoir_formula_discontinuities_h
 
 #include <voussoir/formula/formula.h>
 
@@ -34,7 +34,7 @@ Patch rectangle_around(const std::array<dealii::Point<2>, 3> &triangle);
  * The curves in the plane across which a function of the place may jump or have
  * a kink, as its formulas say. See Formula.
  */
-class Jumps
+class Discontinuities
 {
 public:
   /** Of all jumps of the formulas, counted through. */
@@ -43,7 +43,7 @@ public:
   using Limits = Formula::Limits;
 
   /** None: a smooth function. */
-  Jumps() = default;
+  Discontinuities() = default;
 
   /**
    * Those of some formulas in x, y and further variables.
@@ -52,8 +52,9 @@ public:
    * @param constants the further variables, of which the first x and y are not
    *   part.
    */
-  Jumps(const std::vector<std::reference_wrapper<const Formula>> &formulas,
-        const std::vector<double> &constants);
+  Discontinuities(
+      const std::vector<std::reference_wrapper<const Formula>> &formulas,
+      const std::vector<double> &constants);
 
   /** Let the further variables have these values. */
   void set_constants(const std::vector<double> &constants);
@@ -64,8 +65,8 @@ public:
   /** True if there are formulas, and so bounds_in(). */
   bool has_formulas() const { return !formulas.empty(); }
 
-  /** Those of each formula in @p patch within @p limits; the slopes are along
-   * the half axes. */
+  /** The bounds of each formula in @p patch within @p limits; the slopes are
+   * along the half axes. */
   std::vector<Bounds> bounds_in(const Patch &patch, const Limits &limits) const;
 
   /** No limits to the argument of any jump. */
@@ -99,7 +100,7 @@ public:
 private:
   /** Place @p patch in values and bounds. */
   void place(const Patch &patch) const;
-  /** Those of each formula where it was placed. */
+  /** The bounds of each formula where it was placed. */
   std::vector<Bounds> bounds_there(const Limits &limits) const;
   Limits limits_of(unsigned int formula, const Limits &limits) const;
 

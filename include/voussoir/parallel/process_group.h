@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_parallel_team_h
-#define voussoir_parallel_team_h
+#ifndef voussoir_parallel_process_group_h
+#define voussoir_parallel_process_group_h
 
 #include <voussoir/base/exceptions.h>
 
@@ -20,24 +20,24 @@ namespace Voussoir
  * decides what is done and writes; the others wait until it calls() them to a
  * task, in which all take part.
  *
- * A team of one needs no MPI, which otherwise must give the same result of a
+ * A group of one needs no MPI, which otherwise must give the same result of a
  * sum to all processes, bit by bit: what they do next depends on it. Functions
  * that are collective say so.
  */
-class Team
+class ProcessGroup
 {
 public:
   /** This process alone. */
-  Team() = default;
+  ProcessGroup() = default;
   /** The processes of @p communicator. */
-  explicit Team(MPI_Comm communicator)
-      : processes(communicator),
+  explicit ProcessGroup(MPI_Comm communicator)
+      : mpi(communicator),
         n_processes(dealii::Utilities::MPI::n_mpi_processes(communicator)),
         own_rank(dealii::Utilities::MPI::this_mpi_process(communicator))
   {}
 
-  /** That of MPI; MPI_COMM_SELF for one process alone. */
-  MPI_Comm communicator() const { return processes; }
+  /** The communicator of MPI; MPI_COMM_SELF for one process alone. */
+  MPI_Comm communicator() const { return mpi; }
   /** The number of processes. */
   unsigned int size() const { return n_processes; }
   /** The number of this process, from 0 to size() - 1. */
@@ -93,22 +93,19 @@ public:
   template <typename T>
   T sum(const T value) const
   {
-    return n_processes == 1 ? value
-                            : dealii::Utilities::MPI::sum(value, processes);
+    return n_processes == 1 ? value : dealii::Utilities::MPI::sum(value, mpi);
   }
 
   template <typename T>
   T max(const T value) const
   {
-    return n_processes == 1 ? value
-                            : dealii::Utilities::MPI::max(value, processes);
+    return n_processes == 1 ? value : dealii::Utilities::MPI::max(value, mpi);
   }
 
   template <typename T>
   T min(const T value) const
   {
-    return n_processes == 1 ? value
-                            : dealii::Utilities::MPI::min(value, processes);
+    return n_processes == 1 ? value : dealii::Utilities::MPI::min(value, mpi);
   }
   /** @} */
   /** True if @p value is true on all processes; collective. */
@@ -118,9 +115,8 @@ public:
   template <typename T>
   T broadcast(const T &value) const
   {
-    return n_processes == 1
-               ? value
-               : dealii::Utilities::MPI::broadcast(processes, value);
+    return n_processes == 1 ? value
+                            : dealii::Utilities::MPI::broadcast(mpi, value);
   }
 
   /**
@@ -165,7 +161,7 @@ public:
   {
     static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
     dealii::Utilities::MPI::LargeCount::Send_c(
-        values.data(), sizeof(T) * values.size(), MPI_BYTE, to, 0, processes);
+        values.data(), sizeof(T) * values.size(), MPI_BYTE, to, 0, mpi);
   }
 
   template <typename T>
@@ -174,17 +170,17 @@ public:
     static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
     MPI_Status status;
     MPI_Count size = 0;
-    MPI_Probe(from, 0, processes, &status);
+    MPI_Probe(from, 0, mpi, &status);
     MPI_Get_elements_x(&status, MPI_BYTE, &size);
     std::vector<T> values(size / sizeof(T));
-    dealii::Utilities::MPI::LargeCount::Recv_c(
-        values.data(), size, MPI_BYTE, from, 0, processes, MPI_STATUS_IGNORE);
+    dealii::Utilities::MPI::LargeCount::Recv_c(values.data(), size, MPI_BYTE,
+                                               from, 0, mpi, MPI_STATUS_IGNORE);
     return values;
   }
   /** @} */
 
 private:
-  MPI_Comm processes = MPI_COMM_SELF;
+  MPI_Comm mpi = MPI_COMM_SELF;
   unsigned int n_processes = 1;
   unsigned int own_rank = 0;
 };

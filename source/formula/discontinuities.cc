@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/floating_point.h>
-#include <voussoir/formula/jumps.h>
+#include <voussoir/formula/discontinuities.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -44,8 +44,9 @@ Patch rectangle_around(const std::array<Point<2>, 3> &triangle)
           {{0.5 * side, 0.5 * height}}};
 }
 
-Jumps::Jumps(const std::vector<std::reference_wrapper<const Formula>> &formulas,
-             const std::vector<double> &constants)
+Discontinuities::Discontinuities(
+    const std::vector<std::reference_wrapper<const Formula>> &formulas,
+    const std::vector<double> &constants)
     : formulas(formulas)
 {
   for (const Formula &formula : formulas)
@@ -53,7 +54,7 @@ Jumps::Jumps(const std::vector<std::reference_wrapper<const Formula>> &formulas,
   set_constants(constants);
 }
 
-void Jumps::set_constants(const std::vector<double> &constants)
+void Discontinuities::set_constants(const std::vector<double> &constants)
 {
   values.resize(2);
   values.insert(values.end(), constants.begin(), constants.end());
@@ -62,15 +63,15 @@ void Jumps::set_constants(const std::vector<double> &constants)
     bounds[i].value = values[i];
 }
 
-std::vector<Bounds> Jumps::bounds_in(const Patch &patch,
-                                     const Limits &limits) const
+std::vector<Bounds> Discontinuities::bounds_in(const Patch &patch,
+                                               const Limits &limits) const
 {
   const InvalidOperationsAllowed allowed;
   place(patch);
   return bounds_there(limits);
 }
 
-void Jumps::place(const Patch &patch) const
+void Discontinuities::place(const Patch &patch) const
 {
   for (unsigned int i = 0; i < 2; ++i)
   {
@@ -81,13 +82,14 @@ void Jumps::place(const Patch &patch) const
   }
 }
 
-Jumps::Limits Jumps::limits_of(const unsigned int f, const Limits &limits) const
+Discontinuities::Limits Discontinuities::limits_of(const unsigned int f,
+                                                   const Limits &limits) const
 {
   return Limits(limits.begin() + first[f], limits.begin() + first[f + 1]);
 }
 
-std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
-                                              const Limits &limits) const
+std::vector<Discontinuities::Crossing>
+Discontinuities::crossings(const Patch &patch, const Limits &limits) const
 {
   // Values that are not real are reported where they are evaluated, not here.
   const InvalidOperationsAllowed allowed;
@@ -103,7 +105,7 @@ std::vector<Jumps::Crossing> Jumps::crossings(const Patch &patch,
   return crossings;
 }
 
-std::vector<Bounds> Jumps::bounds_there(const Limits &limits) const
+std::vector<Bounds> Discontinuities::bounds_there(const Limits &limits) const
 {
   std::vector<Bounds> all;
   std::vector<Crossing> crossings;
@@ -113,9 +115,9 @@ std::vector<Bounds> Jumps::bounds_there(const Limits &limits) const
   return all;
 }
 
-bool Jumps::is_step(const Crossing &crossing,
-                    const Point<2> &p,
-                    const Limits &limits) const
+bool Discontinuities::is_step(const Crossing &crossing,
+                              const Point<2> &p,
+                              const Limits &limits) const
 {
   const InvalidOperationsAllowed allowed;
   place({p, {}});
@@ -138,7 +140,8 @@ bool Jumps::is_step(const Crossing &crossing,
   return false;
 }
 
-double Jumps::distance(const Crossing &crossing, const Point<2> &p) const
+double Discontinuities::distance(const Crossing &crossing,
+                                 const Point<2> &p) const
 {
   const InvalidOperationsAllowed allowed;
   const unsigned int f =
@@ -152,8 +155,9 @@ double Jumps::distance(const Crossing &crossing, const Point<2> &p) const
   return std::isnan(distance) ? 0. : distance;
 }
 
-Jumps::Limits
-Jumps::on_side(const Crossing &crossing, const bool is_below, Limits limits)
+Discontinuities::Limits Discontinuities::on_side(const Crossing &crossing,
+                                                 const bool is_below,
+                                                 Limits limits)
 {
   Interval &limit = limits[crossing.jump];
   limit = is_below ? Interval(limit.lower(), crossing.level)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/parallel/team.h>
+#include <voussoir/parallel/process_group.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -21,7 +21,7 @@ constexpr std::size_t length_of_names = 32;
 constexpr auto polling_interval = std::chrono::milliseconds(1);
 } // namespace
 
-void Team::call(const std::string &task) const
+void ProcessGroup::call(const std::string &task) const
 {
   if (n_processes == 1)
     return;
@@ -29,26 +29,26 @@ void Team::call(const std::string &task) const
   std::array<char, length_of_names> name = {};
   std::copy(task.begin(), task.end(), name.begin());
   MPI_Request request;
-  MPI_Ibcast(name.data(), name.size(), MPI_CHAR, 0, processes, &request);
+  MPI_Ibcast(name.data(), name.size(), MPI_CHAR, 0, mpi, &request);
   MPI_Wait(&request, MPI_STATUS_IGNORE);
 }
 
-std::string Team::wait() const
+std::string ProcessGroup::wait() const
 {
   int has_come = 0;
   std::array<char, length_of_names> name = {};
   MPI_Request request;
-  MPI_Ibcast(name.data(), name.size(), MPI_CHAR, 0, processes, &request);
+  MPI_Ibcast(name.data(), name.size(), MPI_CHAR, 0, mpi, &request);
   // MPI_Wait() would keep a core busy that the root can use.
   while (MPI_Test(&request, &has_come, MPI_STATUS_IGNORE), !has_come)
     std::this_thread::sleep_for(polling_interval);
   return name.data();
 }
 
-void Team::abort(const std::string &message) const
+void ProcessGroup::abort(const std::string &message) const
 {
   std::cerr << "voussoir: process " << own_rank << ": " << message << std::endl;
-  MPI_Abort(processes, 4);
+  MPI_Abort(mpi, 4);
   std::abort();
 }
 } // namespace Voussoir

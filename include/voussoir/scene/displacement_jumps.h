@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_scene_jumps_h
-#define voussoir_scene_jumps_h
+#ifndef voussoir_scene_displacement_jumps_h
+#define voussoir_scene_displacement_jumps_h
 
 #include <voussoir/scene/scene.h>
 
