@@ -13,10 +13,12 @@
 
 namespace Voussoir
 {
-/** Lines as in a .prm file, and the name of the file that has them. */
+/** A text of parameters. */
 struct ParameterText
 {
+  /** Lines as in a .prm file. */
   std::string lines;
+  /** The name of the file that has them. */
   std::string name;
 };
 

@@ -90,9 +90,11 @@ void add_choice(dealii::ParameterHandler &prm,
 /** What stands in an entry of a section. */
 struct Assignment
 {
+  /** Where the entry is. */
   SectionPath section;
+  /** Its name. */
   std::string entry;
-  /** As in a .prm file; white space around it does not count. */
+  /** Its value as in a .prm file; white space around it does not count. */
   std::string value;
 };
 

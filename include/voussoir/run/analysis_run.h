@@ -39,6 +39,7 @@ struct ParameterSources
 /** What a run ends with that has found an answer. */
 struct RunOutcome
 {
+  /** The answer. */
   RunResult result;
   /**
    * If the load is not carried and the files are written: by what, and which of

@@ -8,25 +8,40 @@
 
 namespace Voussoir
 {
-/** What the command line says. */
+/** What the command line says; the options as --help explains them. */
 struct Arguments
 {
+  /** The file of parameters; empty if none is named. */
   std::string file;
+  /** --set, and --verbosity as an assignment. */
   std::vector<std::string> assignments;
+  /** --sweep. */
   std::vector<std::string> sweeps;
+  /** --find. */
   std::string find;
+  /** --result. */
   std::vector<std::string> results;
+  /** --directories. */
   bool has_directories = false;
+  /** --validate. */
   bool validate = false;
-  /** The section to print; empty for all parameters. */
+  /** --print-parameters: the section to print; empty for all parameters. */
   std::optional<std::string> print_parameters;
+  /** --print-settings. */
   bool print_settings = false;
+  /** --as. */
   std::string format = "prm";
+  /** --print-schema. */
   bool print_schema = false;
+  /** --print-reference. */
   bool print_reference = false;
+  /** --print-completion. */
   bool print_completion = false;
+  /** --quiet. */
   bool quiet = false;
+  /** --help. */
   bool help = false;
+  /** --version. */
   bool version = false;
 };
 
