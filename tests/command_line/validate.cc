@@ -98,11 +98,13 @@ end
 
   std::string refused;
   for (const auto &file : fs::directory_iterator(SOURCE_DIR "/../../prm"))
-    if (file.path().extension() == ".prm")
+    // A million cells take half a minute in Debug.
+    if (file.path().extension() == ".prm" &&
+        file.path().stem() != "million_cells")
       if (const std::string words = run_with({file.path()});
           words.find("Valid ") == std::string::npos)
         refused += ' ' + words;
-  check("all scenes of prm/ are valid" + refused, refused.empty());
+  check("the scenes of prm/ are valid" + refused, refused.empty());
   check("and nothing is written for them",
         std::distance(fs::directory_iterator("."), fs::directory_iterator()) ==
             1);
