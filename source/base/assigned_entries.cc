@@ -11,27 +11,12 @@ namespace Voussoir
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-/** Call @p action with the path of each entry in a section, and the entry. */
-template <typename Node, typename Action>
-void for_each_entry(Node &section,
-                    const std::string &path,
-                    const Action &action)
-{
-  if (!section.is_object()) // boost writes a section without entries as ""
-    return;
-  for (auto node = section.begin(); node != section.end(); ++node)
-    if (is_entry(*node))
-      action(path + node.key(), *node);
-    else
-      for_each_entry(*node, path + node.key() + '/', action);
-}
 } // namespace
 
 void AssignedEntries::watch(dealii::ParameterHandler &prm)
 {
   entries = tree_of(prm);
-  for_each_entry(entries, "", [&](const std::string &path, Json &node) {
+  for_each_entry(entries, [&](const std::string &path, Json &node) {
     std::vector<std::string> sections =
         dealii::Utilities::split_string_list(path, '/');
     const std::string entry = sections.back();
@@ -51,7 +36,7 @@ void AssignedEntries::watch(dealii::ParameterHandler &prm)
 
 void AssignedEntries::forget_unchanged()
 {
-  for_each_entry(entries, "", [&](const std::string &path, const Json &entry) {
+  for_each_entry(entries, [&](const std::string &path, const Json &entry) {
     if (!is_changed(entry))
       paths.erase(path);
   });

@@ -14,23 +14,6 @@ namespace
 /** The most characters of a value in a message. */
 constexpr std::size_t longest_value = 80;
 
-/** Add the paths of the sections, or of the entries, in @p section. */
-void add_paths(const nlohmann::ordered_json &section,
-               const std::string &path,
-               const bool of_sections,
-               std::vector<std::string> &paths)
-{
-  if (!section.is_object())
-    return;
-  for (const auto &[name, node] : section.items())
-  {
-    if (is_entry(node) != of_sections)
-      paths.push_back(path + name);
-    if (!is_entry(node))
-      add_paths(node, path + name + '/', of_sections, paths);
-  }
-}
-
 /** The paths that are directly in a section. */
 std::vector<std::string> directly_in(const std::string &section,
                                      std::vector<std::string> paths)
@@ -96,8 +79,14 @@ std::string FaultyAssignment::unaccepted_value(const std::string &name,
 
 std::vector<std::string> FaultyAssignment::paths(const bool of_sections) const
 {
+  const nlohmann::ordered_json tree = tree_of(prm);
   std::vector<std::string> all;
-  add_paths(tree_of(prm), "", of_sections, all);
+  if (of_sections)
+    add_sections(tree, all);
+  else
+    for_each_entry(tree, [&](const std::string &path, const auto &) {
+      all.push_back(path);
+    });
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <voussoir/base/print_parameters.h>
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
 #include <map>
 #include <memory>
@@ -13,7 +14,6 @@ namespace Voussoir
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
 using Style = dealii::ParameterHandler::OutputStyle;
 using IsWanted = std::function<bool(const std::string &)>;
 
@@ -34,37 +34,23 @@ private:
   const std::string words;
 };
 
-/**
- * Declare the wanted entries of a section anew, with the descriptions of their
- * patterns that users see.
- *
- * @param path of the section.
+/** Declare an entry anew, with the description of its pattern that users see.
  */
-void declare_wanted(dealii::ParameterHandler &part,
-                    const Json &section,
-                    const SectionPath &path,
-                    const IsWanted &is_wanted)
+void declare(dealii::ParameterHandler &part,
+             const std::string &path,
+             const nlohmann::ordered_json &entry)
 {
-  if (!section.is_object()) // boost writes a section without entries as ""
-    return;
-  for (const auto &[name, node] : section.items())
-    if (!is_entry(node))
-    {
-      SectionPath inner = path;
-      inner.push_back(name);
-      declare_wanted(part, node, inner, is_wanted);
-    }
-    else if (is_wanted(text_of_section(path) + name))
-    {
-      for (const std::string &around : path)
-        part.enter_subsection(around);
-      part.declare_entry(name, node.at("default_value"),
-                         DescribedPattern(description_of_pattern(node)),
-                         node.at("documentation"));
-      part.set(name, node.at("value").get<std::string>());
-      for (std::size_t k = 0; k < path.size(); ++k)
-        part.leave_subsection();
-    }
+  SectionPath section = dealii::Utilities::split_string_list(path, '/');
+  const std::string name = section.back();
+  section.pop_back();
+  for (const std::string &around : section)
+    part.enter_subsection(around);
+  part.declare_entry(name, entry.at("default_value"),
+                     DescribedPattern(description_of_pattern(entry)),
+                     entry.at("documentation"));
+  part.set(name, entry.at("value").get<std::string>());
+  for (std::size_t k = 0; k < section.size(); ++k)
+    part.leave_subsection();
 }
 
 Style style_of(const ParameterFormat format, const Detail detail)
@@ -98,7 +84,11 @@ void print_parameters(std::ostream &out,
                       const Detail detail)
 {
   dealii::ParameterHandler part;
-  declare_wanted(part, tree_of(prm), {}, is_wanted);
+  const nlohmann::ordered_json tree = tree_of(prm);
+  for_each_entry(tree, [&](const std::string &path, const auto &entry) {
+    if (is_wanted(path))
+      declare(part, path, entry);
+  });
   part.print_parameters(out,
                         style_of(format, detail) | Style::KeepDeclarationOrder);
 }

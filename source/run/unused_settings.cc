@@ -109,20 +109,6 @@ void Search::look_beside(const std::string &path,
     }
   add(true, path, entries);
 }
-
-/** Add the changed entries of a section and of those in it. */
-void add_changed(const Json &section,
-                 const std::string &path,
-                 NamesAndValues &changed)
-{
-  if (!section.is_object())
-    return;
-  for (const auto &[name, node] : section.items())
-    if (!is_entry(node))
-      add_changed(node, path + name + '/', changed);
-    else if (is_changed(node))
-      changed.emplace_back(path + name, node.at("value"));
-}
 } // namespace
 
 std::vector<std::string> unused_settings(const AssignedEntries &assigned)
@@ -138,7 +124,11 @@ std::vector<std::string> unused_settings(const AssignedEntries &assigned)
 NamesAndValues changed_settings(const dealii::ParameterHandler &prm)
 {
   NamesAndValues changed;
-  add_changed(tree_of(prm), "", changed);
+  const Json tree = tree_of(prm);
+  for_each_entry(tree, [&](const std::string &path, const Json &entry) {
+    if (is_changed(entry))
+      changed.emplace_back(path, entry.at("value"));
+  });
   return changed;
 }
 } // namespace Voussoir

@@ -9,6 +9,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -47,16 +48,50 @@ inline bool is_changed(const nlohmann::ordered_json &entry)
            boost::conversion::try_lexical_convert(fallback, b) && a == b);
 }
 
+/**
+ * Call @p action with the path of each entry in a section, "Friction/Strength",
+ * and the entry, in their order.
+ *
+ * @param path of the section, with a slash at its end; nothing of the tree.
+ */
+template <typename Node, typename Action>
+void for_each_entry(Node &section,
+                    const Action &action,
+                    const std::string &path = "")
+{
+  if (!section.is_object()) // boost writes a section without entries as ""
+    return;
+  for (auto node = section.begin(); node != section.end(); ++node)
+    if (is_entry(*node))
+      action(path + node.key(), *node);
+    else
+      for_each_entry(*node, action, path + node.key() + '/');
+}
+
+/** Add the paths of all sections in a section to @p paths. */
+inline void add_sections(const nlohmann::ordered_json &section,
+                         std::vector<std::string> &paths,
+                         const std::string &path = "")
+{
+  if (!section.is_object())
+    return;
+  for (const auto &[name, node] : section.items())
+    if (!is_entry(node))
+    {
+      paths.push_back(path + name);
+      add_sections(node, paths, path + name + '/');
+    }
+}
+
 /** The values of all entries in a section, or of an entry, a line each. */
 inline std::string values_in(const nlohmann::ordered_json &node)
 {
-  if (!node.is_object())
-    return {};
-  if (is_entry(node))
+  if (node.is_object() && is_entry(node))
     return node.at("value").get<std::string>() + '\n';
   std::string values;
-  for (const auto &inner : node)
-    values += values_in(inner);
+  for_each_entry(node, [&](const std::string &, const auto &entry) {
+    values += entry.at("value").template get<std::string>() + '\n';
+  });
   return values;
 }
 } // namespace Voussoir

@@ -82,23 +82,6 @@ void add_entry(const std::string &path, const Json &entry, Names &entries)
   for (const std::string &value : values)
     entries.push_back(path + '=' + value);
 }
-
-void add_names(const Json &section,
-               const std::string &path,
-               Names &entries,
-               Names &sections)
-{
-  if (!section.is_object()) // boost writes a section without entries as ""
-    return;
-  for (const auto &[name, node] : section.items())
-    if (is_entry(node))
-      add_entry(path + name, node, entries);
-    else
-    {
-      sections.push_back(path + name);
-      add_names(node, path + name + '/', entries, sections);
-    }
-}
 } // namespace
 
 void print_bash_completion(std::ostream &out,
@@ -106,7 +89,10 @@ void print_bash_completion(std::ostream &out,
                            const Json &parameters)
 {
   Names entries, sections;
-  add_names(parameters, "", entries, sections);
+  for_each_entry(parameters, [&](const std::string &path, const Json &entry) {
+    add_entry(path, entry, entries);
+  });
+  add_sections(parameters, sections);
   out << "# Completion of the arguments of voussoir in bash.\n";
   for (const auto &[name, list] :
        {std::pair("options", options), std::pair("entries", entries),
