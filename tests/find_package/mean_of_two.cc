@@ -47,8 +47,8 @@ int main()
       "subsection Loads\n set Traction = -nx; -ny\nend\n"
       "subsection Friction\n set Strength = 1\nend\n");
   Terminal terminal(std::cout, 0);
-  const Scene scene = parameters.scene_of(parameters.data(
-      parameters.read_packing(".", terminal), false, terminal));
+  const Scene scene = parameters.scene_of(
+      parameters.data(parameters.read_packing(".", terminal), false, terminal));
   SolverRecord record;
   dealii::TimerOutput timer(std::cout, dealii::TimerOutput::never,
                             dealii::TimerOutput::wall_times);
