@@ -97,6 +97,7 @@ void try_runs()
                          "--print-parameters=Packing"})
             << run_with({"--print-parameters=Packing/arhc"})
             << run_with({"--print-parameters", "--as", "yaml"})
+            << run_with({"wall.json", "--as", "xml"})
             << run_with({"wall.json", "--set", "Output/Directory=here"});
   check("# begins no comment on the command line",
         run_with({"wall.json", "--print-settings", "--set", "Title=a # b"})

@@ -50,7 +50,11 @@ po::options_description visible_options(Arguments &arguments)
       "--print-parameters=Packing/wall, with value and documentation")(
       "print-settings", po::bool_switch(&arguments.print_settings),
       "print the parameters that the file and --set assign")(
-      "as", po::value(&arguments.format)->value_name("FORMAT"),
+      "as",
+      po::value<std::string>()->value_name("FORMAT")->notifier(
+          [&arguments](const std::string &format) {
+            arguments.format = format;
+          }),
       "print these as prm, json or xml; FILE may be any of the three")(
       "print-schema", po::bool_switch(&arguments.print_schema),
       "print a JSON schema of all parameters, for editors")(
@@ -104,6 +108,10 @@ Arguments arguments_of(const std::vector<std::string> &words)
                      "' are given. See 'voussoir --help'.");
   if (!files.empty())
     arguments.file = files[0];
+  if (arguments.format && !arguments.print_parameters &&
+      !arguments.print_settings)
+    throw InputError("--as belongs to --print-parameters or --print-settings; "
+                     "give one of them. See 'voussoir --help'.");
   return arguments;
 }
 

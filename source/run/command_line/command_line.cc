@@ -105,7 +105,7 @@ std::optional<std::string> text_of_parameters(const Arguments &arguments,
   std::ostringstream text;
   if (arguments.print_parameters || arguments.print_settings)
     analysis.print(text, arguments.print_parameters.value_or(""),
-                   parameter_format_of(arguments.format),
+                   parameter_format_of(arguments.format.value_or("prm")),
                    arguments.print_settings ? Detail::value : Detail::listing);
   else if (arguments.print_schema)
     print_schema(text, analysis.entries(), load_cases_section);

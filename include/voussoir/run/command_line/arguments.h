@@ -30,7 +30,7 @@ struct Arguments
   /** --print-settings. */
   bool print_settings = false;
   /** --as. */
-  std::string format = "prm";
+  std::optional<std::string> format;
   /** --print-schema. */
   bool print_schema = false;
   /** --print-reference. */
