@@ -3,7 +3,7 @@
 # differ in the names of their unnamed namespaces. It pays where all is built from
 # nothing; who changes single files does without.
 
-set(VOUSSOIR_JUMBO_SIZE 15 CACHE STRING "The most files that are compiled as one")
+set(VOUSSOIR_JUMBO_SIZE 10 CACHE STRING "The most files that are compiled as one")
 mark_as_advanced(VOUSSOIR_JUMBO_SIZE)
 
 # Compile the sources of a target, as they are listed so far, in jumbo files.
