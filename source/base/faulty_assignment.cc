@@ -3,7 +3,7 @@
 #include <voussoir/base/faulty_assignment.h>
 #include <voussoir/base/nearest_name.h>
 #include <voussoir/base/parameter_tree.h>
-#include <voussoir/base/reference.h>
+#include <voussoir/base/pattern_description.h>
 
 #include <algorithm>
 
@@ -26,14 +26,6 @@ std::vector<std::string> directly_in(const std::string &section,
   return paths;
 }
 } // namespace
-
-std::string text_of_section(const SectionPath &section)
-{
-  std::string text;
-  for (const std::string &name : section)
-    text += name + '/';
-  return text;
-}
 
 std::string shortened(const std::string &words)
 {
@@ -93,20 +85,16 @@ std::vector<std::string> FaultyAssignment::paths(const bool of_sections) const
 bool FaultyAssignment::accepts(const std::string &name,
                                const std::string &value) const
 {
-  for (const std::string &around : section)
-    prm.enter_subsection(around);
-  bool accepted = true;
+  const InSection in_section(prm, section);
   try
   {
     prm.set(name, value);
+    return true;
   }
   catch (const std::exception &)
   {
-    accepted = false;
+    return false;
   }
-  for (unsigned int k = 0; k < section.size(); ++k)
-    prm.leave_subsection();
-  return accepted;
 }
 
 /**

@@ -139,9 +139,9 @@ private:
     documents = documents || node.count("default_value") > 0;
     const SectionPath section(path.begin(), path.end() - 1);
     if (value != node.not_found())
-      assign(prm, {section, path.back(), value->second.data()}, where());
+      assign(prm, {{section, path.back()}, value->second.data()}, where());
     else if (node.empty())
-      assign(prm, {section, path.back(), node.data()}, where());
+      assign(prm, {{section, path.back()}, node.data()}, where());
     else if (node.front().first.empty())
       throw InputError(where() + ": a value is one text, as in a .prm file; "
                                  "write the list as that.");

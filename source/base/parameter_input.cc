@@ -65,26 +65,30 @@ ParameterInput::ParameterInput(const std::filesystem::path &file)
   const std::string ending =
       boost::algorithm::to_lower_copy(file.extension().string());
   if (ending == ".json")
-    nested = nested_from_json(*text, name);
+    content = nested_from_json(*text, name);
   else if (ending == ".xml")
-    nested = nested_from_xml(*text, name);
+    content = nested_from_xml(*text, name);
   else
-    lines = *text;
+    content = *text;
 }
 
 ParameterInput::ParameterInput(const std::string &lines,
                                const std::string &name)
-    : name(name), lines(lines)
+    : name(name), content(lines)
 {}
 
 std::set<std::string>
 ParameterInput::sections_in(const std::string &section) const
 {
   std::set<std::string> names;
-  for (const SectionOfText &found : sections_before(lines))
-    if (found.path.size() == 2 && found.path[0] == section)
-      names.insert(found.path[1]);
-  for (const auto &[outer, inner] : nested)
+  if (const auto *const lines = std::get_if<std::string>(&content))
+  {
+    for (const SectionOfText &found : sections_before(*lines))
+      if (found.path.size() == 2 && found.path[0] == section)
+        names.insert(found.path[1]);
+    return names;
+  }
+  for (const auto &[outer, inner] : std::get<Nested>(content))
     for (const auto &[name, node] : inner)
       if (outer == section)
         names.insert(name);
@@ -93,8 +97,9 @@ ParameterInput::sections_in(const std::string &section) const
 
 bool ParameterInput::assign_to(dealii::ParameterHandler &prm) const
 {
-  if (!nested.empty())
-    return assign_nested(prm, nested, "'" + name + "'");
+  if (const auto *const nested = std::get_if<Nested>(&content))
+    return assign_nested(prm, *nested, "'" + name + "'");
+  const std::string &lines = std::get<std::string>(content);
   refuse_includes(lines, name);
   std::istringstream in(lines);
   try

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameter_tree.h>
+#include <voussoir/base/pattern_description.h>
 #include <voussoir/base/print_parameters.h>
-#include <voussoir/base/reference.h>
-
-#include <deal.II/base/utilities.h>
-
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <ostream>
-#include <regex>
 
 namespace Voussoir
 {
@@ -21,41 +16,36 @@ const char *const number_in_text =
     "^\\s*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?\\s*$";
 
 /** Numbers of a type between bounds, and texts of numbers. */
-Json schema_of_number(const std::string &type, const std::smatch &bounds)
+Json schema_of_number(const std::string &type, const PatternDescription &of)
 {
   Json number = {{"type", type}};
-  double bound;
-  if (boost::conversion::try_lexical_convert(bounds[1].str(), bound))
-    number["minimum"] = bound;
-  if (boost::conversion::try_lexical_convert(bounds[2].str(), bound))
-    number["maximum"] = bound;
+  if (of.low)
+    number["minimum"] = std::stod(*of.low);
+  if (of.high)
+    number["maximum"] = std::stod(*of.high);
   return Json::array(
       {number, {{"type", "string"}, {"pattern", number_in_text}}});
 }
 
 /** The values that an entry accepts, in the formats in which they may stand. */
-Json schemas_of_value(const std::string &description)
+Json schemas_of_value(const PatternDescription &of)
 {
-  std::smatch found;
-  const auto is = [&](const char *pattern) {
-    return std::regex_match(description, found, std::regex(pattern));
-  };
-  if (is("\\[Bool\\]"))
+  using Kind = PatternDescription::Kind;
+  switch (of.kind)
+  {
+  case Kind::truth:
     return Json::array({{{"enum", {true, false, "true", "false"}}}});
-  if (is("\\[Selection (.*?) ?\\]"))
-    return Json::array({{{"enum", dealii::Utilities::split_string_list(
-                                      found[1].str(), '|')}}});
-  if (is("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"))
-    return schema_of_number("number", found);
-  if (is("\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"))
-    return schema_of_number("integer", found);
-  return Json::array({{{"type", {"string", "number"}}}});
+  case Kind::selection: return Json::array({{{"enum", of.choices}}});
+  case Kind::number: return schema_of_number("number", of);
+  case Kind::integer: return schema_of_number("integer", of);
+  default: return Json::array({{{"type", {"string", "number"}}}});
+  }
 }
 
 Json schema_of_entry(const Json &entry)
 {
-  const std::string description = description_of_pattern(entry);
-  Json values = schemas_of_value(description);
+  const std::string description = entry.at("pattern_description");
+  Json values = schemas_of_value(read_pattern(description));
   values.push_back({{"$ref", "#/definitions/listed entry"}});
   return {{"description", entry.at("documentation").get<std::string>() +
                               " Accepts " + text_of_pattern(description) + "."},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/faulty_assignment.h>
 #include <voussoir/base/parameters.h>
 
 #include <deal.II/base/utilities.h>
@@ -68,15 +69,7 @@ Assignment assignment_of_text(const std::string &text)
   if (equals == std::string::npos)
     throw InputError("--set '" + text +
                      "' is not of the form \"Section/Name=value\".");
-  Assignment assignment;
-  assignment.section =
-      dealii::Utilities::split_string_list(text.substr(0, equals), '/');
-  if (assignment.section.empty())
-    assignment.section.emplace_back();
-  assignment.entry = assignment.section.back();
-  assignment.section.pop_back();
-  assignment.value = text.substr(equals + 1);
-  return assignment;
+  return {entry_path_of(text.substr(0, equals)), text.substr(equals + 1)};
 }
 
 void check_section(dealii::ParameterHandler &prm,
@@ -100,34 +93,25 @@ void assign(dealii::ParameterHandler &prm,
             const Assignment &assignment,
             const std::string &place)
 {
-  const SectionPath &section = assignment.section;
+  const auto &[section, entry] = assignment.to;
   check_section(prm, section, place);
   const std::string value = dealii::Utilities::trim(assignment.value);
-  for (const std::string &name : section)
-    prm.enter_subsection(name);
-  bool is_declared = true, is_accepted = true;
+  std::string fault;
   try
   {
-    prm.set(assignment.entry, value);
+    const InSection in_section(prm, section);
+    prm.set(entry, value);
+    return;
   }
   catch (const dealii::ParameterHandler::ExcEntryUndeclared &)
   {
-    is_declared = false;
+    fault = FaultyAssignment(prm, section).unknown_entry(entry);
   }
   catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
   {
-    is_accepted = false;
+    fault = FaultyAssignment(prm, section).unaccepted_value(entry, value);
   }
-  for (unsigned int k = 0; k < section.size(); ++k)
-    prm.leave_subsection();
-  if (is_declared && is_accepted)
-    return;
-  const FaultyAssignment faulty(prm, section);
-  throw InputError(place + ": " +
-                   (is_declared
-                        ? faulty.unaccepted_value(assignment.entry, value)
-                        : faulty.unknown_entry(assignment.entry)) +
-                   ' ' + how_to_list_parameters);
+  throw InputError(place + ": " + fault + ' ' + how_to_list_parameters);
 }
 
 void assign_parameter(dealii::ParameterHandler &prm,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/faulty_assignment.h>
+#include <voussoir/base/parameter_path.h>
 #include <voussoir/base/parameter_tree.h>
 #include <voussoir/base/print_parameters.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
 #include <map>
 #include <memory>
@@ -40,17 +39,12 @@ void declare(dealii::ParameterHandler &part,
              const std::string &path,
              const nlohmann::ordered_json &entry)
 {
-  SectionPath section = dealii::Utilities::split_string_list(path, '/');
-  const std::string name = section.back();
-  section.pop_back();
-  for (const std::string &around : section)
-    part.enter_subsection(around);
+  const auto &[section, name] = entry_path_of(path);
+  const InSection in_section(part, section);
   part.declare_entry(name, entry.at("default_value"),
                      DescribedPattern(description_of_pattern(entry)),
                      entry.at("documentation"));
   part.set(name, entry.at("value").get<std::string>());
-  for (std::size_t k = 0; k < section.size(); ++k)
-    part.leave_subsection();
 }
 
 Style style_of(const ParameterFormat format, const Detail detail)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameter_tree.h>
+#include <voussoir/base/pattern_description.h>
 #include <voussoir/base/reference.h>
 #include <voussoir/base/text.h>
 
@@ -10,7 +11,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <ostream>
-#include <regex>
 
 namespace Voussoir
 {
@@ -20,28 +20,6 @@ using Json = nlohmann::ordered_json;
 
 /** The width of a line, as on the other pages. */
 constexpr unsigned int line_width = 90;
-
-/** "a number from LOW to HIGH", without the bounds that are none. */
-std::string text_of_range(const std::string &number,
-                          const std::string &low,
-                          const std::string &high)
-{
-  const bool from_below = low == "-MAX_DOUBLE" || low == "-2147483648";
-  const bool to_above = high == "MAX_DOUBLE" || high == "2147483647";
-  if (from_below && to_above)
-    return number;
-  if (to_above)
-    return number + ", at least " + low;
-  if (from_below)
-    return number + ", at most " + high;
-  return number + " from " + low + " to " + high;
-}
-
-std::string quoted(std::string names)
-{
-  boost::algorithm::replace_all(names, "|", "', '");
-  return "'" + names + "'";
-}
 
 /** The text as a paragraph of Markdown, with its marks escaped. */
 std::string escaped(std::string words)
@@ -82,42 +60,6 @@ void write_section(std::ostream &out,
       write_section(out, node, path.empty() ? name : path + "/" + name);
 }
 } // namespace
-
-std::string text_of_pattern(const std::string &text)
-{
-  const std::string description = text.substr(0, text.rfind(']') + 1);
-  std::smatch found;
-  const auto is = [&](const char *pattern) {
-    return std::regex_match(description, found, std::regex(pattern));
-  };
-  if (is("\\[Anything\\]"))
-    return "any text";
-  if (is("\\[Bool\\]"))
-    return "true or false";
-  if (is("\\[Double (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"))
-    return text_of_range("a number", found[1], found[2]);
-  if (is("\\[Integer range (\\S+)\\.\\.\\.(\\S+) \\(inclusive\\)\\]"))
-    return text_of_range("a whole number", found[1], found[2]);
-  if (is("\\[Selection (.*?) ?\\]"))
-    return "one of " + quoted(found[1]);
-  if (is("\\[List of <(.*)> of length (\\d+)\\.\\.\\.(\\d+) \\(inclusive\\)"
-         "(?: separated by <(.*)>)?\\]"))
-  {
-    const std::string separator = found[4].matched ? found[4].str() : ",";
-    const std::string low = found[2], high = found[3];
-    std::string values = "values";
-    if (low == high)
-      values = low + " values";
-    else if (high != "2147483647" && high != "4294967295")
-      values = low + " to " + high + " values";
-    else if (low != "0")
-      values = "at least " + low + " values";
-    const std::string element = text_of_pattern(found[1]);
-    return values + " separated by '" + separator + "'" +
-           (element == "any text" ? "" : ", each " + element);
-  }
-  return description;
-}
 
 void write_reference(std::ostream &out, const dealii::ParameterHandler &prm)
 {

@@ -145,15 +145,21 @@ Json most_used_summary(const Results &results)
   return joints;
 }
 
-void show_loads(Terminal &terminal, const Scene &scene)
+std::string text_of_force(const Tensor<1, 2> &force, const double largest)
+{
+  const Tensor<1, 2> of = shown(force, largest);
+  return text("(", of[0], ", ", of[1], ")");
+}
+
+void show_loads(Terminal &terminal, const Scene &scene, const std::string &name)
 {
   if (scene.packing.n_supports() == 0)
     return;
   const Tensor<1, 2> total = total_load(scene);
   const double length = length_of_supports(scene.packing);
-  terminal.stage("Loads", text("(", total[0], ", ", total[1],
-                               ") in all, over supports of length ", length,
-                               " a stress of ", total.norm() / length));
+  terminal.stage(name, text(text_of_force(total, size_of_loads(scene)),
+                            " in all, over supports of length ", length,
+                            " a stress of ", total.norm() / length));
 }
 
 void show_reactions(Terminal &terminal, const Results &results)
@@ -162,8 +168,7 @@ void show_reactions(Terminal &terminal, const Results &results)
     return;
   const double largest = largest_reaction(results);
   const auto words = [&](const Tensor<1, 2> &reaction) {
-    const Tensor<1, 2> force = shown(reaction, largest);
-    return text("(", force[0], ", ", force[1], ")");
+    return text_of_force(reaction, largest);
   };
   const std::size_t n = results.reactions.size();
   terminal.summary(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/output/ground_summary.h>
 #include <voussoir/output/scene_summary.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -18,18 +18,6 @@ using dealii::Tensor;
 
 /** The most groups, and pairs of them, that are shown. */
 constexpr unsigned int n_shown = 30;
-
-/** A component, over the force, that is rounding. */
-constexpr double rounding_of_sum = 1e-12;
-
-std::string words_of(const Tensor<1, 2> &force)
-{
-  dealii::Point<2> shown;
-  for (unsigned int i = 0; i < 2; ++i)
-    if (std::abs(force[i]) > rounding_of_sum * force.norm())
-      shown[i] = force[i];
-  return text_of_point(shown);
-}
 
 /** The bounds of numbers, and their sum. */
 struct Spread
@@ -98,15 +86,15 @@ void show_groups(Terminal &terminal, const Scene &scene)
   std::vector<std::string> lines;
   for (unsigned int g = 0; g < groups.size(); ++g)
     if (const Spread &area = groups[g].area; area.n > 0)
-      lines.push_back(text(packing.group_names()[g], ": ",
-                           counted(area.n, "cell"), ", area ", area.sum,
-                           area.n > 1 ? ", each " + area.words() : "",
-                           ", weight ", words_of(groups[g].weight)));
+      lines.push_back(text(
+          packing.group_names()[g], ": ", counted(area.n, "cell"), ", area ",
+          area.sum, area.n > 1 ? ", each " + area.words() : "", ", weight ",
+          text_of_force(groups[g].weight, groups[g].weight.norm())));
   show(terminal, "Group", lines);
 }
 
 /** The strengths of some joints; those that a scene has none of are empty. */
-struct Strengths
+struct StrengthsOfPair
 {
   Spread length, tangential, coefficient, tensile, compressive;
 
@@ -143,7 +131,7 @@ struct Strengths
 void show_joints(Terminal &terminal, const Scene &scene)
 {
   const Packing &packing = scene.packing;
-  std::map<std::array<unsigned int, 2>, Strengths> pairs;
+  std::map<std::array<unsigned int, 2>, StrengthsOfPair> pairs;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing::Interface &interface = packing.interfaces()[e];
@@ -170,8 +158,9 @@ void show_tractions(Terminal &terminal, const Scene &scene)
       ++n;
     }
   if (n > 0)
-    terminal.stage("Tractions", text(words_of(sum), " in all, on ",
-                                     counted(n, "boundary edge")));
+    terminal.stage("Tractions",
+                   text(text_of_force(sum, sum.norm()), " in all, on ",
+                        counted(n, "boundary edge")));
 }
 } // namespace
 
@@ -181,15 +170,5 @@ void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units)
   show_groups(terminal, scene);
   show_joints(terminal, scene);
   show_tractions(terminal, scene);
-}
-
-void show_sum_of_loads(Terminal &terminal,
-                       const std::string &name,
-                       const Scene &scene)
-{
-  Tensor<1, 2> sum;
-  for (const Tensor<1, 2> &of_cell : scene.load)
-    sum += of_cell;
-  terminal.stage(name, words_of(sum) + " in all");
 }
 } // namespace Voussoir

@@ -1,164 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/blas.h>
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameter_tree.h>
-#include <voussoir/output/summary.h>
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
-#include <voussoir/run/analysis_run.h>
-#include <voussoir/run/shared_packings.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/python/scene.h>
 #include <voussoir/scene/utilisation.h>
-#include <voussoir/stress/cell_means.h>
 #include <voussoir/version.h>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <sstream>
 
 namespace Voussoir
 {
 namespace
 {
 namespace py = pybind11;
-using Json = nlohmann::ordered_json;
-
-/** A value of Python's as it stands in a .prm file. */
-std::string text_of(const py::handle &value)
-{
-  if (py::isinstance<py::bool_>(value))
-    return value.cast<bool>() ? "true" : "false";
-  // repr: the shortest digits that are the same double.
-  return py::isinstance<py::float_>(value) ? py::repr(value) : py::str(value);
-}
-
-/** What was found, with the packing and the scene that it belongs to. */
-class PyResults
-{
-public:
-  PyResults(RunResult found, std::vector<std::string> warnings)
-      : findings(std::make_shared<RunResult>(std::move(found))),
-        warnings(std::move(warnings))
-  {}
-
-  const Scene &scene() const { return *findings->scene; }
-  const Results *carried() const
-  {
-    return std::get_if<Results>(&findings->found);
-  }
-  /** The carried state, which @p what needs. */
-  const Results &state(const std::string &what) const
-  {
-    if (carried() == nullptr)
-      throw py::attribute_error(
-          "the load is not carried, so that there is no '" + what +
-          "'; see 'displacement' and 'summary'");
-    return *carried();
-  }
-  /** The displacements, or the mechanism. */
-  const Motion &motion() const
-  {
-    const Results *const of = carried();
-    if (of == nullptr)
-      return std::get<Collapse>(findings->found).motion;
-    if (of->settlement)
-      return of->settlement->motion;
-    if (of->load_factor && of->load_factor->has_mechanism())
-      return of->load_factor->mechanism;
-    return of->motion;
-  }
-  /** summary.json, without what belongs to the files. */
-  py::object summary() const
-  {
-    std::ostringstream json;
-    std::visit([&](const auto &found) { write_summary_json(json, found); },
-               findings->found);
-    return py::module_::import("json").attr("loads")(json.str());
-  }
-  std::string status() const
-  {
-    return carried() ? carried()->status.word()
-                     : Status{Status::Kind::collapse, 0.}.word();
-  }
-
-  std::shared_ptr<RunResult> findings;
-  std::vector<std::string> warnings;
-};
-
-/** A scene with its parameters, of which the packing is kept. */
-class PyScene
-{
-public:
-  /**
-   * @param given a .prm file, if there is one.
-   * @param text the text of one, or empty.
-   * @param polygons the corners of each block, arrays of shape (n, 2).
-   * @param settings by their names, as in "Friction/Strength".
-   */
-  PyScene(const std::optional<std::filesystem::path> &given,
-          const std::string &text,
-          const std::vector<py::array_t<double>> &polygons,
-          const py::dict &settings)
-      : terminal(output), run(terminal), packings(1)
-  {
-    ParameterSources sources = {given, text};
-    if (!polygons.empty())
-    {
-      run.give(list_of(polygons));
-      sources.assignments.push_back("Packing/Generator=polygons");
-    }
-    for (const auto &[name, value] : settings)
-      sources.assignments.push_back(py::str(name).cast<std::string>() + '=' +
-                                    text_of(value));
-    run.read(sources);
-    if (given)
-      directory = std::filesystem::canonical(*given).parent_path();
-  }
-
-  /** Change an entry. */
-  void set(const std::string &name, const py::handle &value)
-  {
-    run.assign(name + '=' + text_of(value));
-  }
-
-  std::string get(const std::string &name) const
-  {
-    const Json &tree = run.tree();
-    const Json::json_pointer place('/' + name);
-    if (!tree.contains(place) || !is_entry(tree.at(place)))
-      throw py::key_error("there is no entry '" + name + "'");
-    return tree.at(place).at("value");
-  }
-
-  const Packing &get_packing()
-  {
-    packing = run.shared_packing(directory, packings);
-    return *packing;
-  }
-
-  PyResults solve()
-  {
-    const py::gil_scoped_release others_may_go_on;
-    terminal.take_warnings(); // of a look at the packing, or an exception
-    RunResult found = run.run(directory, false, &packings).result;
-    if (auto *const results = std::get_if<Results>(&found.found))
-    {
-      results->torques = residual_torques(*found.scene, results->forces);
-      results->mean_stresses =
-          cell_mean_stresses(*found.scene, results->forces);
-    }
-    output.str("");
-    return {std::move(found), terminal.take_warnings()};
-  }
-
-  std::ostringstream output;
-  Terminal terminal;
-  AnalysisRun run;
-  std::filesystem::path directory = ".";
-  SharedPackings packings;
-  /** The one that was asked for last. */
-  std::shared_ptr<const Packing> packing;
-};
 
 /** The polygons of a packing as arrays. */
 std::vector<py::array_t<double>> polygons_of(const Packing &packing)

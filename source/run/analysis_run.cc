@@ -5,6 +5,8 @@
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/run/unused_settings.h>
+#include <voussoir/scene/load_cases.h>
+#include <voussoir/scene/reactions.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -16,19 +18,6 @@
 
 namespace Voussoir
 {
-namespace
-{
-/** @{ */
-/** Add what follows from the forces, whatever is written. */
-void complete(Results &results)
-{
-  results.reactions = reactions(results.scene, results.forces);
-}
-
-void complete(Collapse & /*collapse*/) {}
-/** @} */
-} // namespace
-
 AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
     : terminal(terminal), processes(processes),
       timer(std::cout,
@@ -45,14 +34,13 @@ void AnalysisRun::read(const ParameterSources &sources)
     inputs.emplace_back(*sources.file);
   if (!sources.text.empty())
     inputs.emplace_back(sources.text, "the text");
-  const std::string load_cases = "Load cases";
   std::set<std::string> cases;
   for (const ParameterInput &input : inputs)
-    cases.merge(input.sections_in(load_cases));
+    cases.merge(input.sections_in(load_cases_section));
   for (const std::string &text : sources.assignments)
   {
-    const SectionPath section = assignment_of_text(text).section;
-    if (section.size() > 1 && section[0] == load_cases)
+    const SectionPath section = assignment_of_text(text).to.section;
+    if (section.size() > 1 && section[0] == load_cases_section)
       cases.insert(section[1]);
   }
 
@@ -131,13 +119,12 @@ RunOutcome AnalysisRun::run(const std::filesystem::path &directory,
   timer.leave_subsection();
   RunOutcome outcome = {analysis.answer(std::move(data), std::move(earlier)),
                         {}};
-  std::visit(
-      [&](auto &found) {
-        complete(found);
-        if (files)
-          outcome.message = writer.write(*files, found, prm);
-      },
-      outcome.result.found);
+  auto &found = outcome.result.found;
+  if (auto *const carried = std::get_if<Results>(&found))
+    carried->reactions = reactions(carried->scene, carried->forces);
+  if (files)
+    outcome.message = std::visit(
+        [&](auto &of) { return writer.write(*files, of, prm); }, found);
   return outcome;
 }
 

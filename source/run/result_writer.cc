@@ -43,16 +43,6 @@ FilesOfRuns all_files()
           is_stress_piece};
 }
 
-/** The motion of the blocks beside the forces, if there is one. */
-const Motion *motion_to_show(const Results &results)
-{
-  if (results.settlement)
-    return &results.settlement->motion;
-  return results.load_factor && results.load_factor->has_mechanism()
-             ? &results.load_factor->mechanism
-             : nullptr;
-}
-
 /** What the largest displacement of a mechanism, one, is drawn as: a cell. */
 double size_of_mechanism(const Scene &scene)
 {
@@ -200,7 +190,7 @@ std::string ResultWriter::write(ResultDirectory &files,
 
   timer.enter_subsection("output");
   terminal.begin("Output");
-  const Motion *motion = motion_to_show(results);
+  const Motion *motion = results.motion_beside();
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };

@@ -83,8 +83,7 @@ void SceneAnalysis::show(SceneData data, const UnitNames &units) const
   show_scene(terminal, scene, units);
   show_loads(terminal, scene);
   if (analysis == Analysis::load_factor)
-    show_sum_of_loads(terminal, "Live loads",
-                      of_scene.live_scene_of(std::move(data)));
+    show_loads(terminal, of_scene.live_scene_of(std::move(data)), "Live loads");
   if (analysis == Analysis::state && ranges.samples())
     check_can_be_sampled(scene);
 }

@@ -68,7 +68,7 @@ void LoadCases::add_parameters(dealii::ParameterHandler &prm,
   }
   if (names.empty())
     return;
-  const std::string section = "Load cases";
+  const std::string &section = load_cases_section;
   prm.enter_subsection(section);
   for (const std::string &name : names)
   {

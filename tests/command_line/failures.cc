@@ -3,9 +3,8 @@
 // Every kind of bad input ends with exit status 2, one message that says what
 // is wrong and what to do, and no file written.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -16,10 +15,9 @@ namespace fs = std::filesystem;
 
 void run(const std::vector<std::string> &arguments)
 {
-  std::ostringstream out, error;
-  const int status = Voussoir::run_command_line(arguments, out, error);
-  std::cout << "status " << status << (fs::exists("output") ? " FILES " : " ")
-            << error.str();
+  const Ended ended = run_program(arguments);
+  std::cout << "status " << ended.status
+            << (fs::exists("output") ? " FILES " : " ") << ended.error;
 }
 
 /** Run the scene "Generator = Voronoi" of one cell with more settings. */

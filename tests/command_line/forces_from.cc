@@ -5,31 +5,23 @@
 // that is written to again, and whatever is not of the same packing is refused
 // with file, line, both values, and nothing written.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 
 namespace test_forces_from
 {
 namespace fs = std::filesystem;
 
-std::string read(const std::string &file)
-{
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 nlohmann::json read_summary(const std::string &directory)
 {
-  return nlohmann::json::parse(read(directory + "/summary.json"));
+  return nlohmann::json::parse(content_of(directory + "/summary.json"));
 }
 
 std::set<std::string> names_in(const std::string &directory)
@@ -41,28 +33,20 @@ std::set<std::string> names_in(const std::string &directory)
   return names;
 }
 
-struct Run
-{
-  int status;
-  std::string out, error;
-};
-
 /** Run a scene with the settings "Section/Name=value | ...". */
-Run run(const std::string &scene, const std::string &settings)
+Ended run(const std::string &scene, const std::string &settings)
 {
   std::vector<std::string> words = {scene}, assignments;
   boost::split(assignments, settings, boost::is_any_of("|"));
   for (const std::string &assignment : assignments)
     words.insert(words.end(), {"--set", boost::trim_copy(assignment)});
-  std::ostringstream out, error;
-  const int status = Voussoir::run_command_line(words, out, error);
-  return {status, out.str(), error.str()};
+  return run_program(words);
 }
 
 /** As run(), and the status must be 0. */
-Run solve(const std::string &scene, const std::string &settings)
+Ended solve(const std::string &scene, const std::string &settings)
 {
-  const Run result = run(scene, settings);
+  const Ended result = run(scene, settings);
   if (result.status != 0)
     std::cout << "FAILED: " << result.error;
   return result;
@@ -75,7 +59,7 @@ void round_trip(const std::string &scene, const std::string &formulation)
   const std::string way = "Formulation=" + formulation;
   solve(scene, way + " | Output directory=first | Output/Files=csv | "
                      "Accuracy=draft");
-  const Run second =
+  const Ended second =
       solve(scene, "Forces from=first | Output directory=second | "
                    "Accuracy=fine | Title=again");
   solve(scene, way + " | Output directory=single | Accuracy=fine");
@@ -83,9 +67,9 @@ void round_trip(const std::string &scene, const std::string &formulation)
   for (const char *file :
        {"interfaces.csv", "cells.csv", "interfaces.vtu", "stress.vtu"})
     check(std::string("  ") + file + " as by a single run",
-          !read(std::string("single/") + file).empty() &&
-              read(std::string("second/") + file) ==
-                  read(std::string("single/") + file));
+          !content_of(std::string("single/") + file).empty() &&
+              content_of(std::string("second/") + file) ==
+                  content_of(std::string("single/") + file));
   check("  the terminal says so",
         second.out.find("Statics        " + formulation +
                         ": read from 'first'\n") != std::string::npos &&
@@ -113,16 +97,16 @@ void same_directory(const std::string &scene)
 {
   std::cout << "In the same directory" << std::endl;
   solve(scene, "Output directory=first | Output/Files=csv | Accuracy=draft");
-  const std::string interfaces = read("first/interfaces.csv"),
-                    cells = read("first/cells.csv");
+  const std::string interfaces = content_of("first/interfaces.csv"),
+                    cells = content_of("first/cells.csv");
   for (const char *files : {"vtu", "none"})
   {
     solve(scene, std::string("Output directory=./first | Forces from=first | "
                              "Output/Files=") +
                      files);
     check(std::string("  the forces stay with Files = ") + files,
-          read("first/interfaces.csv") == interfaces &&
-              read("first/cells.csv") == cells);
+          content_of("first/interfaces.csv") == interfaces &&
+              content_of("first/cells.csv") == cells);
     check("  stress.vtu is written if it is wanted",
           names_in("first").count("stress.vtu") == (files[0] == 'v'));
   }
@@ -149,7 +133,8 @@ void equilibrated(const std::string &scene)
   solve(scene, loose + "Output directory=third | Forces from=second | "
                        "Solver/Equilibrate=true");
   check("  and left as they are the next time",
-        read("third/interfaces.csv") == read("second/interfaces.csv"));
+        content_of("third/interfaces.csv") ==
+            content_of("second/interfaces.csv"));
 }
 
 void unconverged(const std::string &scene)
@@ -174,7 +159,7 @@ void edit(const std::string &file,
           const std::function<void(std::vector<std::string> &)> &change)
 {
   std::vector<std::string> lines, fields;
-  const std::string content = read(file);
+  const std::string content = content_of(file);
   boost::split(lines, content, boost::is_any_of("\n"));
   boost::split(fields, lines.at(number - 1), boost::is_any_of(","));
   change(fields);
@@ -200,7 +185,7 @@ void refused(const std::string &scene,
   fs::remove_all("output");
   fs::copy("good", "bad");
   spoil();
-  const Run result = run(scene, "Forces from=bad | " + settings);
+  const Ended result = run(scene, "Forces from=bad | " + settings);
   std::cout << "status " << result.status
             << (fs::exists("output") ? " FAILED: files " : " ") << result.error;
 }
@@ -238,7 +223,7 @@ void failures(const std::string &scene)
   refused(scene,
           [&] { edit(interfaces, 5, [](auto &fields) { fields.resize(3); }); });
   refused(scene, [&] { // after ten fields of the fourth line
-    const std::string all = read(interfaces);
+    const std::string all = content_of(interfaces);
     std::size_t end = 0;
     for (const char c : std::string("\n\n\n,,,,,,,,,,"))
       end = all.find(c, end) + 1;
@@ -250,7 +235,7 @@ void failures(const std::string &scene)
         << "0,1,0,0,1,1,1,1,1,1,1,1,1,1,1\n";
   });
   refused(scene, [&] {
-    const std::string all = read(cells);
+    const std::string all = content_of(cells);
     std::ofstream(cells) << all.substr(0, all.rfind('\n', all.size() - 2) + 1);
   });
 
@@ -302,7 +287,7 @@ void run()
   // Other line ends, and other columns in another order, are no fault.
   fs::remove_all("bad");
   fs::copy("good", "bad");
-  const std::string all = read("good/cells.csv");
+  const std::string all = content_of("good/cells.csv");
   std::ofstream("bad/cells.csv") << boost::replace_all_copy(all, "\n", "\r\n");
   for (unsigned int line = 1; line <= 8; ++line)
     edit("bad/interfaces.csv", line,
@@ -310,8 +295,9 @@ void run()
   solve("wall.prm",
         "Forces from=bad | Output directory=second | Accuracy=draft");
   check("line ends and the order of columns do not matter",
-        read("second/interfaces.csv") == read("good/interfaces.csv") &&
-            read("second/cells.csv") == all);
+        content_of("second/interfaces.csv") ==
+                content_of("good/interfaces.csv") &&
+            content_of("second/cells.csv") == all);
 }
 
 const RoomTest test("forces_from", run);

@@ -4,24 +4,16 @@
 // through its listings unchanged, a run gives the same forces, and faults are
 // named by line or entry.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace test_formats
 {
 namespace fs = std::filesystem;
-
-std::string read_file(const std::string &file)
-{
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 void write_file(const std::string &file, const std::string &text)
 {
@@ -31,10 +23,8 @@ void write_file(const std::string &file, const std::string &text)
 /** What the program prints, or its message behind the status. */
 std::string run_with(const std::vector<std::string> &words)
 {
-  std::ostringstream out, error;
-  const int status = Voussoir::run_command_line(words, out, error);
-  return status == 0 ? out.str()
-                     : Voussoir::text("status ", status, ' ', error.str());
+  const Ended ended = run_program(words);
+  return ended.status == 0 ? ended.out : ended.message();
 }
 
 void try_scenes()
@@ -88,10 +78,10 @@ void try_runs()
                                    "xml", "--set", "Output directory=of_xml"}));
   for (const char *file : {"wall.json", "wall.prm", "WALL.XML"})
     check(file, run_with({file, "--quiet"}).empty());
-  const std::string forces = read_file("of_json/interfaces.csv");
+  const std::string forces = content_of("of_json/interfaces.csv");
   check("the same forces", forces.size() > 1000 &&
-                               read_file("of_prm/interfaces.csv") == forces &&
-                               read_file("of_xml/interfaces.csv") == forces);
+                               content_of("of_prm/interfaces.csv") == forces &&
+                               content_of("of_xml/interfaces.csv") == forces);
   std::cout << run_with({"--print-parameters=Packing/arch"})
             << run_with({"wall.json", "--print-settings",
                          "--print-parameters=Packing"})

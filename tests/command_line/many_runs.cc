@@ -4,9 +4,8 @@
 // the search ends around a limit that is known, and what is wrong ends with a
 // message and no file.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include "own_directory.h"
+#include "run_program.h"
 #include "table.h"
 #include "tests.h"
 #include <filesystem>
@@ -36,12 +35,11 @@ int run(std::vector<std::string> arguments, const bool shows_errors = true)
 {
   std::ofstream("scene.prm") << scene;
   arguments.insert(arguments.begin(), "scene.prm");
-  std::ostringstream out, error;
-  const int status = run_command_line(arguments, out, error);
-  last_output = out.str();
+  const Ended ended = run_program(arguments);
+  last_output = ended.out;
   if (shows_errors)
-    std::cout << "status " << status << ' ' << error.str();
-  return status;
+    std::cout << ended.message();
+  return ended.status;
 }
 
 std::vector<std::string> lines_of(const std::string &file)

@@ -3,9 +3,8 @@
 // The command line: help, version, --print-parameters, --set, the saved
 // parameters, and results that do not depend on the directory of the call.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -16,18 +15,11 @@ namespace test_options
 {
 namespace fs = std::filesystem;
 
-std::string read(const std::string &file)
-{
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 /** The standard output; "FAILED" if the status is not zero. */
 std::string run(const std::vector<std::string> &arguments)
 {
-  std::ostringstream out, error;
-  const int status = Voussoir::run_command_line(arguments, out, error);
-  return status == 0 ? out.str() : "FAILED: " + error.str();
+  const Ended ended = run_program(arguments);
+  return ended.status == 0 ? ended.out : "FAILED: " + ended.error;
 }
 
 void run()
@@ -68,7 +60,7 @@ void run()
   check("nothing is left over",
         std::distance(fs::directory_iterator("output/scene"),
                       fs::directory_iterator()) == 10);
-  std::cout << read("output/scene/interfaces.csv");
+  std::cout << content_of("output/scene/interfaces.csv");
 
   // Quiet shows the summary alone, of at most ten lines.
   const std::string quiet =
@@ -79,9 +71,8 @@ void run()
   check("--quiet shows nothing", run({"sub/scene.prm", "--quiet"}).empty());
   const auto quiet_warnings = [](std::vector<std::string> words) {
     words.insert(words.begin(), {"sub/scene.prm", "--quiet"});
-    std::ostringstream out, error;
-    Voussoir::run_command_line(words, out, error);
-    return out.str().empty() ? error.str() : "FAILED: " + out.str();
+    const Ended ended = run_program(words);
+    return ended.out.empty() ? ended.error : "FAILED: " + ended.out;
   };
   std::cout << quiet_warnings({"--set", "Loads/Traction=0; 0"});
 
@@ -99,13 +90,11 @@ void run()
   // Set is what the user has set, be it the default; a listing sets nothing.
   std::cout << quiet_warnings({"--set", "Friction/Coefficient=0.6"});
   std::ofstream("sub/default.prm")
-      << read("sub/scene.prm")
+      << content_of("sub/scene.prm")
       << "subsection Friction\n set Law = Tresca\n set Cohesion = 0\nend\n";
   run({"sub/default.prm"});
   const auto warnings_of_file = [](const std::string &file) {
-    std::ostringstream out, error;
-    Voussoir::run_command_line({file, "--quiet"}, out, error);
-    return error.str();
+    return run_program({file, "--quiet"}).error;
   };
   std::cout << warnings_of_file("sub/default.prm");
   fs::copy("output/scene/parameters.prm", "sub/again.prm");

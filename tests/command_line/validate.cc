@@ -3,9 +3,8 @@
 // --validate says what was understood of a scene, refuses what a run would
 // refuse, and writes nothing.
 
-#include <voussoir/run/command_line/command_line.h>
-
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <algorithm>
 #include <filesystem>
@@ -19,11 +18,8 @@ namespace fs = std::filesystem;
 std::string run_with(std::vector<std::string> words)
 {
   words.emplace_back("--validate");
-  std::ostringstream out, error;
-  const int status = Voussoir::run_command_line(words, out, error);
-  return out.str() +
-         (status == 0 ? ""
-                      : Voussoir::text("status ", status, ' ', error.str()));
+  const Ended ended = run_program(words);
+  return ended.out + (ended.status == 0 ? "" : ended.message());
 }
 
 void run()

@@ -6,11 +6,11 @@
 // refused.
 
 #include <voussoir/base/parameter_input.h>
-#include <voussoir/run/command_line/command_line.h>
 #include <voussoir/scene/load_cases.h>
 #include <voussoir/scene/scene.h>
 
 #include "own_directory.h"
+#include "run_program.h"
 #include "tests.h"
 #include <filesystem>
 #include <fstream>
@@ -82,10 +82,8 @@ void same_as_sum()
 
 void run(const std::vector<std::string> &arguments)
 {
-  std::ostringstream out, error;
-  const int status = run_command_line(arguments, out, error);
-  std::cout << "status " << status << ' ' << error.str();
-  const std::string all = out.str();
+  const auto [status, all, error] = run_program(arguments);
+  std::cout << "status " << status << ' ' << error;
   for (std::size_t at = all.find("There are"); at != std::string::npos;
        at = all.find("There are", at + 1))
     std::cout << all.substr(at, all.find('\n', at) - at) << std::endl;

@@ -2,6 +2,8 @@
 #ifndef voussoir_base_faulty_assignment_h
 #define voussoir_base_faulty_assignment_h
 
+#include <voussoir/base/parameter_path.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -9,12 +11,6 @@
 
 namespace Voussoir
 {
-/** A section behind those around it; none outside of all sections. */
-using SectionPath = std::vector<std::string>;
-
-/** "Loads/Live/", with a slash at its end; nothing outside of all sections. */
-std::string text_of_section(const SectionPath &section);
-
 /** A value of a user's, not longer than a message can show. */
 std::string shortened(const std::string &words);
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <variant>
 
 namespace Voussoir
 {
@@ -21,8 +22,6 @@ namespace Voussoir
 class ParameterInput
 {
 public:
-  /** Nothing. */
-  ParameterInput() = default;
   /**
    * Read a file: JSON if its name ends in .json, XML if in .xml, and .prm
    * otherwise.
@@ -48,10 +47,12 @@ public:
   bool assign_to(dealii::ParameterHandler &prm) const;
 
 private:
+  /** Sections and entries by their names, of JSON or XML. */
+  using Nested = boost::property_tree::ptree;
+
   std::string name;
-  std::string lines;
-  /** Sections and entries by their names, if it is JSON or XML. */
-  boost::property_tree::ptree nested;
+  /** Lines as in a .prm file, or what is nested. */
+  std::variant<std::string, Nested> content;
 };
 
 /**

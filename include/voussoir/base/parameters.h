@@ -2,7 +2,7 @@
 #ifndef voussoir_base_parameters_h
 #define voussoir_base_parameters_h
 
-#include <voussoir/base/faulty_assignment.h>
+#include <voussoir/base/parameter_path.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -87,13 +87,11 @@ void add_choice(dealii::ParameterHandler &prm,
   });
 }
 
-/** What stands in an entry of a section. */
+/** A value for an entry. */
 struct Assignment
 {
-  /** Where the entry is. */
-  SectionPath section;
-  /** Its name. */
-  std::string entry;
+  /** The entry. */
+  EntryPath to;
   /** Its value as in a .prm file; white space around it does not count. */
   std::string value;
 };

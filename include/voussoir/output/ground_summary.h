@@ -5,7 +5,11 @@
 #include <voussoir/output/results.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <nlohmann/json.hpp>
+
+#include <string>
 
 namespace Voussoir
 {
@@ -18,8 +22,13 @@ nlohmann::ordered_json ground_summary(const Results &results);
 /** The interfaces of which the most of the strength is used, at most ten. */
 nlohmann::ordered_json most_used_summary(const Results &results);
 
-/** A line on the loads of a packing with supports. */
-void show_loads(Terminal &terminal, const Scene &scene);
+/** "(0, -5)": components that are rounding beside @p largest are 0. */
+std::string text_of_force(const dealii::Tensor<1, 2> &force, double largest);
+
+/** A line on the loads of a packing with supports, by @p name. */
+void show_loads(Terminal &terminal,
+                const Scene &scene,
+                const std::string &name = "Loads");
 
 /** A line on all reactions, and one on each straight support if it has several.
  */

@@ -65,6 +65,15 @@ struct Results : RunRecord, Carried
   std::optional<Ranges> ranges;
   /** How much they differ as a rule, if that is asked for. */
   std::optional<StateSamples> samples;
+
+  /** The settlement, or the mechanism at the load factor; null without one. */
+  const Motion *motion_beside() const
+  {
+    if (settlement)
+      return &settlement->motion;
+    return load_factor && load_factor->has_mechanism() ? &load_factor->mechanism
+                                                       : nullptr;
+  }
 };
 
 /** All that a run found whose load is not carried, in the user's units. */

@@ -6,8 +6,6 @@
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <string>
-
 namespace Voussoir
 {
 /**
@@ -16,11 +14,6 @@ namespace Voussoir
  * joints of each pair of groups with their strengths, and the tractions.
  */
 void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units);
-
-/** A line on the sum of all loads of a scene, @p name. */
-void show_sum_of_loads(Terminal &terminal,
-                       const std::string &name,
-                       const Scene &scene);
 } // namespace Voussoir
 
 #endif

@@ -30,6 +30,13 @@ struct RunResult
   std::unique_ptr<const Scene> scene;
   /** Forces that carry its loads, or the proof that there are none. */
   std::variant<Results, Collapse> found;
+
+  /** What that says of the loads. */
+  Status status() const
+  {
+    const auto *const carried = std::get_if<Results>(&found);
+    return carried ? carried->status : Status{Status::Kind::collapse, 0.};
+  }
 };
 
 /**

@@ -14,6 +14,9 @@
 
 namespace Voussoir
 {
+/** The section whose sections users name: each is a load case. */
+inline const std::string load_cases_section = "Load cases";
+
 /** A load case in a combination. */
 struct CombinedCase
 {

@@ -72,7 +72,6 @@ po::options_description visible_options(Arguments &arguments)
       "version", po::bool_switch(&arguments.version), "print the version");
   return options;
 }
-
 } // namespace
 
 Arguments arguments_of(const std::vector<std::string> &words)

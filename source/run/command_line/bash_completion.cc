@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameter_tree.h>
+#include <voussoir/base/pattern_description.h>
 #include <voussoir/run/command_line/bash_completion.h>
 
-#include <deal.II/base/utilities.h>
-
 #include <boost/algorithm/string/join.hpp>
-#include <boost/algorithm/string/predicate.hpp>
 
 #include <ostream>
 
@@ -67,16 +65,11 @@ complete -F _voussoir voussoir
 /** "Section/Name=", or with each of the values that it accepts. */
 void add_entry(const std::string &path, const Json &entry, Names &entries)
 {
-  const std::string description = description_of_pattern(entry);
-  const std::string begin = "[Selection ", end = " ]";
-  Names values;
-  if (description == "[Bool]")
+  const PatternDescription accepted =
+      read_pattern(entry.at("pattern_description"));
+  Names values = accepted.choices;
+  if (accepted.kind == PatternDescription::Kind::truth)
     values = {"true", "false"};
-  else if (boost::starts_with(description, begin))
-    values = dealii::Utilities::split_string_list(
-        description.substr(begin.size(),
-                           description.size() - begin.size() - end.size()),
-        '|');
   if (values.empty())
     values.emplace_back();
   for (const std::string &value : values)

@@ -7,6 +7,7 @@
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/sweep/sweep.h>
+#include <voussoir/scene/load_cases.h>
 #include <voussoir/version.h>
 
 #include <filesystem>
@@ -83,11 +84,6 @@ bool run_many(const Arguments &arguments,
   return true;
 }
 
-/** Whose sections users name, and one of them. */
-const char *const load_cases_section = "Load cases";
-const char *const example_of_load_case =
-    "Load cases/case/Boundary load=traction";
-
 /** A text that is asked for besides runs. */
 std::optional<std::string> text_to_print(const Arguments &arguments)
 {
@@ -146,8 +142,9 @@ ExitStatus run(const Arguments &arguments,
   if (!arguments.file.empty())
     sources.file = arguments.file;
   sources.assignments = arguments.assignments;
-  if (arguments.print_schema)
-    sources.assignments.push_back(example_of_load_case);
+  if (arguments.print_schema) // of load cases by any name
+    sources.assignments.push_back(load_cases_section +
+                                  "/case/Boundary load=traction");
   analysis.read(sources);
   if (const auto text = text_of_parameters(arguments, analysis))
     return print(streams.out, *text);

@@ -12,15 +12,6 @@
 
 namespace Voussoir
 {
-namespace
-{
-Status::Kind status_of(const RunResult &result)
-{
-  const auto *const carried = std::get_if<Results>(&result.found);
-  return carried ? carried->status.kind : Status::Kind::collapse;
-}
-} // namespace
-
 RepeatedRun::RepeatedRun(std::filesystem::path file_in,
                          std::vector<std::string> assignments_in,
                          std::vector<std::string> names_in)
@@ -58,7 +49,7 @@ SweepRun RepeatedRun::run(const std::vector<std::string> &values,
     const RunResult result =
         analysis.run(origin, !results.empty(), &packings).result;
     outcome.has_answer = true;
-    outcome.answer = status_of(result);
+    outcome.answer = result.status().kind;
     outcome.summary = std::visit(
         [](const auto &found) { return summary_of(found); }, result.found);
   }

@@ -11,7 +11,7 @@
 
 /**
  * All of the code: geometry, statics, stress and output, in this order; see
- * run_command_line() for the way in, and Simulation for the way through.
+ * run_command_line() for the way in, and AnalysisRun for the way through.
  *
  * Tension is positive everywhere. L stands for a length, S for a stress, in the
  * one consistent set of units that the user has; forces are per unit thickness,
@@ -27,7 +27,7 @@ struct Screens
 };
 
 /**
- * The program: read the arguments and the .prm file, run, and report.
+ * The program: read the arguments and parameters, run, and report.
  *
  * @param arguments those after the name of the program.
  * @param out takes the stages and the summary.

@@ -41,7 +41,7 @@ class RepeatedRun
 {
 public:
   /**
-   * @param file the .prm file.
+   * @param file of parameters.
    * @param assignments as in --set, which come before the values.
    * @param names of the parameters that change, as in "Friction/Strength".
    */
