@@ -2,14 +2,14 @@
 #ifndef voussoir_tests_tests_h
 #define voussoir_tests_tests_h
 
+#include <voussoir/analyses/state/solver_parameters.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/wall.h>
 #include <voussoir/packing/voronoi/voronoi.h>
-#include <voussoir/scene/certificate.h>
+#include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/solver_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
 #include "room.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/decimal_comma.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
+#include <voussoir/base/parameters/decimal_comma.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/formula/formula_reader.h>

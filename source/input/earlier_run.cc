@@ -3,7 +3,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/csv.h>
-#include <voussoir/output/summary.h>
+#include <voussoir/output/summary/summary.h>
 
 #include <nlohmann/json.hpp>
 

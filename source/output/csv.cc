@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/csv.h>
-#include <voussoir/output/text_lines.h>
-#include <voussoir/scene/displacement_jumps.h>
-#include <voussoir/scene/utilisation.h>
+#include <voussoir/output/summary/text_lines.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
+#include <voussoir/scene/proofs/utilisation.h>
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/honeycomb.h>

@@ -4,7 +4,7 @@
 #include <voussoir/parallel/begin_mpi.h>
 #include <voussoir/python/arrays.h>
 #include <voussoir/python/scene.h>
-#include <voussoir/scene/utilisation.h>
+#include <voussoir/scene/proofs/utilisation.h>
 #include <voussoir/version.h>
 
 #include <pybind11/stl.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameter_tree.h>
-#include <voussoir/output/summary.h>
+#include <voussoir/base/parameters/parameter_tree.h>
+#include <voussoir/output/summary/summary.h>
 #include <voussoir/python/arrays.h>
 #include <voussoir/python/scene.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/stress/cell_means.h>
 
 #include <utility>

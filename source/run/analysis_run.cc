@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameter_input.h>
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameter_input.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/run/unused_settings.h>
-#include <voussoir/scene/load_cases.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/loads/load_cases.h>
+#include <voussoir/scene/proofs/reactions.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/factors/factor_without_dilatancy.h>
+#include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/run/factor_search.h>
-#include <voussoir/statics/factor_without_dilatancy.h>
-#include <voussoir/statics/strength_factor.h>
 
 #include <utility>
 

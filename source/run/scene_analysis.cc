@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
-#include <voussoir/output/ground_summary.h>
-#include <voussoir/output/messages.h>
-#include <voussoir/output/scene_summary.h>
-#include <voussoir/output/summary.h>
+#include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/messages.h>
+#include <voussoir/output/summary/scene_summary.h>
+#include <voussoir/output/summary/summary.h>
 #include <voussoir/run/factor_search.h>
 #include <voussoir/run/scene_analysis.h>
 #include <voussoir/stress/cell_means.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameter_tree.h>
+#include <voussoir/base/parameters/parameter_tree.h>
 #include <voussoir/run/scene_parameters.h>
 
 #include <utility>

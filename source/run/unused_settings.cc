@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameter_tree.h>
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameter_tree.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/run/unused_settings.h>
 
 #include <boost/algorithm/string/join.hpp>

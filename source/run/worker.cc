@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/output/stress_pieces.h>
+#include <voussoir/output/vtu/stress_pieces.h>
 #include <voussoir/run/worker.h>
-#include <voussoir/statics/least_energy.h>
+#include <voussoir/statics/energy/least_energy.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <functional>

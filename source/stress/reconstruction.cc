@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/stress/fan.h>
 #include <voussoir/stress/least_norm.h>

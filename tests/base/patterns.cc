@@ -2,7 +2,7 @@
 
 // What an entry accepts, in words, from deal.II's own descriptions.
 
-#include <voussoir/base/pattern_description.h>
+#include <voussoir/base/parameters/pattern_description.h>
 
 #include <deal.II/base/patterns.h>
 

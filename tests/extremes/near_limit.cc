@@ -10,7 +10,7 @@
 // tolerance of least energy, which then finds a balance to that.
 
 #include <voussoir/scene/supports.h>
-#include <voussoir/statics/interior_point.h>
+#include <voussoir/statics/conic/interior_point.h>
 
 #include "judgement.h"
 #include "room.h"

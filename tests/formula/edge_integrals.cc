@@ -6,9 +6,9 @@
 // in conditions; and jumps that run along the edge.
 
 #include <voussoir/base/text.h>
-#include <voussoir/formula/edge_integral.h>
 #include <voussoir/formula/expression.h>
-#include <voussoir/formula/inaccuracies.h>
+#include <voussoir/formula/integrals/edge_integral.h>
+#include <voussoir/formula/integrals/inaccuracies.h>
 
 #include "tests.h"
 #include <random>

@@ -7,8 +7,8 @@
 
 #include <voussoir/base/geometry.h>
 #include <voussoir/formula/expression.h>
-#include <voussoir/formula/inaccuracies.h>
-#include <voussoir/formula/triangle_integral.h>
+#include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/formula/integrals/triangle_integral.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

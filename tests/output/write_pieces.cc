@@ -4,7 +4,7 @@
 // single cell, for read_with_paraview.py. Every value is made up of the numbers
 // of its cell and sub-cell, so that it shows whether it is in its place.
 
-#include <voussoir/output/stress_vtu.h>
+#include <voussoir/output/vtu/stress_vtu.h>
 #include <voussoir/packing/cell_range.h>
 #include <voussoir/packing/voronoi/random_points.h>
 #include <voussoir/packing/voronoi/voronoi_cells.h>

@@ -5,10 +5,10 @@
 // where statics say, and areas stay; all others, and a running bond, are left
 // alone.
 
+#include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/packing/polygons/corner_contacts.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/statics/load_factor.h>
 
 #include "polygons.h"
 #include "tests.h"

@@ -4,7 +4,7 @@
 // their orientation and first vertex; a packing that is written and read again
 // is the same packing.
 
-#include <voussoir/output/packing_files.h>
+#include <voussoir/output/vtu/packing_files.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <boost/random/mersenne_twister.hpp>

@@ -5,8 +5,8 @@
 // balanced state g. It depends neither on the start nor on the tolerance, and
 // with edge-area weights returns homogeneous compression.
 
-#include <voussoir/statics/barrier_joint.h>
-#include <voussoir/statics/minimise.h>
+#include <voussoir/statics/energy/barrier_joint.h>
+#include <voussoir/statics/energy/minimise.h>
 
 #include "tests.h"
 

@@ -6,7 +6,7 @@
 // proves the collapse just below.
 
 #include <voussoir/packing/generators/arch.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/supports.h>
 
 #include "tests.h"

@@ -4,9 +4,9 @@
 // loads as they are finds neither forces nor a mechanism, the factor of all
 // loads decides.
 
-#include <voussoir/statics/analysis.h>
-#include <voussoir/statics/feasible_state.h>
-#include <voussoir/statics/load_factor.h>
+#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/statics/conic/feasible_state.h>
 
 #include "tests.h"
 

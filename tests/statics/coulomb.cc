@@ -7,12 +7,12 @@
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/output/descriptions.h>
-#include <voussoir/statics/assess.h>
-#include <voussoir/statics/coulomb_state.h>
-#include <voussoir/statics/factor_without_dilatancy.h>
-#include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/strength_factor.h>
+#include <voussoir/analyses/factors/factor_without_dilatancy.h>
+#include <voussoir/analyses/factors/strength_factor.h>
+#include <voussoir/analyses/state/assess.h>
+#include <voussoir/output/summary/descriptions.h>
+#include <voussoir/statics/energy/coulomb_state.h>
+#include <voussoir/statics/energy/least_energy.h>
 
 #include "tests.h"
 

@@ -6,7 +6,7 @@
 // fewer if a side of the grid is last. Entries are counted here by the sets of
 // rows of each column.
 
-#include <voussoir/algebra/elimination_order.h>
+#include <voussoir/algebra/linear/elimination_order.h>
 
 #include "tests.h"
 #include <cholmod.h>

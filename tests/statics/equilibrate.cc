@@ -4,8 +4,8 @@
 // corrections come out, every formulation's loose answers balance to rounding
 // afterwards, and no answer gets worse.
 
-#include <voussoir/scene/certificate.h>
-#include <voussoir/statics/equilibrate.h>
+#include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/statics/problem/equilibrate.h>
 
 #include "tests.h"
 #include <cmath>

@@ -4,7 +4,7 @@
 // them as well, and load factors that are known in closed form; its forces are
 // admissible and balanced to rounding. Friction follows its law.
 
-#include <voussoir/statics/second_attempts.h>
+#include <voussoir/statics/conic/second_attempts.h>
 
 #include "tests.h"
 

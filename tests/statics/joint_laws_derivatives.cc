@@ -5,9 +5,9 @@
 // that minimise over v the energy b v - w log(v - x) - w log(v + x). The forces
 // of a section that yields are sums over thin strips.
 
-#include <voussoir/statics/barrier_joint.h>
-#include <voussoir/statics/elastic_problem.h>
-#include <voussoir/statics/section.h>
+#include <voussoir/statics/energy/barrier_joint.h>
+#include <voussoir/statics/energy/elastic_problem.h>
+#include <voussoir/statics/energy/section.h>
 
 #include "tests.h"
 #include <random>

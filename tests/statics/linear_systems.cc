@@ -4,9 +4,9 @@
 // residual that is left is the one that was asked for, computed from the
 // joints.
 
-#include <voussoir/algebra/joint_system.h>
-#include <voussoir/algebra/near_componentwise.h>
-#include <voussoir/statics/discrete_problem.h>
+#include <voussoir/algebra/linear/joint_system.h>
+#include <voussoir/algebra/linear/near_componentwise.h>
+#include <voussoir/statics/problem/discrete_problem.h>
 
 #include "tests.h"
 #include <random>

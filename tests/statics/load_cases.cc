@@ -5,8 +5,8 @@
 // turn; the program finds the cases of a file and of --set; and what is
 // refused.
 
-#include <voussoir/base/parameter_input.h>
-#include <voussoir/scene/load_cases.h>
+#include <voussoir/base/parameters/parameter_input.h>
+#include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/scene.h>
 
 #include "own_directory.h"

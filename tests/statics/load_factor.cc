@@ -6,7 +6,7 @@
 // and in both directions. Both proofs are added up by certify() and
 // bound_of_factor().
 
-#include <voussoir/statics/load_factor.h>
+#include <voussoir/analyses/factors/load_factor.h>
 
 #include "tests.h"
 

@@ -5,10 +5,10 @@
 // body forces, forces on cells and loaded parts of the boundary; bad values are
 // refused.
 
+#include <voussoir/contact/friction.h>
 #include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cell_groups.h>
-#include <voussoir/scene/friction.h>
-#include <voussoir/scene/loads.h>
+#include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/supports.h>
 
 #include "tests.h"

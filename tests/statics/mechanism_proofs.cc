@@ -4,7 +4,7 @@
 // strength s, sliding of the courses does 1/s times the work that friction can
 // dissipate; pulling a packing apart dissipates nothing.
 
-#include <voussoir/statics/mechanism.h>
+#include <voussoir/statics/problem/mechanism.h>
 
 #include "tests.h"
 

@@ -6,8 +6,8 @@
 // kerf has the forces of one that is cut without, wherever it stands; and so
 // have random stones apart from each other.
 
+#include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/base/geometry.h>
-#include <voussoir/statics/load_factor.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/stress/side_forces.h>
 

@@ -3,7 +3,7 @@
 // The largest flow through a network: one of known size, and in random networks
 // that it is the capacity of the cut that comes with it, which proves both.
 
-#include <voussoir/scene/network.h>
+#include <voussoir/scene/proofs/network.h>
 
 #include "tests.h"
 #include <random>

@@ -7,10 +7,10 @@
 // without dilatancy are built.
 
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/statics/factor_without_dilatancy.h>
-#include <voussoir/statics/feasible_state.h>
-#include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/load_factor.h>
+#include <voussoir/analyses/factors/factor_without_dilatancy.h>
+#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/energy/least_energy.h>
 
 #include "tests.h"
 #include <random>

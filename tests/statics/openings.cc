@@ -6,7 +6,7 @@
 // leaves the coordinates digits for it; what is held on all sides is clamped.
 
 #include <voussoir/scene/supports.h>
-#include <voussoir/statics/find_opening.h>
+#include <voussoir/statics/problem/find_opening.h>
 
 #include "tests.h"
 

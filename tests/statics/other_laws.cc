@@ -5,7 +5,7 @@
 // nothing moves, which has the forces of translations, and a friction of twice
 // the strength, which has those of twice the strength.
 
-#include <voussoir/scene/utilisation.h>
+#include <voussoir/scene/proofs/utilisation.h>
 
 #include "tests.h"
 

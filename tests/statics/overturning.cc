@@ -4,7 +4,7 @@
 // then the load is carried with rotations as well, or they would overturn
 // blocks: those above the bed joint from which the resultant is too far.
 
-#include <voussoir/scene/overturning.h>
+#include <voussoir/scene/proofs/overturning.h>
 #include <voussoir/scene/supports.h>
 
 #include "judgement.h"

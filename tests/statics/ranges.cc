@@ -7,13 +7,13 @@
 // joints crush true ends are within what is said of them. A library that fails
 // ends the program by a message.
 
+#include <voussoir/analyses/ranges/ranges.h>
 #include <voussoir/base/library_failure.h>
-#include <voussoir/output/descriptions.h>
+#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/range_parameters.h>
-#include <voussoir/statics/formulation.h>
-#include <voussoir/statics/least_energy.h>
-#include <voussoir/statics/ranges.h>
+#include <voussoir/statics/energy/least_energy.h>
+#include <voussoir/statics/problem/formulation.h>
 
 #include "tests.h"
 #include <csignal>

@@ -7,10 +7,10 @@
 // same samples on any number of threads; samples lie within the ranges, also
 // where these are points; walks that are too short give no mean.
 
+#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/samples/chain_diagnosis.h>
+#include <voussoir/analyses/samples/state_samples.h>
 #include <voussoir/base/random.h>
-#include <voussoir/statics/chain_diagnosis.h>
-#include <voussoir/statics/ranges.h>
-#include <voussoir/statics/state_samples.h>
 
 #include <deal.II/base/multithread_info.h>
 

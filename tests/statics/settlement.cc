@@ -5,13 +5,13 @@
 // tilts and beside a wall that rises, or crushes; the thrust is an end of its
 // range; and what is refused.
 
-#include <voussoir/output/descriptions.h>
+#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/ranges/settlement.h>
+#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
-#include <voussoir/scene/displacement_jumps.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/supports.h>
-#include <voussoir/statics/ranges.h>
-#include <voussoir/statics/settlement.h>
 
 #include "tests.h"
 

@@ -4,7 +4,7 @@
 // bounds, and its value far below and far above the smoothing length, where
 // sqrt(x^2 + eps^2) - eps cancels or is |x| - eps.
 
-#include <voussoir/statics/smoothed_joint.h>
+#include <voussoir/statics/paper/smoothed_joint.h>
 
 #include "tests.h"
 #include <vector>

@@ -5,7 +5,7 @@
 // found; what has a state is never called a collapse; and close to the limit
 // the word is never wrong.
 
-#include <voussoir/statics/assess.h>
+#include <voussoir/analyses/state/assess.h>
 
 #include "polygons.h"
 #include "tests.h"

@@ -5,9 +5,9 @@
 // interior of the contact constraints is named.
 
 #include <voussoir/packing/generators/arch.h>
-#include <voussoir/scene/reactions.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/supports.h>
-#include <voussoir/statics/find_opening.h>
+#include <voussoir/statics/problem/find_opening.h>
 
 #include "tests.h"
 

@@ -6,11 +6,11 @@
 // balance piece by piece, continuous across the cuts, and has the mean that the
 // forces have; a uniform stress comes back; a body force is integrated exactly.
 
+#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/ranges/ranges.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/packing/convex_pieces.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/statics/load_factor.h>
-#include <voussoir/statics/ranges.h>
 #include <voussoir/stress/cell_means.h>
 #include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>

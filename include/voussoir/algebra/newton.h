@@ -3,7 +3,7 @@
 #define voussoir_algebra_newton_h
 
 #include <voussoir/algebra/joint_law.h>
-#include <voussoir/algebra/joint_system.h>
+#include <voussoir/algebra/linear/joint_system.h>
 #include <voussoir/base/exceptions.h>
 
 #include <vector>

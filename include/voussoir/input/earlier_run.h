@@ -2,8 +2,8 @@
 #ifndef voussoir_input_earlier_run_h
 #define voussoir_input_earlier_run_h
 
+#include <voussoir/analyses/state/analysis.h>
 #include <voussoir/input/csv_reader.h>
-#include <voussoir/statics/analysis.h>
 
 #include <filesystem>
 #include <optional>

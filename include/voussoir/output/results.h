@@ -2,13 +2,13 @@
 #ifndef voussoir_output_results_h
 #define voussoir_output_results_h
 
-#include <voussoir/scene/reactions.h>
+#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/ranges/settlement.h>
+#include <voussoir/analyses/samples/state_samples.h>
+#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/scene.h>
-#include <voussoir/statics/analysis.h>
-#include <voussoir/statics/load_factor.h>
-#include <voussoir/statics/ranges.h>
-#include <voussoir/statics/settlement.h>
-#include <voussoir/statics/state_samples.h>
 #include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>
 

@@ -2,8 +2,8 @@
 #ifndef voussoir_run_analysis_run_h
 #define voussoir_run_analysis_run_h
 
-#include <voussoir/base/assigned_entries.h>
-#include <voussoir/base/print_parameters.h>
+#include <voussoir/base/parameters/assigned_entries.h>
+#include <voussoir/base/parameters/print_parameters.h>
 #include <voussoir/parallel/process_group.h>
 #include <voussoir/run/result_writer.h>
 #include <voussoir/run/scene_analysis.h>

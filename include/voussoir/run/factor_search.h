@@ -2,9 +2,9 @@
 #ifndef voussoir_run_factor_search_h
 #define voussoir_run_factor_search_h
 
+#include <voussoir/analyses/factors/load_factor_parameters.h>
+#include <voussoir/analyses/state/solver_parameters.h>
 #include <voussoir/run/scene_parameters.h>
-#include <voussoir/statics/load_factor_parameters.h>
-#include <voussoir/statics/solver_parameters.h>
 
 #include <optional>
 

@@ -2,13 +2,13 @@
 #ifndef voussoir_run_scene_analysis_h
 #define voussoir_run_scene_analysis_h
 
+#include <voussoir/analyses/factors/load_factor_parameters.h>
+#include <voussoir/analyses/state/solver_parameters.h>
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/results.h>
 #include <voussoir/parallel/process_group.h>
 #include <voussoir/run/scene_parameters.h>
 #include <voussoir/scene/range_parameters.h>
-#include <voussoir/statics/load_factor_parameters.h>
-#include <voussoir/statics/solver_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>

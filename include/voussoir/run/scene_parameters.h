@@ -2,11 +2,11 @@
 #ifndef voussoir_run_scene_parameters_h
 #define voussoir_run_scene_parameters_h
 
+#include <voussoir/contact/contact_parameters.h>
+#include <voussoir/contact/friction.h>
 #include <voussoir/packing/packing_parameters.h>
-#include <voussoir/scene/contact_parameters.h>
-#include <voussoir/scene/friction.h>
-#include <voussoir/scene/load_cases.h>
-#include <voussoir/scene/loads.h>
+#include <voussoir/scene/loads/load_cases.h>
+#include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/scene/supports.h>
 #include <voussoir/terminal/terminal.h>

@@ -2,7 +2,7 @@
 #ifndef voussoir_run_unused_settings_h
 #define voussoir_run_unused_settings_h
 
-#include <voussoir/base/assigned_entries.h>
+#include <voussoir/base/parameters/assigned_entries.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,9 +4,9 @@
 
 #include <voussoir/algebra/friction_law.h>
 #include <voussoir/algebra/kinematics.h>
+#include <voussoir/contact/joint_limits.h>
 #include <voussoir/packing/packing.h>
-#include <voussoir/scene/joint_limits.h>
-#include <voussoir/scene/loads.h>
+#include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/motion.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/load_arrows.h>
-#include <voussoir/output/vtu_values.h>
-#include <voussoir/scene/displacement_jumps.h>
+#include <voussoir/output/vtu/vtu_values.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
-#include <voussoir/output/descriptions.h>
-#include <voussoir/output/ground_summary.h>
-#include <voussoir/output/messages.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/sections.h>
-#include <voussoir/output/versions.h>
+#include <voussoir/output/summary/descriptions.h>
+#include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/messages.h>
+#include <voussoir/output/summary/versions.h>
 
 #include <cmath>
 

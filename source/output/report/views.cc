@@ -3,9 +3,9 @@
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/views.h>
-#include <voussoir/output/vtu_values.h>
-#include <voussoir/scene/displacement_jumps.h>
-#include <voussoir/scene/utilisation.h>
+#include <voussoir/output/vtu/vtu_values.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
+#include <voussoir/scene/proofs/utilisation.h>
 
 #include <algorithm>
 #include <array>

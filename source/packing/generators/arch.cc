@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/arch_joints.h>

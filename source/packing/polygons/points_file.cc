@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/decimal_comma.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/decimal_comma.h>
 #include <voussoir/base/text.h>
 #include <voussoir/base/text_file.h>
 #include <voussoir/packing/polygons/points_file.h>

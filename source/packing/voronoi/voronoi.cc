@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/parameters.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/voronoi/voronoi.h>
 

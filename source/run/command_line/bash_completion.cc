@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameter_tree.h>
-#include <voussoir/base/pattern_description.h>
+#include <voussoir/base/parameters/parameter_tree.h>
+#include <voussoir/base/parameters/pattern_description.h>
 #include <voussoir/run/command_line/bash_completion.h>
 
 #include <boost/algorithm/string/join.hpp>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/print_parameters.h>
-#include <voussoir/base/reference.h>
+#include <voussoir/base/parameters/print_parameters.h>
+#include <voussoir/base/parameters/reference.h>
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/sweep/sweep.h>
-#include <voussoir/scene/load_cases.h>
+#include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/version.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/output/summary.h>
+#include <voussoir/output/summary/summary.h>
 #include <voussoir/run/sweep/repeated_run.h>
 
 #include <algorithm>

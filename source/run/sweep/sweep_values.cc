@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/output/text_lines.h>
+#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/sweep_values.h>
 
 #include <deal.II/base/utilities.h>

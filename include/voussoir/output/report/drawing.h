@@ -2,7 +2,7 @@
 #ifndef voussoir_output_report_drawing_h
 #define voussoir_output_report_drawing_h
 
-#include <voussoir/output/text_lines.h>
+#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/packing/packing.h>
 
 #include <map>

@@ -2,9 +2,9 @@
 #ifndef voussoir_run_sweep_repeated_run_h
 #define voussoir_run_sweep_repeated_run_h
 
+#include <voussoir/analyses/state/status.h>
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/run/shared_packings.h>
-#include <voussoir/statics/status.h>
 
 #include <nlohmann/json.hpp>
 

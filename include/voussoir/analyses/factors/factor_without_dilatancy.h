@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_factors_factor_without_dilatancy_h
+#define voussoir_analyses_factors_factor_without_dilatancy_h
+
+#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/statics/energy/coulomb_state.h>
+
+namespace Voussoir
+{
+/**
+ * Find the greatest factor at which CoulombState has a state, among those that
+ * are tried: eighths of the factor of associated friction, which bounds it, and
+ * then by bisection between the greatest of them with a state and the next one.
+ * Forces that friction admits are the same whether blocks dilate or not, so
+ * that beyond the bound there is nothing to be found.
+ *
+ * A state proves nothing but itself: no theorem says that such loads cannot
+ * move the blocks, that a greater factor has no other state, or that a smaller
+ * one has any. LoadFactor::trials says which factors were tried.
+ *
+ * @param dead the scene with the dead loads, with a coefficient of friction.
+ * @param live the same scene with the live loads instead.
+ * @param formulation selects the states.
+ * @param controls of both methods.
+ * @param factor_controls of the search for the bound.
+ * @param terminal sees the iterations.
+ * @return LoadFactor::bound and its mechanism by the associated friction; if
+ *   LoadFactor::trials is empty, all of it, since there was nothing to try.
+ * @throws InputError, SolverError as find_load_factor() does, or if there is no
+ *   state at all.
+ */
+LoadFactorAnswer
+find_factor_without_dilatancy(const Scene &dead,
+                              const Scene &live,
+                              const CoulombState &formulation,
+                              const SolverControls &controls,
+                              const LoadFactorControls &factor_controls,
+                              Terminal &terminal);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_factors_load_factor_h
+#define voussoir_analyses_factors_load_factor_h
+
+#include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/statics/problem/solution.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace Voussoir
+{
+/** The controls of find_load_factor(). */
+struct LoadFactorControls
+{
+  /** The greatest factor, or the least. */
+  bool greatest = true;
+  /** The difference of the two bounds to stop at, over the factor. */
+  double tolerance = 1e-8;
+  /** The number of iterations after which to give up. */
+  unsigned int n_max_iterations = 300;
+};
+
+/**
+ * The factors at which find_factor_without_dilatancy() has looked for a state,
+ * each in the order of their sizes. Nothing is known of others between them.
+ */
+struct FactorTrials
+{
+  /** Factors with a state. */
+  std::vector<double> with_state;
+  /** Factors without one. */
+  std::vector<double> without_state;
+  /** True if there are none: the two bounds are proofs. */
+  bool empty() const { return with_state.empty() && without_state.empty(); }
+};
+
+/**
+ * The greatest factor, or the least, of the live loads that is carried beside
+ * the dead loads, between two proofs.
+ */
+struct LoadFactor
+{
+  /** True if there is no greatest, or least, factor. */
+  bool is_unbounded = false;
+  /** The factor of the forces, which is carried. */
+  double carried = 0.;
+  /** None beyond it is carried; infinite if unbounded. */
+  double bound = std::numeric_limits<double>::infinity();
+  /** The forces at the factor `carried`. */
+  InterfaceForces forces;
+  /** The mechanism that proves the bound, as Mechanism::motion. */
+  Motion mechanism;
+  /** Its errors as a proof. */
+  FactorBound proof;
+  /** @{ */
+  /** Of find_factor_without_dilatancy(). */
+  Passes passes = {};
+  FactorTrials trials = {};
+  /** @} */
+  /** The number of iterations. */
+  unsigned int n_iterations = 0;
+  /** The reason for which the method stopped. */
+  Stop stop;
+
+  /** True if there is a mechanism that proves a bound. */
+  bool has_mechanism() const { return !mechanism.displacement.empty(); }
+  /**
+   * The factor at which the live loads are as large as the dead ones, or
+   * without these as what joints bear by themselves: far below it factors are
+   * zero. Zero if there is nothing to compare with.
+   */
+  double unit = 0.;
+  /**
+   * The distance of the two bounds, over the size of the larger one or a
+   * thousandth of the unit, whichever is more.
+   */
+  double width() const;
+};
+
+/** One of the two. */
+struct LoadFactorAnswer
+{
+  /** The factor, if the dead loads are carried. */
+  std::optional<LoadFactor> factor;
+  /** The mechanism in which the dead loads collapse, as Mechanism::motion. */
+  Motion collapse;
+};
+
+/**
+ * Find the greatest factor, or the least, of the loads of @p live beside those
+ * of @p dead, by SelfDual.
+ *
+ * @param dead the scene with the dead loads.
+ * @param live the same scene with the live loads instead.
+ * @param controls of the method.
+ * @param terminal sees the iterations.
+ * @throws InputError if there are no live loads.
+ * @throws SolverError if no forces prove a factor.
+ */
+LoadFactorAnswer find_load_factor(const Scene &dead,
+                                  const Scene &live,
+                                  const LoadFactorControls &controls,
+                                  Terminal &terminal);
+} // namespace Voussoir
+
+#endif

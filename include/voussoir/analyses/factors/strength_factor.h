@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_factors_strength_factor_h
+#define voussoir_analyses_factors_strength_factor_h
+
+#include <voussoir/analyses/factors/load_factor.h>
+
+namespace Voussoir
+{
+/** @p scene with its strengths against sliding, s_T or c and mu, divided. */
+Scene with_strengths_divided(const Scene &scene, double divisor);
+
+/**
+ * @throws InputError if the least number is asked for, without loads, or if
+ *   blocks do not dilate.
+ */
+void check_strength_factor(const Scene &scene,
+                           const LoadFactorControls &controls);
+
+/**
+ * Find the greatest number by which the strengths against sliding may be
+ * divided. What is carried with some strengths is so with greater ones, and
+ * what collapses with some does so with smaller ones: it is found by bisection,
+ * each end with its proof.
+ *
+ * @return LoadFactor::carried with forces for the strengths divided by it, and
+ *   LoadFactor::bound with a mechanism for the strengths divided by that; or
+ *   the collapse of @p scene, if no strengths carry its loads.
+ * @param scene with loads; its blocks dilate.
+ * @param controls of the search.
+ * @param terminal sees the iterations.
+ * @throws SolverError if there is no proof of anything.
+ */
+LoadFactorAnswer find_strength_factor(const Scene &scene,
+                                      const LoadFactorControls &controls,
+                                      Terminal &terminal);
+} // namespace Voussoir
+
+#endif

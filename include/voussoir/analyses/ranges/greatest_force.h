@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_ranges_greatest_force_h
+#define voussoir_analyses_ranges_greatest_force_h
+
+#include <voussoir/analyses/ranges/state_program.h>
+#include <voussoir/statics/conic/feasible_state.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Maximise c . x over all admissible states x, see StateProgram, by SelfDual:
+ * c . x - alpha = 0 is one more equation of balance, so that the greatest value
+ * is a load factor, and its unknown turns c into jumps of the mechanism. It
+ * takes about as long as a load factor, and no state to start from: of large
+ * packings it is the way to few values, as the simplex method is to many.
+ *
+ * @param problem has the rows, and the loads.
+ * @param c one number for each row; not zero between two bodies only.
+ * @param terminal sees the iterations.
+ * @return the best state and motion that were found, or none.
+ */
+StateProgram::Optimum greatest_force(const RowProblem &problem,
+                                     const std::vector<double> &c,
+                                     Terminal &terminal);
+} // namespace Voussoir
+
+#endif

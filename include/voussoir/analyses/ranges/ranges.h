@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_ranges_ranges_h
+#define voussoir_analyses_ranges_ranges_h
+
+#include <voussoir/analyses/ranges/feasible_set.h>
+#include <voussoir/scene/range_parameters.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace Voussoir
+{
+/** The least and the greatest value over all admissible states. */
+struct Range
+{
+  double least = 0.;    /**< attained by a state, or minus infinity */
+  double greatest = 0.; /**< attained by a state, or infinity */
+  /** By how much either end is farther at most; see Ranges::are_inner. */
+  double beyond = 0.;
+
+  /** True if both are finite. */
+  bool is_bounded() const
+  {
+    return least > -std::numeric_limits<double>::infinity() &&
+           greatest < std::numeric_limits<double>::infinity();
+  }
+};
+
+/** The errors of the proofs of many ranges. */
+struct RangeProofs
+{
+  /** The largest distance of a value from the bound that is proven for it. */
+  double width = 0.;
+  /** The largest Certificate::error() of the states that attain them. */
+  double error_of_states = 0.;
+  /** The largest ForceBound::closing_violation. */
+  double closing_violation = 0.;
+  /** The number of linear programmes. */
+  unsigned int n_programmes = 0;
+  /** The number of simplex steps in them. */
+  unsigned int n_iterations = 0;
+
+  /** Add one. */
+  void add(const GreatestValue &value);
+  /** Add all of them. */
+  void add(const RangeProofs &others);
+};
+
+/**
+ * How much the forces of a scene may differ among all admissible states, which
+ * all carry its loads; in the user's units, S L.
+ */
+struct Ranges
+{
+  /** RangesWanted::interfaces. */
+  std::vector<bool> wanted;
+  /** @{ */
+  /** f_e^n and f_e^t of each interface; zero where they are not wanted. */
+  std::vector<Range> normal, tangential;
+  /** @} */
+  /**
+   * InterfaceForces::eccentricity() of each interface, over the states that
+   * press it; empty where blocks do not turn, or interfaces bear tension. Not a
+   * number where it is not wanted, or never pressed.
+   */
+  std::vector<Range> eccentricity;
+  /** The two components of each of reactions(); empty if not wanted. */
+  std::vector<std::array<Range, 2>> reactions;
+
+  /**
+   * True if joints crush between blocks that turn. The states are then those of
+   * polygons within the sections of these joints: the ranges of all states are
+   * at least as wide, and motions prove how much wider at most.
+   */
+  bool are_inner = false;
+  /** The force that differences are relative to: the largest load on a cell. */
+  double reference = 0.;
+  /** What proves them. */
+  RangeProofs proofs;
+
+  /** The least range, over the reference, that is one. */
+  static constexpr double least_range = 1e-8;
+  /** True if all states have the same. */
+  bool is_determined(const Range &range) const
+  {
+    return range.greatest - range.least + 2. * range.beyond <=
+           least_range * reference;
+  }
+  /** True if some force of interface @p e has no bound. */
+  bool is_unbounded(const unsigned int e) const
+  {
+    return wanted[e] && !(normal[e].is_bounded() && tangential[e].is_bounded());
+  }
+  /** True if all states have the same forces on interface @p e. */
+  bool is_determined(const unsigned int e) const
+  {
+    return wanted[e] && is_determined(normal[e]) &&
+           is_determined(tangential[e]);
+  }
+};
+
+/**
+ * Find the ranges of forces over all admissible states of a scene, by two
+ * linear programmes each. Every value is attained by a state, and a motion
+ * proves that no state goes farther, or how far; see bound_of() and
+ * Ranges::are_inner.
+ *
+ * @param scene whose loads are carried.
+ * @param wanted the forces.
+ * @param terminal sees the progress.
+ * @throws SolverError if a programme has no answer, or its proofs are none.
+ */
+Ranges
+find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal);
+} // namespace Voussoir
+
+#endif

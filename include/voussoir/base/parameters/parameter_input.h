@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_parameters_parameter_input_h
+#define voussoir_base_parameters_parameter_input_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <boost/property_tree/ptree.hpp>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <variant>
+
+namespace Voussoir
+{
+/**
+ * Parameters as somebody has written them, in one of deal.II's formats: lines
+ * as in a .prm file, JSON or XML. In these two sections are nested and a value
+ * is text, a number, true or false; it may also be the member "value" of an
+ * object that documents the entry, as in deal.II's listings.
+ */
+class ParameterInput
+{
+public:
+  /**
+   * Read a file: JSON if its name ends in .json, XML if in .xml, and .prm
+   * otherwise.
+   *
+   * @throws InputError if it cannot be read, or is no valid JSON or XML.
+   */
+  explicit ParameterInput(const std::filesystem::path &file);
+  /** @param lines as in a .prm file. @param name of them, for messages. */
+  ParameterInput(const std::string &lines, const std::string &name);
+
+  /** The names of the sections directly in @p section, which need not exist. */
+  std::set<std::string> sections_in(const std::string &section) const;
+
+  /**
+   * Assign all to @p prm.
+   *
+   * @return true if it is a listing, which assigns every entry and does not say
+   *   which of them somebody has set: parameters.prm, or what
+   *   --print-parameters prints.
+   * @throws InputError if there is an entry that is not declared or a value
+   *   that its pattern refuses; the message names the line or the entry.
+   */
+  bool assign_to(dealii::ParameterHandler &prm) const;
+
+private:
+  /** Sections and entries by their names, of JSON or XML. */
+  using Nested = boost::property_tree::ptree;
+
+  std::string name;
+  /** Lines as in a .prm file, or what is nested. */
+  std::variant<std::string, Nested> content;
+};
+
+/**
+ * The line that a listing of all parameters begins with, parameters.prm or what
+ * --print-parameters prints: deal.II's.
+ */
+std::string listing_title();
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_contact_contact_parameters_h
+#define voussoir_contact_contact_parameters_h
+
+#include <voussoir/contact/friction.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace Voussoir
+{
+/** The section `Contact`: what the interfaces carry across themselves. */
+class ContactParameters
+{
+public:
+  /** Declare the section and bind it. */
+  void add_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Add the tensile and compressive strengths of the interfaces of @p packing
+   * to those against sliding.
+   *
+   * @throws InputError as means() does; or naming the interface whose tension
+   *   is beyond what Coulomb's friction admits; or if there are any and blocks
+   *   do not dilate.
+   */
+  void add_strengths(const Packing &packing, Strengths &strengths) const;
+
+private:
+  std::string tensile = "0", pair_tensile;
+  std::string compressive, pair_compressive;
+};
+} // namespace Voussoir
+
+#endif

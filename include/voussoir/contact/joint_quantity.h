@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_contact_joint_quantity_h
+#define voussoir_contact_joint_quantity_h
+
+#include <voussoir/packing/packing.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * A quantity that two parameters of a section give to the interfaces: an
+ * expression in x, y and the unit normal for all of them, and others for pairs
+ * of groups.
+ */
+struct JointQuantity
+{
+  /** The word for it, behind "a". */
+  std::string word;
+  /** The section. */
+  std::string section;
+  /** @{ */
+  /** The value for all interfaces, and its parameter. */
+  std::string everywhere;
+  std::string parameter;
+  /** @} */
+  /** @{ */
+  /** The values for pairs, and their parameter. */
+  std::string of_pairs;
+  std::string parameter_of_pairs;
+  /** @} */
+  /** False if it may be zero. */
+  bool is_positive = false;
+  /** True if nothing stands for an infinite value; else it is refused. */
+  bool may_be_empty = false;
+};
+
+/**
+ * The mean of a quantity over each of the interfaces of @p packing.
+ *
+ * @param warnings on means that are not exact are added.
+ * @throws InputError naming the interface if a value is negative, or zero where
+ *   that is refused, or not a finite number, or varies too fast for its mean;
+ *   if a formula cannot be parsed; or naming a pair of groups that does not
+ *   exist, is given twice or meets nowhere.
+ */
+std::vector<double> means(const Packing &packing,
+                          const JointQuantity &quantity,
+                          std::vector<std::string> &warnings);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_summary_scene_summary_h
+#define voussoir_output_summary_scene_summary_h
+
+#include <voussoir/output/report/details.h>
+#include <voussoir/scene/scene.h>
+#include <voussoir/terminal/terminal.h>
+
+namespace Voussoir
+{
+/**
+ * Show what a scene was understood to be, for people to compare with what they
+ * meant: units, the cells of each group with their areas and weights, the
+ * joints of each pair of groups with their strengths, and the tractions.
+ */
+void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units);
+} // namespace Voussoir
+
+#endif

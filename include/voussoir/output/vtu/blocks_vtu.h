@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_vtu_blocks_vtu_h
+#define voussoir_output_vtu_blocks_vtu_h
+
+#include <voussoir/output/results.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace Voussoir
+{
+/** @{ */
+/** The name of a file, written by the function that is named like it. */
+inline const std::string blocks_vtu = "blocks.vtu";
+inline const std::string mechanism_vtu = "mechanism.vtu";
+/** @} */
+
+/**
+ * The blocks as a VTK unstructured grid of polygons, one for each cell, that
+ * share no points. Cell data are cell, group (its number in summary.json), load
+ * (the vector F_c, S L), stress (the mean stress, nine components row by row),
+ * principal_stress_1 >= principal_stress_2 and von_mises of that (S), and
+ * torque, the residual one about the centre (S L^2). Point data is the
+ * displacement (L).
+ */
+void write_blocks_vtu(std::ostream &out, const Results &results);
+
+/**
+ * The blocks where they are, as polygons, with @p motion times @p factor as
+ * displacement (point data): warped by it they show the mechanism. Cell data
+ * are cell and group.
+ */
+void write_mechanism_vtu(std::ostream &out,
+                         const Packing &packing,
+                         const Motion &motion,
+                         double factor);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_conic_feasible_state_h
+#define voussoir_statics_conic_feasible_state_h
+
+#include <voussoir/base/exceptions.h>
+#include <voussoir/statics/conic/bounded_rows.h>
+#include <voussoir/statics/conic/factor_bounds.h>
+#include <voussoir/statics/problem/formulation.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** The largest FactorState::residual of forces that balance the loads. */
+inline constexpr double largest_residual_of_state = 1e-11;
+/** The largest SelfDual::merit() of a point worth correcting to a proof. */
+inline constexpr double merit_worth_correcting = 1e-2;
+
+/** The joints of a problem by rows whose forces have bounds only. */
+class RowProblem
+{
+public:
+  /** @param problem must outlive this object. */
+  explicit RowProblem(const DiscreteProblem &problem);
+
+  /** The problem. */
+  const DiscreteProblem &of() const { return problem; }
+  /** Its rows. */
+  const BoundedRows &rows() const { return *present_rows; }
+  /** Their forces; the ground and one cell of each group are held. */
+  BoundedForces &forces() { return *present_forces; }
+  /** The forces of the rows. */
+  const BoundedForces &forces() const { return *present_forces; }
+  /**
+   * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
+   * before have no meaning any more; their number is the same.
+   *
+   * @param u the displacement, BoundedRows::n_dofs() numbers.
+   */
+  void refine(const std::vector<double> &u);
+  /** How often that may be worth while. */
+  static constexpr unsigned int n_rounds = 20;
+  /** The loads of the rows, without those on held bodies. */
+  std::vector<double> loads() const;
+  /**
+   * The same with other loads on the bodies of the problem, n_dofs() numbers,
+   * and @p with_offset for those of BoundedRows::offset().
+   */
+  std::vector<double> loads(std::vector<double> of_problem,
+                            bool with_offset) const;
+  /** The motion of the cells in @p u, of any size, as Mechanism::motion. */
+  Motion motion_of(std::vector<double> u) const;
+
+private:
+  void make_rows();
+
+  const DiscreteProblem &problem;
+  Strips strips;
+  std::unique_ptr<BoundedRows> present_rows;
+  std::unique_ptr<BoundedForces> present_forces;
+};
+
+/** What find_feasible_forces() found: one of the two, or neither. */
+struct FeasibleForces
+{
+  /** Forces strictly within their bounds, without a factor. */
+  std::optional<FactorState> state;
+  /** The displacement of the bodies of the rows in which loads collapse. */
+  std::vector<double> collapse;
+  /** The number of iterations. */
+  unsigned int n_iterations = 0;
+};
+
+/**
+ * Find any admissible forces that balance @p loads, see RowProblem::loads(), or
+ * their collapse, by SelfDual. Joints that crush may be cut anew.
+ */
+FeasibleForces find_feasible_forces(RowProblem &problem,
+                                    const std::vector<double> &loads,
+                                    unsigned int n_max_iterations,
+                                    Terminal &terminal);
+
+/**
+ * Find any admissible forces of a problem, or its collapse.
+ *
+ * @return forces, if it has converged(), or a mechanism, or neither.
+ */
+Solution find_state_or_collapse(const DiscreteProblem &problem,
+                                unsigned int n_max_iterations,
+                                Terminal &terminal);
+
+/** FeasibleState found neither forces nor a mechanism; see decide_by_factor().
+ */
+class Undecided : public SolverError
+{
+public:
+  using SolverError::SolverError;
+};
+
+/**
+ * The formulation of joints whose friction grows with the pressure, or that
+ * bear tension, or crush, for which the others select nothing: any state, far
+ * from the limits of most joints.
+ */
+class FeasibleState : public Formulation
+{
+public:
+  std::string name() const override { return "interior point"; }
+  std::string meaning() const override
+  {
+    return "any state, found by an interior-point method.";
+  }
+  std::string selection() const override
+  {
+    return "one of the states that carry the loads, far from the limits of "
+           "most interfaces";
+  }
+
+private:
+  Solution select(const DiscreteProblem &problem,
+                  const SolverControls &controls,
+                  Terminal &terminal) const override;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_problem_discrete_problem_h
+#define voussoir_statics_problem_discrete_problem_h
+
+#include <voussoir/algebra/structure.h>
+#include <voussoir/scene/scene.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace Voussoir
+{
+/** The normal forces that a joint admits beside pressure; nondimensional. */
+struct NormalLimits
+{
+  /** f_t |e|, the largest tension. */
+  double tension;
+  /** f_c |e|, the largest compression, possibly infinite. */
+  double crushing;
+};
+
+/**
+ * The proof that a motion opens every joint, or that none does. By the theorem
+ * of the alternative of Gordan exactly one of these exists:
+ *
+ *     u with [u]_e . n_e > 0 for every e,
+ *     p >= 0, not all zero, with sum_e p_e n_e = 0 on every cell (the sign of
+ *     n_e outwards).
+ *
+ * Both are empty where the digits of the coordinates, from which n_e comes, do
+ * not tell which one it is.
+ */
+struct Opening
+{
+  /** u, n_dofs() numbers; see opening_of(). */
+  std::vector<double> displacement;
+  /**
+   * Of each row of each joint, of any size: normal forces p that balance by
+   * themselves.
+   */
+  std::vector<double> self_stress;
+};
+
+/**
+ * The displacement problem of a scene in nondimensional variables.
+ *
+ * It is all that a formulation sees:
+ *
+ *     minimise    sum_e s_e |e| |[u]_e . t_e|  -  sum_c F_c . u_c
+ *     subject to  [u]_e . n_e >= 0 for every e
+ *
+ * with [u]_e = u_{c+} - u_{c-} (paper, eq. 10; the forces that a formulation
+ * looks for are the solutions of its dual problem, eq. 13). Lengths are divided
+ * by length_scale(), the root of the mean area of a cell, stresses by
+ * stress_scale(), the sum of the sizes of all loads on the cells over the root
+ * of the area of the packing, and coordinates start at the centroid, so that
+ * the forces come out of order one whatever the user's units. Displacements
+ * have no scale of their own, the energy being homogeneous; a formulation
+ * chooses one.
+ *
+ * The ground, where there are supports, is one more body behind the cells. The
+ * load on it is minus all others in its connected group, so that in every group
+ * the loads add up to zero and a rigid motion does no work.
+ */
+class DiscreteProblem : public Structure
+{
+public:
+  /**
+   * Make the joints, in the order of Packing::interfaces(), and the bodies, in
+   * that of the cells and at last the ground, if there are supports.
+   */
+  explicit DiscreteProblem(const Scene &scene);
+
+  /**
+   * The same with some cells only, those that @p moves has; all others are held
+   * and belong to the ground, without the joints between them. Its mechanisms,
+   * with the others at rest, are mechanisms of the scene.
+   */
+  DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
+
+  /** The bodies but for the ground, which is there if there are supports. */
+  unsigned int n_cells() const { return n_moving_cells; }
+  /** True if there are supports, and the ground is the last body. */
+  bool has_ground() const { return n_bodies() > n_moving_cells; }
+  /** True if there is any load at all. */
+  bool is_loaded() const { return has_load; }
+  /**
+   * True if @p body stands for its connected group where one displacement of
+   * each must be held: the ground, or else the lowest cell.
+   */
+  bool is_held(const unsigned int body) const
+  {
+    const bool with_ground = has_ground() && group[body] == group.back();
+    return with_ground ? body == n_cells() : body == group[body];
+  }
+
+  /** Of each joint; empty where joints carry pressure alone, of any size. */
+  const std::vector<NormalLimits> &normal_limits() const
+  {
+    return limits_of_joints;
+  }
+  /** NormalLimits::tension of joint @p e. */
+  double tension(const unsigned int e) const
+  {
+    return limits_of_joints.empty() ? 0. : limits_of_joints[e].tension;
+  }
+
+  /**
+   * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
+   * motion of the ground, or else the mean one.
+   */
+  void remove_rigid_motions(std::vector<double> &u) const;
+
+  /**
+   * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
+   * motion of the body that is_held().
+   */
+  void hold_bodies(std::vector<double> &u) const;
+
+  /**
+   * The motion of each of the n_cells() cells, without the ground: that of @p u
+   * (n_dofs() numbers), times @p unit, with angles per the user's length.
+   */
+  Motion motion_of_cells(const std::vector<double> &u, double unit) const;
+
+  /** The other way round; the ground is at rest. */
+  std::vector<double> unknowns_of(const Motion &motion, double unit) const;
+
+  /**
+   * The same problem with Tresca's friction, |f_e^t| at most @p limits, one for
+   * each joint, nondimensional.
+   */
+  DiscreteProblem with_tresca(const std::vector<double> &limits) const;
+
+  /**
+   * The same problem with all strengths s_e above @p strength, nondimensional,
+   * lowered to it.
+   */
+  DiscreteProblem with_strengths_up_to(double strength) const;
+
+  /** This problem with other loads, those of loads_of(). */
+  DiscreteProblem with_loads(const std::vector<double> &loads) const;
+
+  /**
+   * The largest force that a joint bears without pressure, or crushes under,
+   * nondimensional; zero if there is none.
+   */
+  double largest_limit() const;
+
+  /** The same problem with a unit of stress so many times as large. */
+  DiscreteProblem in_units_of(double factor) const;
+
+  /** The same problem without any load. */
+  DiscreteProblem without_loads() const;
+
+  /**
+   * The loads of another scene on the same packing, in the units of this one:
+   * n_dofs() numbers, without those on the ground.
+   */
+  std::vector<double> loads_of(const Scene &scene) const;
+
+  /** The unit of length, in the user's; L. */
+  double length_scale() const { return length_unit; }
+  /** The unit of stress, in the user's; S. One if there is no load. */
+  double stress_scale() const { return stress_unit; }
+  /** The rounding of the largest of the user's coordinates; nondimensional. */
+  double rounding_of_coordinates() const { return coordinate_rounding; }
+
+private:
+  void find_load(const Scene &scene, unsigned int cell, double *load) const;
+  void choose_scales(const Scene &scene, const std::vector<bool> &moves);
+  void add_interface(const Scene &scene,
+                     unsigned int interface,
+                     const std::vector<unsigned int> &body,
+                     const dealii::Point<2> &centroid);
+  void balance_loads();
+  /** The rigid motion of a connected group. */
+  struct RigidMotion
+  {
+    /** The place about which it turns. */
+    dealii::Tensor<1, 2> about;
+    /** The size of each rigid motion of Kinematics. */
+    std::array<double, 3> size = {{0., 0., 0.}};
+  };
+  void subtract(const std::vector<RigidMotion> &motion_of_group,
+                std::vector<double> &u) const;
+
+  double length_unit = 1.;
+  double stress_unit = 1.;
+  bool has_load = false;
+  double coordinate_rounding = 0.;
+  unsigned int n_moving_cells = 0;
+  std::vector<NormalLimits> limits_of_joints;
+  /** For each body the lowest body of its connected group. */
+  std::vector<unsigned int> group;
+  friend const Opening &opening_of(const DiscreteProblem &problem);
+  /** What opening_of() has found. */
+  mutable std::optional<Opening> found_opening;
+};
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/analyses/ranges/feasible_set.h>
+#include <voussoir/analyses/ranges/greatest_force.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/scene/proofs/certificate.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+/** What proofs may leave to rounding. */
+constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
+                 largest_width = 1e-9;
+/** The width of proofs by an interior point, which does not end in a vertex. */
+constexpr double largest_width_of_interior = 1e-8;
+/**
+ * By how much a motion may close joints, over the jumps of the function, at
+ * most one: of a motion without bound the errors that are relative to itself
+ * prove nothing.
+ */
+constexpr double largest_closing_of_jumps = 1e-6;
+/** What a ray leaves on a body, over its largest force. */
+constexpr double rounding_of_ray = 1e-9;
+
+double largest_displacement(const Motion &motion)
+{
+  double largest = 0.;
+  for (const dealii::Tensor<1, 2> &u : motion.displacement)
+    largest = std::max(largest, u.norm());
+  return largest;
+}
+} // namespace
+
+FeasibleSet::FeasibleSet(const Scene &scene)
+    : scene(scene), problem(scene), by_rows(problem), force(0.)
+{
+  for (const dealii::Tensor<1, 2> &load : scene.load)
+    force = std::max(force, load.norm());
+  if (force == 0.)
+    force = problem.stress_scale() * problem.length_scale();
+}
+
+StateProgram FeasibleSet::program() const
+{
+  StateProgram first(by_rows);
+  if (!first.find_state())
+    throw SolverError("The linear programmes of all states have none to start "
+                      "from: the load is close to what the packing can carry. "
+                      "Set 'Ranges/Where = 0' and 'Analysis = state' to have "
+                      "the state alone.");
+  return first;
+}
+
+std::vector<double>
+FeasibleSet::coefficients(const ForceFunction &function) const
+{
+  std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
+  const unsigned int n = problem.n_contacts();
+  for (const ForceFunction::Term &term : function.terms)
+  {
+    for (unsigned int r = 0; r < 2; ++r)
+      by_rows.rows().add_force(term.interface, std::min(r, n - 1),
+                               term.at_ends[r] / (n == 1 ? 2. : 1.), c);
+    by_rows.rows().add_force(term.interface, n, term.tangential, c);
+  }
+  return c;
+}
+
+bool FeasibleSet::is_ray(const std::vector<double> &x) const
+{
+  return largest_component(by_rows.forces().on_bodies(x)) <=
+         rounding_of_ray * largest_component(x);
+}
+
+bool FeasibleSet::is_proven(const GreatestValue &value) const
+{
+  return is_proven(value, largest_width);
+}
+
+/** A value is proven by the bound of its own programme. */
+bool FeasibleSet::is_proven(const GreatestValue &value,
+                            const double largest_width) const
+{
+  return value.error_of_state <= largest_error_of_state &&
+         value.bound.closing_violation <= largest_closing &&
+         value.bound.closing_violation * largest_displacement(value.motion) <=
+             largest_closing_of_jumps &&
+         std::abs(value.width_of_programme()) <=
+             largest_width * std::max(force, std::abs(value.value));
+}
+
+/**
+ * The most of c . x that @p u proves for forces within their bounds: (V2) of
+ * the rows. Rows without a bound are judged as joints, ForceBound.
+ */
+double FeasibleSet::bound_of_programme(const std::vector<double> &c,
+                                       const std::vector<double> &u) const
+{
+  const std::vector<double> jumps = by_rows.rows().jumps(u);
+  double bound = -dot(by_rows.loads(), u);
+  for (std::size_t k = 0; k < c.size(); ++k)
+  {
+    const BoundedRows::Bounds &limits = by_rows.rows().bounds()[k];
+    const double jump = c[k] + jumps[k];
+    const double most = jump > 0. ? limits.greatest : limits.least;
+    if (std::isfinite(most))
+      bound += most * jump;
+  }
+  return bound;
+}
+
+GreatestValue FeasibleSet::found(StateProgram &program,
+                                 const ForceFunction &function) const
+{
+  const std::vector<double> c = coefficients(function);
+  return judged(program.maximise(c), c, function);
+}
+
+GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
+                                  const std::vector<double> &c,
+                                  const ForceFunction &function) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!optimum.is_found)
+    throw SolverError("A linear programme of all states has no answer: the "
+                      "load may be close to what the packing can carry. Set "
+                      "'Ranges/Where = 0' and 'Analysis = state' to have the "
+                      "state alone.");
+  if (optimum.is_unbounded)
+  {
+    if (!is_ray(optimum.x) || !(dot(c, optimum.x) > 0.))
+      throw SolverError("A linear programme of all states has no bound, and no "
+                        "forces that balance by themselves prove that. Set "
+                        "'Ranges/Where = 0' and 'Analysis = state' to have the "
+                        "state alone.");
+    return {infinity, {infinity, 0.}, infinity, 0., {}, {}};
+  }
+  Solution state;
+  state.forces = by_rows.rows().forces_of(optimum.x);
+  GreatestValue found;
+  found.forces = dimensional_forces(problem, state);
+  found.value = function(found.forces);
+  found.error_of_state = certify(scene, found.forces).error();
+  const double more = bound_of_programme(c, optimum.u) - dot(c, optimum.x);
+  optimum.u.resize(problem.n_dofs());
+  found.motion = problem.motion_of_cells(optimum.u, 1.);
+  found.bound = bound_of(scene, function, found.motion);
+  found.bound_of_programme =
+      are_inner()
+          ? found.value + problem.stress_scale() * problem.length_scale() * more
+          : found.bound.bound;
+  return found;
+}
+
+/**
+ * Now and then Clp ends before the optimum, and goes on if it is asked again;
+ * or rounding has spoilt its factors.
+ */
+GreatestValue FeasibleSet::greatest(StateProgram &program,
+                                    const ForceFunction &function) const
+{
+  GreatestValue value = found(program, function);
+  if (!is_proven(value))
+    value = found(program, function);
+  if (!is_proven(value))
+  {
+    program.forget();
+    value = found(program, function);
+  }
+  if (!is_proven(value))
+    throw SolverError(text(
+        "The greatest value of a force is not proven: its state has an error "
+        "of ",
+        value.error_of_state,
+        " of the largest load, its motion closes joints by ",
+        value.bound.closing_violation, " of its size, and they differ by ",
+        value.width_of_programme(),
+        ". Set 'Ranges/Where = 0' and 'Analysis = state' to have the state "
+        "alone."));
+  return value;
+}
+
+std::optional<GreatestValue>
+FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
+{
+  const std::vector<double> c = coefficients(function);
+  const StateProgram::Optimum optimum = greatest_force(by_rows, c, terminal);
+  if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
+    return {};
+  GreatestValue value = judged(optimum, c, function);
+  if (!is_proven(value, largest_width_of_interior))
+    return {};
+  return value;
+}
+} // namespace Voussoir

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/ranges/feasible_set.h>
+#include <voussoir/analyses/ranges/settlement.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
+
+#include <algorithm>
+
+namespace Voussoir
+{
+namespace
+{
+/**
+ * By how much the balance of each body is loosened, nondimensional, to choose
+ * among motions of the same energy. The loosened programme has the sum of the
+ * sizes of the unknowns times it in its dual objective, and if it is small
+ * enough its motion is still one of least energy; that is judged.
+ */
+constexpr double first_loosening = 1e-6, last_loosening = 1e-9,
+                 factor_of_loosening = 0.1;
+
+/** The work of the ground on the displacements @p jumps of the supports. */
+ForceFunction work_of_ground(const InterfaceJumps &jumps,
+                             const Packing &packing)
+{
+  ForceFunction work;
+  const unsigned int n = packing.interfaces().size();
+  for (unsigned int e = n - packing.n_supports(); e < n; ++e)
+    work.terms.push_back({e, jumps.openings[e], jumps.sliding[e]});
+  return work;
+}
+
+/** A motion in another unit. */
+Motion times(Motion motion, const double factor)
+{
+  for (dealii::Tensor<1, 2> &u : motion.displacement)
+    u *= factor;
+  for (double &angle : motion.rotation)
+    angle *= factor;
+  return motion;
+}
+
+/**
+ * Of all motions that prove the value in @p found, those of least energy, the
+ * one whose unknowns have the least sum of sizes.
+ */
+void choose_motion(const FeasibleSet &states,
+                   StateProgram program,
+                   const ForceFunction &work,
+                   GreatestValue &found)
+{
+  for (double by = first_loosening; by >= last_loosening;
+       by *= factor_of_loosening)
+  {
+    program.loosen_balance(by);
+    GreatestValue chosen = found;
+    const GreatestValue loose = states.found(program, work);
+    if (!loose.is_bounded())
+      continue;
+    chosen.motion = loose.motion;
+    chosen.bound = loose.bound;
+    chosen.bound_of_programme = loose.bound_of_programme;
+    if (states.is_proven(chosen))
+    {
+      found = chosen;
+      return;
+    }
+  }
+}
+} // namespace
+
+Settlement find_settlement(const Scene &scene,
+                           const std::vector<SupportMotion> &of_supports)
+{
+  if (!scene.dilates)
+    throw InputError("'Supports/Displacement' is given, and 'Friction/Law' is "
+                     "'Coulomb', for which no motion of least energy belongs "
+                     "to the forces; set the law to 'Tresca' or 'associated "
+                     "Coulomb', or leave the displacement empty.");
+  if (!scene.turns() &&
+      std::any_of(of_supports.begin(), of_supports.end(),
+                  [](const SupportMotion &of) { return of.rotation != 0.; }))
+    throw InputError("'Supports/Displacement' has an angle, and blocks do not "
+                     "turn in this run; set 'Rotations = true', or leave the "
+                     "angle out.");
+  Motion at_rest(scene.packing.n_cells(), *scene.kinematics);
+  at_rest.of_supports = of_supports;
+  const InterfaceJumps jumps = jumps_of(scene.packing, at_rest);
+  const double size = jumps.largest_displacement;
+  const ForceFunction work =
+      work_of_ground(jumps, scene.packing).times(1. / size);
+
+  const FeasibleSet states(scene);
+  StateProgram program = states.program();
+  GreatestValue found = states.greatest(program, work);
+  if (!found.is_bounded())
+    throw InputError(
+        "The blocks cannot follow 'Supports/Displacement' without pressing "
+        "into each other: forces of any size, which balance by themselves, "
+        "resist it. Change the displacement, or let fewer edges be supports.");
+  choose_motion(states, program, work, found);
+
+  Settlement settlement;
+  settlement.motion = times(std::move(found.motion), size);
+  settlement.motion.of_supports = of_supports;
+  settlement.forces = std::move(found.forces);
+  settlement.work = size * found.value;
+  settlement.width = size * found.width();
+  settlement.is_inner = states.are_inner();
+  settlement.closing_violation = found.bound.closing_violation;
+  settlement.largest_displacement = size;
+  settlement.n_iterations = program.n_iterations();
+  return settlement;
+}
+} // namespace Voussoir

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/contact/joint_quantity.h>
+#include <voussoir/formula/expression.h>
+#include <voussoir/formula/integrals/edge_integral.h>
+#include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** A quantity as an expression, from one of the parameters. */
+class QuantityFormula
+{
+public:
+  QuantityFormula(const std::string &formula,
+                  const std::string &parameter,
+                  const JointQuantity &quantity)
+      : value(formula, {"x", "y", "nx", "ny"}, parameter),
+        jumps({value.formula()}, {0., 0.}), formula(formula),
+        parameter(parameter), word(quantity.word),
+        is_positive(quantity.is_positive), inaccuracies(parameter)
+  {}
+
+  /** The mean over the interface @p i. */
+  double mean(const Packing &packing, const Packing::Interface &i)
+  {
+    const auto value_at = [&](const dealii::Point<2> &p) {
+      const double at_p = value({p[0], p[1], i.normal[0], i.normal[1]});
+      if (!std::isfinite(at_p) || at_p < 0. || (is_positive && at_p == 0.))
+        throw InputError(text(
+            "'", parameter, "' = '", formula, "' is ", text_of_number(at_p),
+            " at ", text_of_point(p), ", on the interface of ",
+            packing.describe(i.cell_minus), " and ",
+            packing.describe(i.cell_plus), "; a ", word, " must be finite and ",
+            is_positive ? "positive." : "not negative."));
+      return at_p;
+    };
+    if (value.is_constant())
+      return value_at(i.midpoint());
+    jumps.set_constants({i.normal[0], i.normal[1]});
+    const EdgeIntegral integral =
+        edge_integral(i.start, i.end, value_at, jumps);
+    inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
+                         [&] { return along_edge(i.start, i.end); });
+    return integral.mean;
+  }
+
+  /** Warnings on the means computed so far. */
+  std::vector<std::string> warnings() const { return inaccuracies.warnings(); }
+
+private:
+  Expression value;
+  Discontinuities jumps;
+  std::string formula, parameter, word;
+  bool is_positive;
+  Inaccuracies inaccuracies;
+};
+
+/** What a user prescribes for a pair of groups. */
+struct OfPair
+{
+  std::string names;
+  QuantityFormula formula;
+  /** True if there is an interface between the two. */
+  bool is_met;
+};
+
+/** Two groups of cells, the lower number first. */
+using GroupPair = std::pair<unsigned int, unsigned int>;
+
+/** The groups that a user names as "one, other", or as one with itself. */
+GroupPair pair_of_names(const Packing &packing,
+                        const std::string &names,
+                        const std::string &parameter)
+{
+  const std::vector<std::string> words = split_names(names);
+  if (words.size() > 2 || words.front().empty() || words.back().empty())
+    throw InputError("The parameter '" + parameter + "' has '" + names +
+                     "' where the names of two groups are expected, as in "
+                     "\"brick, lintel: 0.5\".");
+  return std::minmax({group_of_name(packing, words.front(), parameter),
+                      group_of_name(packing, words.back(), parameter)});
+}
+} // namespace
+
+std::vector<double> means(const Packing &packing,
+                          const JointQuantity &quantity,
+                          std::vector<std::string> &warnings)
+{
+  std::optional<QuantityFormula> everywhere;
+  if (!quantity.everywhere.empty() || !quantity.may_be_empty)
+    everywhere.emplace(quantity.everywhere,
+                       quantity.section + "/" + quantity.parameter, quantity);
+  const std::string parameter =
+      quantity.section + "/" + quantity.parameter_of_pairs;
+  std::map<GroupPair, OfPair> of_pair;
+  for (const auto &[names, formula] :
+       split_named_list(quantity.of_pairs, parameter))
+  {
+    const GroupPair pair = pair_of_names(packing, names, parameter);
+    OfPair prescribed = {names, QuantityFormula(formula, parameter, quantity),
+                         false};
+    const bool is_new = of_pair.emplace(pair, std::move(prescribed)).second;
+    if (!is_new)
+      throw InputError("The parameter '" + parameter + "' has the pair '" +
+                       names + "' twice; give it once.");
+  }
+
+  std::vector<double> result;
+  result.reserve(packing.interfaces().size());
+  for (const Packing::Interface &i : packing.interfaces())
+  {
+    const auto found =
+        of_pair.empty()
+            ? of_pair.end()
+            : of_pair.find(std::minmax(
+                  {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
+    if (found == of_pair.end())
+      result.push_back(everywhere ? everywhere->mean(packing, i)
+                                  : std::numeric_limits<double>::infinity());
+    else
+    {
+      result.push_back(found->second.formula.mean(packing, i));
+      found->second.is_met = true;
+    }
+  }
+  for (const auto &[pair, prescribed] : of_pair)
+    if (!prescribed.is_met)
+      throw InputError("The parameter '" + parameter + "' gives a " +
+                       quantity.word + " to the pair '" + prescribed.names +
+                       "', but there is no cell of one of these groups that "
+                       "touches one of the other; correct the names or leave "
+                       "it out.");
+  if (everywhere)
+    for (std::string &warning : everywhere->warnings())
+      warnings.push_back(std::move(warning));
+  for (const auto &[pair, prescribed] : of_pair)
+    for (std::string &warning : prescribed.formula.warnings())
+      warnings.push_back(std::move(warning));
+  return result;
+}
+} // namespace Voussoir

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/geometry.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/area_moments.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
+#include <voussoir/scene/loads/cell_forces.h>
+#include <voussoir/scene/loads/segment_tractions.h>
+
+#include <deal.II/boost_adaptors/point.h>
+
+#include <boost/geometry.hpp>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/**
+ * The distance of a place from a cell, over the root of its area, that counts
+ * as none: coordinates are often written with few digits.
+ */
+constexpr double largest_distance_from_cell = 1e-6;
+
+/** The distance of @p x from a cell, zero in it, over the root of its area. */
+double distance(const Packing &packing, const unsigned int c, const Point<2> &x)
+{
+  boost::geometry::model::ring<Point<2>, false, false> ring;
+  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    ring.push_back(packing.vertex(c, i));
+  return boost::geometry::distance(x, ring) / std::sqrt(packing.area(c));
+}
+
+/** Two numbers; the message of their fault begins with @p begin. */
+Point<2> pair_or_refuse(const std::string &text,
+                        const std::string &form,
+                        const std::string &begin)
+{
+  const std::optional<Point<2>> pair = pair_of_text(text);
+  if (!pair)
+    throw InputError(begin + " '" + text + "'; two finite numbers \"" + form +
+                     "\" are expected, with a comma between.");
+  return *pair;
+}
+
+/** "at x, y: force". */
+void add_force_at(const Packing &packing,
+                  const Point<2> &x,
+                  const Tensor<1, 2> &force,
+                  const std::string &parameter,
+                  std::vector<CellForce> &forces)
+{
+  std::vector<unsigned int> there;
+  unsigned int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const double to_cell = distance(packing, c, x);
+    if (to_cell <= largest_distance_from_cell)
+      there.push_back(c);
+    if (to_cell < least)
+    {
+      least = to_cell;
+      nearest = c;
+    }
+  }
+  if (there.empty())
+    throw InputError(
+        text("The parameter '", parameter, "' lets a force act at ",
+             text_of_point(x), ", which is in no cell; the nearest is ",
+             packing.describe(nearest), ", ",
+             text_of_number(least * std::sqrt(packing.area(nearest))),
+             " away. Correct the place, or name the cell."));
+  for (const unsigned int c : there)
+    forces.push_back({text("cell ", c), {c}, force / double(there.size()), x});
+}
+
+/** "name: force at x, y". */
+CellForce force_in_cell(const Packing &packing,
+                        const std::vector<unsigned int> &cells,
+                        const std::string &name,
+                        const Tensor<1, 2> &force,
+                        const std::string &place,
+                        const std::string &parameter)
+{
+  const std::string begin = "The parameter '" + parameter +
+                            "' lets the force on '" + name + "' act at ";
+  const Point<2> x =
+      pair_or_refuse(place, "x, y", begin.substr(0, begin.size() - 1));
+  if (cells.size() != 1)
+    throw InputError(text(begin, text_of_point(x), ", but there are ",
+                          cells.size(),
+                          " cells of that name; name one cell, as in cell "
+                          "12, or give the place alone."));
+  const unsigned int c = cells.front();
+  if (distance(packing, c, x) > largest_distance_from_cell)
+    throw InputError(text(begin, text_of_point(x), ", which is not a place in ",
+                          packing.describe(c), " at ",
+                          text_of_point(packing.centre(c)), "."));
+  return {name, {c}, force, x};
+}
+} // namespace
+
+Point<2> CellForce::place_in(const Packing &packing,
+                             const unsigned int cell) const
+{
+  return place ? *place
+               : packing.centre(cell) + area_moments(packing, cell).centroid();
+}
+
+double CellForce::torque(const Packing &packing, const unsigned int cell) const
+{
+  return cross(place_in(packing, cell) - packing.centre(cell), force);
+}
+
+std::vector<CellForce> cell_forces_of_text(const Packing &packing,
+                                           const std::string &list,
+                                           const std::string &parameter)
+{
+  std::vector<CellForce> forces;
+  for (const auto &[name, value] : split_named_list(list, parameter))
+  {
+    const std::size_t at = value.find(" at ");
+    const Tensor<1, 2> force = pair_or_refuse(
+        value.substr(0, at), "F_x, F_y",
+        "The parameter '" + parameter + "' gives '" + name + "' the force");
+    if (name.compare(0, 3, "at ") == 0)
+    {
+      const Point<2> x = pair_or_refuse(name.substr(3), "x, y",
+                                        "The parameter '" + parameter +
+                                            "' lets a force act at");
+      add_force_at(packing, x, force, parameter, forces);
+      continue;
+    }
+    std::vector<unsigned int> cells = cells_of_name(packing, name, parameter);
+    if (cells.empty() || cells.front() == packing.ground())
+      throw InputError("The parameter '" + parameter + "' gives a force to '" +
+                       name +
+                       "', which has no cells to take it; name another group, "
+                       "or a cell by its number.");
+    if (at == std::string::npos)
+      forces.push_back({name, std::move(cells), force});
+    else
+      forces.push_back(force_in_cell(packing, cells, name, force,
+                                     value.substr(at + 4), parameter));
+  }
+  return forces;
+}
+} // namespace Voussoir

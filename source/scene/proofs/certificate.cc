@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/connected_groups.h>
+#include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/scene/proofs/displacement_jumps.h>
+#include <voussoir/scene/proofs/utilisation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/** A load, relative to the largest of the scene, that is rounding. */
+constexpr double rounding_of_loads = 1e-12;
+
+/**
+ * An imbalance of a cell, over the reference force, that is rounding; and what
+ * solvers leave of cells without load, which feel others only. A load is light
+ * if it is that far below the reference force.
+ */
+constexpr double rounding_of_imbalance = 1e-14, noise_of_imbalance = 1e-12,
+                 light_load = 1e-6;
+
+/** The largest relative closing of a joint in a mechanism, for rounding. */
+constexpr double largest_closing = 1e-12;
+/** The largest MechanismCertificate::share_of_closing: normal forces may be
+ * some times the largest load. */
+constexpr double largest_share = 0.1;
+
+/**
+ * The reference force of each connected group, by its lowest member: the
+ * largest load on one of its cells, since groups do not feel each other, nor
+ * through the ground, and none may hide behind another. A group without load is
+ * judged by the largest of the scene, and a scene without load by the largest
+ * force.
+ */
+std::vector<double> reference_forces(const Scene &scene,
+                                     const InterfaceForces &forces,
+                                     const std::vector<unsigned int> &group)
+{
+  std::vector<double> reference(group.size(), 0.);
+  double largest_load = 0., largest_force = 0.;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+  {
+    double &largest = reference[group[c]];
+    largest = std::max(largest, scene.load[c].norm());
+    largest_load = std::max(largest_load, largest);
+  }
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+    largest_force = std::max({largest_force, std::abs(forces.normal[e]),
+                              std::abs(forces.tangential[e])});
+  for (double &largest : reference)
+    if (!(largest > rounding_of_loads * largest_load))
+      largest = largest_load > 0. ? largest_load : largest_force;
+  return reference;
+}
+
+bool is_finite(const InterfaceForces &forces, const unsigned int e)
+{
+  double sum = forces.normal[e] + forces.tangential[e];
+  if (!forces.at_ends.empty())
+    sum += forces.at_ends[e][0] + forces.at_ends[e][1];
+  return std::isfinite(sum);
+}
+
+/** The excess of the forces of an interface over their limits. */
+double violation(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const unsigned int e)
+{
+  const JointLimits limits = scene.limits(e);
+  return std::max(limits.excess(forces.ends(e)),
+                  std::abs(forces.tangential[e]) -
+                      limits.shear_strength(forces.normal[e]));
+}
+
+/**
+ * UnbalancedCell::own_force of each cell, and whether there is a light load on
+ * it or beside it.
+ */
+struct OwnForces
+{
+  OwnForces(const Scene &scene,
+            const InterfaceForces &forces,
+            const std::vector<double> &reference)
+      : size(scene.load_size), near_light(size.size(), false)
+  {
+    const Packing &packing = scene.packing;
+    std::vector<double> beside(size.size() + 1, 0.), pressed(beside);
+    const auto light = [&](const unsigned int c) {
+      return c != packing.ground() &&
+                     scene.load_size[c] <= light_load * reference[c]
+                 ? scene.load_size[c]
+                 : 0.;
+    };
+    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    {
+      const Packing::Interface &i = packing.interfaces()[e];
+      const double force = std::hypot(forces.normal[e], forces.tangential[e]);
+      for (const auto &[c, other] : {std::pair(i.cell_minus, i.cell_plus),
+                                     std::pair(i.cell_plus, i.cell_minus)})
+      {
+        pressed[c] = std::max(pressed[c], force);
+        beside[c] = std::max(beside[c], light(other));
+      }
+    }
+    for (unsigned int c = 0; c < size.size(); ++c)
+    {
+      near_light[c] = light(c) > 0. || beside[c] > 0.;
+      if (!(size[c] > 0.))
+        size[c] = beside[c] > 0. ? beside[c] : pressed[c];
+    }
+  }
+
+  std::vector<double> size;
+  std::vector<bool> near_light;
+};
+
+/**
+ * The imbalance of each cell that rounding leaves of forces that balance: n
+ * forces F that are rounded, as are the two products of each and their sum,
+ * leave at most (n + 4) / 2 times the precision times the sum of |F|, and of
+ * torques that of |F| times the arm and the coordinates that it is from.
+ */
+std::vector<double> rounding_of_forces(const Scene &scene,
+                                       const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  std::vector<double> sum = scene.load_size, torques(sum.size(), 0.);
+  std::vector<unsigned int> n(sum.size(), 1);
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const std::array<double, 2> ends = forces.ends(e);
+    const double size =
+        std::abs(ends[0]) + std::abs(ends[1]) + std::abs(forces.tangential[e]);
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      if (c != packing.ground())
+      {
+        ++n[c];
+        sum[c] += size;
+        torques[c] += size *
+                      (std::max(i.start.distance(packing.centre(c)),
+                                i.end.distance(packing.centre(c))) +
+                       i.midpoint().norm()) /
+                      std::sqrt(packing.area(c));
+      }
+  }
+  for (unsigned int c = 0; c < sum.size(); ++c)
+    sum[c] = std::numeric_limits<double>::epsilon() * 0.5 * (n[c] + 4.) *
+             (scene.turns() ? std::max(sum[c], torques[c]) : sum[c]);
+  return sum;
+}
+
+/**
+ * The cells that are out of balance by their own measure.
+ *
+ * @param sum of all forces on each cell.
+ * @param torques of all forces on each cell.
+ * @param reference force of each cell.
+ */
+std::vector<UnbalancedCell>
+unbalanced_cells(const Scene &scene,
+                 const InterfaceForces &forces,
+                 const std::vector<Tensor<1, 2>> &sum,
+                 const std::vector<double> &torques,
+                 const std::vector<double> &reference)
+{
+  const OwnForces own(scene, forces, reference);
+  std::vector<double> defect;
+  for (const Tensor<1, 2> &left : sum)
+    defect.push_back(left.norm());
+  if (scene.turns())
+    for (unsigned int c = 0; c < torques.size(); ++c)
+      defect[c] = std::max(defect[c], std::abs(torques[c]) /
+                                          std::sqrt(scene.packing.area(c)));
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    const Packing::Interface &i = scene.packing.interfaces()[e];
+    for (const unsigned int c : {i.cell_minus, i.cell_plus})
+      defect[c] = std::max(defect[c], violation(scene, forces, e));
+  }
+  const std::vector<double> rounded = rounding_of_forces(scene, forces);
+  std::vector<UnbalancedCell> unbalanced;
+  for (unsigned int c = 0; c < own.size.size(); ++c)
+  {
+    const double rounding =
+        own.near_light[c] ? rounding_of_imbalance : noise_of_imbalance;
+    if (defect[c] > largest_accepted_error * own.size[c] &&
+        defect[c] > std::max(rounding * reference[c], rounded[c]))
+      unbalanced.push_back({c, defect[c], own.size[c]});
+  }
+  return unbalanced;
+}
+} // namespace
+
+Certificate certify(const Scene &scene, const InterfaceForces &forces)
+{
+  const Packing &packing = scene.packing;
+  Certificate certificate;
+
+  // A NaN would slip through every comparison below.
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    if (!is_finite(forces, e))
+    {
+      const double infinity = std::numeric_limits<double>::infinity();
+      certificate = {infinity, infinity, infinity, infinity,
+                     infinity, infinity, {},       {}};
+      return certificate;
+    }
+
+  const std::vector<unsigned int> group =
+      connected_groups(packing, Ground::separates);
+  const std::vector<double> reference = reference_forces(scene, forces, group);
+  // Without a reference force there is nothing to be compared.
+  using Kind = LargestError::Kind;
+  const auto add = [&](double &largest, const Kind kind, const double error,
+                       const unsigned int cell) {
+    if (!(reference[group[cell]] > 0.))
+      return;
+    const double relative = error / reference[group[cell]];
+    largest = std::max(largest, relative);
+    if (relative > certificate.largest.relative &&
+        (kind != Kind::moment || scene.turns()))
+      certificate.largest = {kind, cell, error, relative};
+  };
+
+  const Utilisation utilisation(scene, forces);
+  std::vector<Tensor<1, 2>> sum = scene.load;
+  sum.emplace_back(); // of the ground, which takes any force
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing::Interface &i = packing.interfaces()[e];
+    const Tensor<1, 2> f = forces.on_cell_minus(i, e);
+    sum[i.cell_minus] += f;
+    sum[i.cell_plus] -= f;
+    add(certificate.admissibility_violation, Kind::limit,
+        violation(scene, forces, e), i.cell_minus);
+    certificate.max_utilisation =
+        std::max(certificate.max_utilisation, utilisation(e));
+  }
+
+  const std::vector<double> torques = residual_torques(scene, forces);
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    add(certificate.equilibrium_residual, Kind::balance, sum[c].norm(), c);
+    add(certificate.max_torque, Kind::moment,
+        std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
+  }
+  if (scene.turns())
+    certificate.moment_residual = certificate.max_torque;
+  certificate.load_residual = scene.load_residual;
+  std::vector<double> of_cell(packing.n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    of_cell[c] = reference[group[c]];
+  certificate.unbalanced =
+      unbalanced_cells(scene, forces, sum, torques, of_cell);
+  return certificate;
+}
+
+bool proves_collapse(const MechanismCertificate &certificate)
+{
+  return certificate.closing_violation <= largest_closing &&
+         certificate.work_over_dissipation > 1. &&
+         certificate.share_of_closing < largest_share &&
+         certificate.load_residual <= largest_load_residual;
+}
+
+namespace
+{
+/** What a motion does to a scene, added up. */
+struct WorkOfMotion
+{
+  /** The largest displacement of a cell or of an end of a joint with it. */
+  double largest = 0.;
+  /** The largest closing of a joint, and the sum over the joints. */
+  double closing = 0., all_closings = 0.;
+  double dissipation = 0.;
+};
+
+double largest_load(const Scene &scene)
+{
+  double largest = 0.;
+  for (const Tensor<1, 2> &load : scene.load)
+    largest = std::max(largest, load.norm());
+  return largest;
+}
+
+WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
+{
+  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
+  WorkOfMotion of;
+  of.largest = jumps.largest_displacement;
+  for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
+  {
+    const JointLimits::Resistance joint =
+        scene.limits(e).resistance(jumps.openings[e], jumps.sliding[e]);
+    of.dissipation += joint.dissipation;
+    of.closing = std::max(of.closing, joint.closing);
+    of.all_closings += joint.closing;
+  }
+  return of;
+}
+} // namespace
+
+MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
+{
+  const WorkOfMotion of = work_in_joints(scene, motion);
+  const double work = work_of_loads(scene, motion);
+  MechanismCertificate certificate;
+  if (of.largest > 0.)
+    certificate.closing_violation = of.closing / of.largest;
+  if (work > 0.)
+    certificate.work_over_dissipation =
+        of.dissipation > 0. ? work / of.dissipation
+                            : std::numeric_limits<double>::infinity();
+  if (of.all_closings > 0.)
+    certificate.share_of_closing =
+        work > of.dissipation
+            ? of.all_closings * largest_load(scene) / (work - of.dissipation)
+            : std::numeric_limits<double>::infinity();
+  certificate.load_residual = scene.load_residual;
+  return certificate;
+}
+
+FactorBound
+bound_of_factor(const Scene &dead, const Scene &live, const Motion &motion)
+{
+  const WorkOfMotion of = work_in_joints(dead, motion);
+  FactorBound bound;
+  bound.live_work = work_of_loads(live, motion);
+  bound.factor =
+      bound.live_work != 0.
+          ? (of.dissipation - work_of_loads(dead, motion)) / bound.live_work
+          : std::numeric_limits<double>::infinity();
+  if (of.largest > 0.)
+    bound.closing_violation = of.closing / of.largest;
+  return bound;
+}
+} // namespace Voussoir

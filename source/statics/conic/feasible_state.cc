@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/sufficient_strengths.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The mechanism of a ray, along which the loads do work for nothing. */
+std::vector<double> collapse_of(BoundedForces &forces,
+                                const SelfDual::Loads &loads,
+                                SelfDual::Point ray)
+{
+  const double size = largest_component(ray.u);
+  for (auto *const v : {&ray.u, &ray.z})
+    for (double &component : *v)
+      component /= size;
+  return mechanism_near(forces, loads, ray).u;
+}
+
+/** Forces or a collapse, as find_feasible_forces(), with the present rows. */
+FeasibleForces find_with_rows(RowProblem &problem,
+                              const std::vector<double> &loads,
+                              const unsigned int n_max_iterations,
+                              Terminal &terminal)
+{
+  const SelfDual::Loads fixed = {loads, {}, 1.};
+  SelfDual program(problem.forces(), fixed);
+  SelfDual::State state = SelfDual::State::running;
+  FeasibleForces found;
+  while (state == SelfDual::State::running && !found.state &&
+         program.n_iterations() < n_max_iterations)
+  {
+    state = program.step();
+    terminal.iteration("Interior point",
+                       text("iteration ", program.n_iterations(), ", error ",
+                            program.merit()));
+    if (!(program.merit() < merit_worth_correcting))
+      continue;
+    FactorState near = state_near(problem.forces(), fixed, program.point());
+    if (near.residual <= largest_residual_of_state)
+      found.state = std::move(near);
+  }
+  if (state == SelfDual::State::infeasible)
+    found.collapse = collapse_of(problem.forces(), fixed, program.point());
+  found.n_iterations = program.n_iterations();
+  return found;
+}
+
+/** The strips of joints between blocks that turn. */
+constexpr unsigned int n_strips_of_turning = 16;
+} // namespace
+
+RowProblem::RowProblem(const DiscreteProblem &problem)
+    : problem(problem),
+      strips(problem.normal_limits().size(),
+             problem.n_contacts() > 1 ? n_strips_of_turning : 1)
+{
+  make_rows();
+}
+
+void RowProblem::make_rows()
+{
+  present_forces.reset();
+  present_rows = std::make_unique<BoundedRows>(problem, strips);
+  std::vector<bool> held(present_rows->n_bodies(), false);
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    held[b] = problem.is_held(b);
+  present_forces = std::make_unique<BoundedForces>(*present_rows, held);
+}
+
+void RowProblem::refine(const std::vector<double> &u)
+{
+  strips = present_rows->cuts_for(u);
+  make_rows();
+}
+
+std::vector<double> RowProblem::loads() const
+{
+  std::vector<double> own = present_rows->loads();
+  present_forces->clear_held(own);
+  return own;
+}
+
+std::vector<double> RowProblem::loads(std::vector<double> of_problem,
+                                      const bool with_offset) const
+{
+  of_problem.resize(present_rows->n_dofs(), 0.);
+  if (with_offset)
+    add(of_problem, 1., present_rows->offset());
+  present_forces->clear_held(of_problem);
+  return of_problem;
+}
+
+namespace
+{
+void divide_by_largest(std::vector<double> &u)
+{
+  const double size = largest_component(u);
+  if (size > 0.)
+    for (double &component : u)
+      component /= size;
+}
+} // namespace
+
+Motion RowProblem::motion_of(std::vector<double> u) const
+{
+  u.resize(problem.n_dofs());
+  // Divided before, too, since a rigid motion may be large beside the rest.
+  divide_by_largest(u);
+  problem.hold_bodies(u);
+  divide_by_largest(u);
+  return problem.motion_of_cells(u, 1.);
+}
+
+FeasibleForces find_feasible_forces(RowProblem &problem,
+                                    const std::vector<double> &loads,
+                                    const unsigned int n_max_iterations,
+                                    Terminal &terminal)
+{
+  FeasibleForces found;
+  for (unsigned int round = 0;; ++round)
+  {
+    const unsigned int n_before = found.n_iterations;
+    found = find_with_rows(problem, loads, n_max_iterations, terminal);
+    found.n_iterations += n_before;
+    // Strips carry less than the joint does: a collapse is one only when they
+    // are cut for it.
+    if (found.collapse.empty() || !problem.rows().has_strips() ||
+        round == RowProblem::n_rounds)
+      return found;
+    problem.refine(found.collapse);
+  }
+}
+
+namespace
+{
+/** The solution of a problem that collapses as @p found says. */
+Solution collapse_with(const RowProblem &problem, const FeasibleForces &found)
+{
+  Solution solution;
+  solution.stop = Stop::Reason::collapse;
+  const DiscreteProblem &of = problem.of();
+  double dissipation = 0.;
+  for (unsigned int e = 0; e < of.joints().size(); ++e)
+    dissipation += of.friction().dissipation(
+        of.joints()[e].strength, of.sliding(e, found.collapse.data()));
+  solution.mechanism = Mechanism{problem.motion_of(found.collapse),
+                                 of.work(found.collapse.data()), dissipation};
+  return solution;
+}
+
+/** find_state_or_collapse() with the strengths as they are. */
+Solution find_at_once(const DiscreteProblem &problem,
+                      const unsigned int n_max_iterations,
+                      Terminal &terminal)
+{
+  RowProblem by_rows(problem);
+  const FeasibleForces found = find_feasible_forces(by_rows, by_rows.loads(),
+                                                    n_max_iterations, terminal);
+  Solution solution;
+  if (!found.collapse.empty())
+    solution = collapse_with(by_rows, found);
+  else if (found.state)
+  {
+    solution.stop = Stop::Reason::converged;
+    solution.forces = by_rows.rows().forces_of(found.state->x);
+    solution.motion = Motion(problem.n_cells(), problem.kinematics());
+  }
+  solution.n_iterations = solution.n_evaluations = found.n_iterations;
+  return solution;
+}
+} // namespace
+
+Solution find_state_or_collapse(const DiscreteProblem &problem,
+                                const unsigned int n_max_iterations,
+                                Terminal &terminal)
+{
+  SolverControls controls;
+  controls.n_max_iterations = n_max_iterations;
+  return solve_with_sufficient_strengths(
+      problem, controls,
+      [&](const DiscreteProblem &lowered, const SolverControls &rest) {
+        return find_at_once(lowered, rest.n_max_iterations, terminal);
+      });
+}
+
+Solution FeasibleState::select(const DiscreteProblem &problem,
+                               const SolverControls &controls,
+                               Terminal &terminal) const
+{
+  Solution found =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  if (!found.converged() && !found.mechanism)
+    throw Undecided(
+        text("Neither forces that carry the loads nor a mechanism were found "
+             "after ",
+             counted(found.n_iterations, "iteration"),
+             ". The load is close to what the packing can carry, or "
+             "'Solver/Maximum iterations' is small."));
+  return found;
+}
+} // namespace Voussoir

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/statics/conic/second_attempts.h>
+#include <voussoir/statics/energy/elastic_problem.h>
+#include <voussoir/statics/energy/least_energy.h>
+#include <voussoir/statics/energy/yielding_joints.h>
+
+#include <deal.II/base/timer.h>
+
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+namespace
+{
+/** The cells per process below which communication outweighs computation. */
+constexpr unsigned int least_cells_per_process = 500;
+
+/** Minimise by all processes; @p whole and @p order are the root's. */
+Solution minimise_together(const DiscreteProblem *whole,
+                           const ElasticOrder &order,
+                           const double displacement_unit,
+                           const std::vector<double> &start,
+                           const ProcessGroup &processes,
+                           Terminal &terminal)
+{
+  return processes.together([&]() {
+    const ElasticOrder of_root = processes.broadcast(order);
+    const dealii::Timer timer;
+    const SharedProblem problem(whole, processes);
+    const double seconds_to_share = timer.wall_time();
+    Solution solution =
+        minimise_elastic(problem, of_root, displacement_unit, start, terminal);
+    if (processes.size() > 1)
+      solution.seconds["sharing"] = seconds_to_share;
+    return solution;
+  });
+}
+} // namespace
+
+void LeastEnergy::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Modulus", modulus,
+                    "Of the elastic joints, whose stiffness is the modulus "
+                    "times |e| / d_e. It divides the displacements in the "
+                    "results and changes nothing else; a stress.",
+                    Double(1e-100, 1e100));
+  add_choice<LinearSolver>(
+      prm, "Linear solver", linear_solver,
+      {{LinearSolver::automatic, "automatic",
+        "the faster one at the size of the packing."},
+       {LinearSolver::direct, "direct", "CHOLMOD's Cholesky factorisation."},
+       {LinearSolver::multigrid, "multigrid",
+        "conjugate gradients with Trilinos' algebraic multigrid ML."}},
+      "How the linear systems of Newton's method are solved.");
+}
+
+Solution LeastEnergy::select(const DiscreteProblem &problem,
+                             const SolverControls &controls,
+                             Terminal &terminal) const
+{
+  const ElasticOrder order = {linear_solver, controls.tolerance,
+                              controls.n_max_iterations};
+  const double displacement_unit =
+      problem.stress_scale() * problem.length_scale() / modulus;
+  std::vector<double> start;
+  if (controls.start)
+    start = problem.unknowns_of(*controls.start, displacement_unit);
+  if (!problem.normal_limits().empty())
+    return minimise_yielding(problem, order, displacement_unit,
+                             std::move(start), terminal);
+  const bool is_shared =
+      problem.n_cells() >= least_cells_per_process * controls.processes.size();
+  const ProcessGroup processes =
+      is_shared ? controls.processes : ProcessGroup();
+  processes.call(least_energy_task);
+  if (processes.size() > 1)
+    start.clear();
+  const Solution solution = minimise_together(
+      &problem, order, displacement_unit, start, processes, terminal);
+  return try_second_attempts(problem, elastic_costs(problem), controls,
+                             displacement_unit, solution, terminal);
+}
+
+void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal)
+{
+  try
+  {
+    minimise_together(nullptr, {}, 0., {}, processes, terminal);
+  }
+  catch (const SolverError &)
+  {
+    // All processes have it; the root reports it.
+  }
+}
+} // namespace Voussoir

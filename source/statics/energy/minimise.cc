@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/statics/energy/minimise.h>
+#include <voussoir/statics/problem/solver_controls.h>
+
+namespace Voussoir
+{
+Solution minimise(const SharedProblem &problem,
+                  Newton &newton,
+                  const NewtonControls &controls,
+                  const std::function<std::optional<Mechanism>()> &advance,
+                  const double displacement_unit,
+                  Terminal &terminal)
+{
+  Solution solution;
+  std::vector<double> best_u;
+  std::vector<double> best_forces;
+  double least = std::numeric_limits<double>::infinity();
+  unsigned int best = 0;
+  bool has_best = false; // an imbalance may be no number
+
+  while (solution.stop == Stop::Reason::none)
+  {
+    const double imbalance = newton.imbalance();
+    const unsigned int n = newton.n_iterations();
+    const bool converged = imbalance <= controls.imbalance &&
+                           newton.decrement() <= controls.decrement &&
+                           newton.force_change() <= controls.force_change;
+    if (imbalance < least || converged || !has_best)
+    {
+      least = imbalance;
+      best = n;
+      has_best = true;
+      best_u = newton.u();
+      best_forces = newton.forces();
+    }
+
+    if (converged)
+      solution.stop = Stop::Reason::converged;
+    else if ((solution.mechanism = problem.search(newton.u(), find_mechanism)))
+      solution.stop = Stop::Reason::collapse;
+    else if (n >= controls.n_max_iterations)
+      solution.stop = Stop::Reason::most_iterations;
+    else if (least <= imbalance_near_rounding &&
+             n > best + n_stalled_iterations)
+      solution.stop = Stop::Reason::rounding;
+    else
+    {
+      terminal.iteration("Newton",
+                         text("iteration ", n, ", imbalance ", imbalance));
+      if ((solution.mechanism = advance()))
+        solution.stop = Stop::Reason::collapse;
+    }
+  }
+
+  // Beyond the limit the displacement grows along a mechanism. One that turns
+  // about hinges shows late, perhaps not before the last iteration.
+  const bool blocks_turn =
+      problem.structure().kinematics().n_rigid_motions() > 2;
+  if ((solution.stop == Stop::Reason::rounding ||
+       (blocks_turn && solution.stop == Stop::Reason::most_iterations)) &&
+      (solution.mechanism = problem.search(newton.u(), find_mechanism_near)))
+    solution.stop = Stop::Reason::collapse;
+
+  solution.n_iterations = newton.n_iterations();
+  solution.n_evaluations = newton.n_evaluations();
+  solution.seconds["linear systems"] = newton.seconds_of_systems();
+  problem.collect(best_u, best_forces, displacement_unit, solution);
+  return solution;
+}
+} // namespace Voussoir

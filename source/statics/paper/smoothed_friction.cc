@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/linear/joint_blocks.h>
+#include <voussoir/algebra/newton.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/statics/conic/second_attempts.h>
+#include <voussoir/statics/paper/compliant_start.h>
+#include <voussoir/statics/paper/displacement_program.h>
+#include <voussoir/statics/paper/hard_contact.h>
+#include <voussoir/statics/paper/smoothed_friction.h>
+#include <voussoir/statics/paper/smoothed_joint.h>
+#include <voussoir/statics/problem/find_opening.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+/**
+ * With compliant contact the balance of all cells decides when to stop. Ipopt
+ * does not see that of the cells held in place, where the imbalance of all
+ * others adds up, and must not stop before.
+ */
+constexpr double ipopt_over_own_tolerance = 1e-3;
+
+/**
+ * With hard contact Ipopt's tolerance bounds the error of the product of normal
+ * force and opening, too, and must be well below that product, or the forces
+ * are those of some other point of the central path.
+ */
+constexpr double tolerance_over_barrier = 1e-2;
+
+/**
+ * The iterations with compliant contact after which an interior-point method
+ * may have the answer sooner: elsewhere Ipopt takes some dozens (measured),
+ * close to the limit of the load some hundreds, or none are enough.
+ */
+constexpr unsigned int n_before_interior_point = 60;
+
+/**
+ * The steps of Newton's method that follow on the interior point, and the
+ * imbalance that needs none: the interior point's small products leave forces
+ * off by up to 1e-7 (measured), and a step leaves the square of that.
+ */
+constexpr unsigned int n_sharpenings = 3;
+constexpr double imbalance_to_refine = 1e-12;
+
+/** The energy of SmoothedJoint; the unknowns are the displacements alone. */
+class SmoothedFrictionProgram : public DisplacementProgram
+{
+public:
+  SmoothedFrictionProgram(const DiscreteProblem &problem,
+                          const Contact contact,
+                          const SolverControls &controls,
+                          const double barrier_parameter,
+                          Terminal &terminal)
+      : problem(problem), of_joints(problem, false), contact(contact),
+        law(problem, contact), controls(controls),
+        barrier_parameter(barrier_parameter), terminal(terminal)
+  {
+    // Hard contact starts where every joint is open.
+    if (contact == Contact::hard)
+      of_start.displacement = opening_of(problem).displacement;
+    else
+      of_start = compliant_start(problem, law, controls, terminal);
+  }
+
+  std::vector<double> start() const override { return of_start.displacement; }
+
+  double value(const double *x) override
+  {
+    // Close to the minimum the line search compares energies that differ by
+    // rounding alone; a longer sum keeps it from cutting good steps.
+    long double sum = -problem.work(x);
+    std::array<double, 3> jumps;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    {
+      problem.find_jumps(e, x, jumps.data());
+      sum += law.energy(e, jumps.data());
+    }
+    return sum;
+  }
+
+  std::vector<double> gradient(const double *x) override
+  {
+    std::vector<double> g(problem.n_dofs());
+    for (unsigned int k = 0; k < g.size(); ++k)
+      g[k] = -problem.loads()[k];
+    std::array<double, 3> jumps, forces;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    {
+      problem.find_jumps(e, x, jumps.data());
+      law.find_forces(e, jumps.data(), forces.data());
+      problem.add_jump_gradient(e, forces.data(), g.data());
+    }
+    if (contact == Contact::compliant)
+      keep_if_better(x, g);
+    return g;
+  }
+
+  // First the lower triangle of each body's diagonal block, then the block of
+  // each joint with the rows of the higher body; c- < c+.
+  std::vector<Entry> hessian(const double *x) const override
+  {
+    const unsigned int n = problem.n_unknowns(), n_entries = n * (n + 1) / 2;
+    std::vector<Entry> entries;
+    entries.reserve(n_entries * problem.n_bodies() +
+                    n * n * problem.joints().size());
+    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          entries.push_back({problem.dof(b, i), problem.dof(b, j), 0.});
+    std::vector<double> second(problem.n_all_rows());
+    std::array<double, 3> jumps;
+    JointBlocks::Blocks blocks;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    {
+      problem.find_jumps(e, x, jumps.data());
+      law.find_second_derivatives(e, jumps.data(),
+                                  &second[std::size_t(e) * problem.n_rows()]);
+      of_joints.find(e, second.data(), blocks);
+      const DiscreteProblem::Joint &joint = problem.joints()[e];
+      unsigned int k = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+        {
+          entries.push_back({problem.dof(joint.cell_plus, i),
+                             problem.dof(joint.cell_minus, j),
+                             blocks.mixed[i * n + j]});
+          if (j > i)
+            continue;
+          entries[n_entries * joint.cell_minus + k].value +=
+              blocks.minus[i * n + j];
+          entries[n_entries * joint.cell_plus + k].value +=
+              blocks.plus[i * n + j];
+          ++k;
+        }
+    }
+    return entries;
+  }
+  unsigned int n_constraints() const override
+  {
+    return contact == Contact::hard
+               ? problem.joints().size() * problem.n_contacts()
+               : 0;
+  }
+  std::vector<Entry> constraints() const override
+  {
+    std::vector<Entry> entries;
+    const unsigned int n = problem.n_contacts();
+    for (unsigned int k = 0; k < n_constraints(); ++k)
+      add_jump_entries(problem, k / n, k % n, 1., k, entries);
+    return entries;
+  }
+  Stop verdict(const unsigned int iteration) override
+  {
+    if (contact == Contact::hard)
+      return {};
+    if (least_imbalance < imbalance_before)
+      most_balanced_iteration = iteration;
+    imbalance_before = least_imbalance;
+    if (least_imbalance <= controls.tolerance)
+      return Stop::Reason::converged;
+    if (iteration >= n_before_interior_point && !interior)
+    {
+      Solution before;
+      before.n_iterations = iteration;
+      ask_interior_point(std::move(before));
+      if (has_answer())
+        return interior->stop;
+    }
+    if (least_imbalance <= imbalance_near_rounding &&
+        iteration > most_balanced_iteration + n_stalled_iterations)
+      return Stop::Reason::rounding;
+    return {};
+  }
+
+  /** Solve with @p ipopt: the forces, and the displacement with eps = 1. */
+  Solution solve(const IpoptControls &ipopt)
+  {
+    Solution solution = best_of(solve_program(problem, *this, ipopt, terminal));
+    solution.n_iterations += of_start.n_iterations;
+    solution.n_evaluations += of_start.n_evaluations;
+    return solution;
+  }
+
+private:
+  /** Of Ipopt and the interior-point method. */
+  Solution best_of(ProgramResult result)
+  {
+    if (has_answer())
+    {
+      interior->n_evaluations += result.solution.n_evaluations;
+      return *interior;
+    }
+    Solution solution = solution_of_ipopt(std::move(result));
+    if (interior)
+      return solution;
+    ask_interior_point(std::move(solution));
+    return *interior;
+  }
+
+  /** try_second_attempts(), with compliant contact by the same state. */
+  void ask_interior_point(Solution before)
+  {
+    std::vector<JointCost> costs;
+    if (contact == Contact::compliant)
+      for (unsigned int e = 0; e < problem.joints().size(); ++e)
+        costs.push_back(
+            {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
+    const bool was_converged = before.converged();
+    interior = try_second_attempts(problem, costs, controls,
+                                   1. / law.displacement_unit(),
+                                   std::move(before), terminal);
+    if (contact == Contact::compliant && interior->converged() &&
+        !was_converged)
+      refine_compliant_contact(*interior);
+  }
+
+  /** True if the interior-point method has an answer. */
+  bool has_answer() const
+  {
+    return interior && (interior->converged() || interior->mechanism);
+  }
+
+  Solution solution_of_ipopt(ProgramResult result) const
+  {
+    std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
+    const std::vector<double> &multipliers = result.multipliers;
+    Solution solution = std::move(result.solution);
+    if (solution.mechanism)
+      return solution;
+    const unsigned int n = problem.n_contacts(), n_rows = problem.n_rows();
+    solution.forces.resize(problem.n_all_rows());
+    std::array<double, 3> jumps;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    {
+      problem.find_jumps(e, x.data(), jumps.data());
+      law.find_forces(e, jumps.data(),
+                      &solution.forces[std::size_t(e) * n_rows]);
+    }
+    // Ipopt's multiplier of y_e >= 0 is -p_e.
+    for (unsigned int k = 0; k < n_constraints(); ++k)
+      solution.forces[k / n * n_rows + k % n] = multipliers[k];
+    if (contact == Contact::hard)
+      refine_hard_contact(problem, law, barrier_parameter, x,
+                          controls.tolerance, solution);
+    problem.remove_rigid_motions(x);
+    solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());
+    return solution;
+  }
+
+  /** Take Newton's own steps from the interior point's displacement. */
+  void refine_compliant_contact(Solution &solution) const
+  {
+    const double unit = 1. / law.displacement_unit();
+    JointSystem system(problem, LinearSolver::automatic);
+    Newton newton(problem, law, system,
+                  problem.unknowns_of(solution.motion, unit));
+    double least = newton.imbalance();
+    try
+    {
+      for (unsigned int k = 0; k < n_sharpenings && least > imbalance_to_refine;
+           ++k)
+      {
+        newton.full_step();
+        if (!(newton.imbalance() < least))
+          break;
+        least = newton.imbalance();
+        if (least > controls.tolerance)
+          continue;
+        solution.forces = newton.forces();
+        solution.motion = problem.motion_of_cells(newton.u(), unit);
+      }
+    }
+    catch (const SolverError &)
+    {
+      // What was found stands.
+    }
+  }
+
+  /** Without constraints the gradient is the imbalance of the forces. */
+  void keep_if_better(const double *x, const std::vector<double> &gradient)
+  {
+    double imbalance = 0.;
+    for (const double g : gradient)
+      imbalance = std::max(imbalance, std::abs(g));
+    if (imbalance < least_imbalance)
+    {
+      least_imbalance = imbalance;
+      most_balanced.assign(x, x + gradient.size());
+    }
+  }
+
+  const DiscreteProblem &problem;
+  const JointBlocks of_joints;
+  const Contact contact;
+  const SmoothedJoint law;
+  const SolverControls &controls;
+  const double barrier_parameter;
+  Terminal &terminal;
+  /** Where Ipopt starts. */
+  CompliantStart of_start;
+  /** The result of the interior-point method, if it was run. */
+  std::optional<Solution> interior;
+  /** Of the points of compliant contact, the one with the best balance. */
+  std::vector<double> most_balanced;
+  double least_imbalance = std::numeric_limits<double>::infinity();
+  double imbalance_before = std::numeric_limits<double>::infinity();
+  unsigned int most_balanced_iteration = 0;
+};
+} // namespace
+
+std::string SmoothedFriction::selection() const
+{
+  return contact == Contact::compliant
+             ? "smoothed friction with compliant contact: least energy of the "
+               "contact springs, with the most even use of friction"
+             : "smoothed friction with hard contact: the most even use of "
+               "friction, then the analytic centre of the normal forces";
+}
+
+void SmoothedFriction::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  add_choice<Contact>(
+      prm, "Contact", contact,
+      {{Contact::compliant, "compliant",
+        "springs in compression; forces in proportion to the geometry, fast."},
+       {Contact::hard, "hard",
+        "no interpenetration, as in the paper; short edges may carry very "
+        "large stresses."}},
+      "How contact selects the normal forces. Both give admissible and "
+      "balanced forces of the rigid blocks.");
+  prm.add_parameter("Smoothing length", smoothing_length,
+                    "The length eps in sqrt(x^2 + eps^2) - eps. It is the unit "
+                    "of the displacements in the results and changes nothing "
+                    "else; a length.",
+                    Double(1e-100, 1e100));
+  prm.add_parameter("Barrier parameter", barrier_parameter,
+                    "The product of normal force and opening, nondimensional "
+                    "and the same in every joint, at which hard contact stops: "
+                    "small enough not to move the forces, and large enough for "
+                    "the solver to meet it.",
+                    Double(1e-12, 1e-2));
+}
+
+Solution SmoothedFriction::select(const DiscreteProblem &problem,
+                                  const SolverControls &controls,
+                                  Terminal &terminal) const
+{
+  if (contact == Contact::hard)
+    require_interior(problem, "smoothed friction' with 'Contact = hard");
+  SmoothedFrictionProgram program(problem, contact, controls, barrier_parameter,
+                                  terminal);
+  IpoptControls ipopt = {controls.tolerance, controls.n_max_iterations};
+  if (contact == Contact::compliant)
+    ipopt.tolerance *= ipopt_over_own_tolerance;
+  else
+  {
+    // Stop at a given point of the central path and not anywhere near its end:
+    // the normal forces are then those of one barrier problem, to the solver's
+    // precision, and do not depend on the steps that led there.
+    ipopt.mu_target = barrier_parameter;
+    ipopt.tolerance =
+        std::min(ipopt.tolerance, tolerance_over_barrier * barrier_parameter);
+  }
+
+  Solution solution = program.solve(ipopt);
+  for (Tensor<1, 2> &u : solution.motion.displacement)
+    u *= smoothing_length;
+  for (double &angle : solution.motion.rotation)
+    angle *= smoothing_length;
+  return solution;
+}
+} // namespace Voussoir

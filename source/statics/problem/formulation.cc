@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/statics/problem/equilibrate.h>
+#include <voussoir/statics/problem/find_opening.h>
+#include <voussoir/statics/problem/formulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The largest |a - b|, over the largest force of both; zero for no forces. */
+double relative_change(const std::vector<double> &a,
+                       const std::vector<double> &b)
+{
+  double change = 0., largest = 0.;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    change = std::max(change, std::abs(a[k] - b[k]));
+    largest = std::max({largest, std::abs(a[k]), std::abs(b[k])});
+  }
+  return largest > 0. ? change / largest : 0.;
+}
+
+/** The unit of a force per unit thickness. */
+double force_scale(const DiscreteProblem &problem)
+{
+  return problem.stress_scale() * problem.length_scale();
+}
+} // namespace
+
+Solution Formulation::solve(const DiscreteProblem &problem,
+                            const SolverControls &controls,
+                            Terminal &terminal) const
+{
+  if (!problem.joints().empty() && problem.is_loaded())
+  {
+    Solution solution;
+    try
+    {
+      solution = select(problem, controls, terminal);
+    }
+    catch (const NewtonFailure &failure)
+    {
+      const bool too_stiff = failure.cause == NewtonFailure::Cause::stiffness;
+      throw SolverError(failure.what() +
+                        std::string(too_stiff
+                                        ? " Lower 'Friction/Strength', or"
+                                          " take another 'Formulation'."
+                                        : " Take another 'Formulation'."));
+    }
+    if (controls.equilibrate && !solution.mechanism)
+      equilibrate_solution(problem, solution);
+    return solution;
+  }
+
+  Solution nothing;
+  nothing.forces.resize(problem.n_all_rows());
+  nothing.motion = Motion(problem.n_cells(), problem.kinematics());
+  nothing.stop = Stop::Reason::nothing_to_balance;
+  return nothing;
+}
+
+void equilibrate_solution(const DiscreteProblem &problem, Solution &solution)
+{
+  std::vector<double> balanced = equilibrate(problem, solution.forces);
+  solution.correction = relative_change(solution.forces, balanced);
+  solution.forces = std::move(balanced);
+}
+
+void require_interior(const DiscreteProblem &problem,
+                      const std::string &formulation)
+{
+  if (!opening_of(problem).displacement.empty())
+    return;
+  const std::string advice =
+      "The formulation '" + formulation +
+      "' has no answer there; set 'Formulation = least energy', which has one.";
+  if (!opening_of(problem).self_stress.empty())
+    throw InputError(
+        (problem.has_ground()
+             ? "The supports clamp the packing: no motion opens all contacts, "
+               "so that normal forces can balance by themselves and have no "
+               "bound. "
+             : "Blocks clamp each other: no motion opens all contacts, so that "
+               "normal forces can balance by themselves and have no bound. ") +
+        advice);
+  throw InputError(
+      "Whether the supports clamp the packing cannot be told: a motion that "
+      "opens all contacts would open some of them by no more than the rounding "
+      "of the coordinates, or could not be found. " +
+      advice);
+}
+
+InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                   const Solution &solution)
+{
+  const double unit = force_scale(problem);
+  const unsigned int n = problem.n_contacts();
+  InterfaceForces forces;
+  for (auto f = solution.forces.begin(); f != solution.forces.end(); f += n + 1)
+  {
+    forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
+    forces.tangential.push_back(unit * f[n]);
+    if (n == 2)
+      forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
+  }
+  return forces;
+}
+
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const InterfaceForces &forces)
+{
+  const double factor = 1. / force_scale(problem);
+  std::vector<double> result;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    if (forces.at_ends.empty())
+      result.push_back(factor * forces.normal[e]);
+    else
+      for (const double f : forces.at_ends[e])
+        result.push_back(factor * f);
+    result.push_back(factor * forces.tangential[e]);
+  }
+  return result;
+}
+} // namespace Voussoir
