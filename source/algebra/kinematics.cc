@@ -1,86 +1,60 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/kinematics.h>
-#include <voussoir/base/geometry.h>
 
-#include <deal.II/base/exceptions.h>
+#include <algorithm>
 
 namespace Voussoir
 {
 
-using dealii::Tensor;
-
-namespace
+ContactRow combination(const double factor_of_a,
+                       const ContactRow &a,
+                       const double factor_of_b,
+                       const ContactRow &b)
 {
+  ContactRow row;
+  for (unsigned int i = 0; i < row.direction.size(); ++i)
+  {
+    row.direction[i] =
+        factor_of_a * a.direction[i] + factor_of_b * b.direction[i];
+    row.turn_minus[i] =
+        factor_of_a * a.turn_minus[i] + factor_of_b * b.turn_minus[i];
+    row.turn_plus[i] =
+        factor_of_a * a.turn_plus[i] + factor_of_b * b.turn_plus[i];
+  }
+  return row;
+}
 
-class Translations : public Kinematics
+void Kinematics::find_rigid_motion(const unsigned int k,
+                                   const dealii::Tensor<1, 3> &x,
+                                   double *unknowns) const
 {
-public:
-  std::string name() const override { return "translations"; }
-  unsigned int n_unknowns() const override { return 2; }
-  unsigned int n_contacts() const override { return 1; }
-  void find_rows(const JointFrame &joint, ContactRow *rows) const override
+  std::fill_n(unknowns, n_unknowns(), 0.);
+  unknowns[k] = 1.;
+  if (k < translations)
+    return;
+  // The angle vector of length one, times x.
+  if (translations == 2)
   {
-    rows[0].direction = joint.normal;
-    rows[1].direction = joint.tangent;
+    unknowns[0] = -x[1];
+    unknowns[1] = x[0];
+    return;
   }
-  unsigned int n_rigid_motions() const override { return 2; }
-  void find_rigid_motion(const unsigned int k,
-                         const Tensor<1, 2> & /*x*/,
-                         double *unknowns) const override
-  {
-    for (unsigned int i = 0; i < 2; ++i)
-      unknowns[i] = i == k ? 1. : 0.;
-  }
-};
-
-class Rotations : public Kinematics
-{
-public:
-  std::string name() const override { return "rotations"; }
-  unsigned int n_unknowns() const override { return 3; }
-  unsigned int n_contacts() const override { return 2; }
-  void find_rows(const JointFrame &joint, ContactRow *rows) const override
-  {
-    for (unsigned int k = 0; k < 2; ++k)
-      rows[k] = {joint.normal, cross(joint.from_minus[k], joint.normal),
-                 cross(joint.from_plus[k], joint.normal)};
-    const auto turn = [&](const std::array<Tensor<1, 2>, 2> &ends) {
-      return 0.5 * cross(ends[0] + ends[1], joint.tangent);
-    };
-    rows[2] = {joint.tangent, turn(joint.from_minus), turn(joint.from_plus)};
-  }
-  unsigned int n_rigid_motions() const override { return 3; }
-  void find_rigid_motion(const unsigned int k,
-                         const Tensor<1, 2> &x,
-                         double *unknowns) const override
-  {
-    unknowns[0] = k == 0 ? 1. : k == 2 ? -x[1] : 0.;
-    unknowns[1] = k == 1 ? 1. : k == 2 ? x[0] : 0.;
-    unknowns[2] = k == 2 ? 1. : 0.;
-  }
-};
-
-} // namespace
+  const unsigned int axis = k - translations;
+  const unsigned int next = (axis + 1) % 3, last = (axis + 2) % 3;
+  unknowns[next] = -x[last];
+  unknowns[last] = x[next];
+}
 
 const Kinematics &rotations()
 {
-  static const Rotations kinematics;
+  static const Kinematics kinematics("rotations", 2, 1);
   return kinematics;
 }
 
 const Kinematics &translations()
 {
-  static const Translations kinematics;
+  static const Kinematics kinematics("translations", 2, 0);
   return kinematics;
-}
-
-const Kinematics &kinematics_of(const std::string &name)
-{
-  for (const Kinematics *kinematics : {&translations(), &rotations()})
-    if (kinematics->name() == name)
-      return *kinematics;
-  AssertThrow(false, dealii::ExcInternalError());
-  return translations();
 }
 
 } // namespace Voussoir

@@ -73,17 +73,14 @@ void Newton::restart(std::vector<double> u)
 void Newton::evaluate(State &state)
 {
   ++evaluations;
-  const unsigned int n_rows = structure.n_rows();
   state.forces.resize(structure.n_all_rows());
   state.gradient.resize(structure.n_dofs());
   for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     state.gradient[k] = -structure.loads()[k];
   for (unsigned int e = 0; e < structure.joints().size(); ++e)
-  {
-    double *forces = state.forces.data() + std::size_t(e) * n_rows;
-    law.find_forces(e, state.jumps.data() + std::size_t(e) * n_rows, forces);
-    structure.add_jump_gradient(e, forces, state.gradient.data());
-  }
+    law.find_forces(e, state.jumps.data() + structure.first_row(e),
+                    state.forces.data() + structure.first_row(e));
+  structure.add_jump_gradients(1., state.forces, state.gradient);
 }
 
 double Newton::step(const double shift, const std::vector<double> &centre)
@@ -111,23 +108,25 @@ Newton::Direction Newton::direction(const double shift,
   Direction d;
   d.u = solve(shift, right);
   d.jumps = structure.jumps(d.u);
-  const unsigned int n_rows = structure.n_rows();
   double longest = longest_expansion / fraction_to_boundary;
-  for (std::size_t e = 0, k = 0; k < d.jumps.size(); ++e, k += n_rows)
-    longest =
-        std::min(longest, law.longest_step(e, &present.jumps[k], &d.jumps[k]));
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+    longest = std::min(
+        longest, law.longest_step(e, &present.jumps[structure.first_row(e)],
+                                  &d.jumps[structure.first_row(e)]));
   d.longest = fraction_to_boundary * structure.processes().min(longest);
   return d;
 }
 
-std::vector<double> Newton::stiffnesses() const
+JointStiffnesses Newton::stiffnesses() const
 {
-  std::vector<double> second(present.jumps.size());
-  const unsigned int n_rows = structure.n_rows();
-  for (std::size_t e = 0, k = 0; k < second.size(); ++e, k += n_rows)
-    law.find_second_derivatives(e, &present.jumps[k], &second[k]);
+  JointStiffnesses second = {
+      std::vector<double>(structure.n_all_coefficients()), true};
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+    second.are_isotropic &= law.find_second_derivatives(
+        e, &present.jumps[structure.first_row(e)],
+        &second.of_rows[structure.first_coefficient(e)]);
   const bool finite =
-      std::all_of(second.begin(), second.end(),
+      std::all_of(second.of_rows.begin(), second.of_rows.end(),
                   [](const double k) { return std::isfinite(k); });
   if (!structure.processes().all(finite))
     throw NewtonFailure(NewtonFailure::Cause::stiffness);
@@ -137,9 +136,9 @@ std::vector<double> Newton::stiffnesses() const
 std::vector<double> Newton::solve(double shift,
                                   const std::vector<double> &right)
 {
-  const std::vector<double> second = stiffnesses();
+  const JointStiffnesses second = stiffnesses();
   double stiffest = 1.;
-  for (const double k : second)
+  for (const double k : second.of_rows)
     stiffest = std::max(stiffest, k);
   stiffest = structure.processes().max(stiffest);
   // Rounding can cost the matrix its definiteness; then the step would not lead
@@ -161,15 +160,14 @@ std::vector<double> Newton::solve(double shift,
  * Take out of @p d what the shift has put into it, where that is little: cells
  * that no joint holds owe their whole displacement to the shift.
  */
-void Newton::refine(const std::vector<double> &second,
+void Newton::refine(const JointStiffnesses &second,
                     const std::vector<double> &right,
                     std::vector<double> &d)
 {
   std::vector<double> left(right);
   std::vector<double> f = structure.jumps(d);
-  for (std::size_t k = 0; k < f.size(); ++k)
-    f[k] *= -second[k];
-  structure.add_jump_gradients(1., f, left);
+  structure.multiply_by_blocks(second.of_rows, f);
+  structure.add_jump_gradients(-1., f, left);
   if (largest(structure, left) > little_left * largest(structure, right))
     return;
   const std::vector<double> correction = system.solve(left);

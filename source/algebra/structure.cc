@@ -3,26 +3,36 @@
 
 #include <deal.II/base/index_set.h>
 
-#include <array>
 #include <utility>
 
 namespace Voussoir
 {
 
-Structure::Structure(const Kinematics &kinematics, const FrictionLaw &friction)
-    : unknowns_per_body(kinematics.n_unknowns()),
-      rows_per_joint(kinematics.n_rows())
+Structure::Structure(const Kinematics &kinematics)
+    : unknowns_per_body(kinematics.n_unknowns())
 {
-  Assert(rows_per_joint <= most_rows, dealii::ExcInternalError());
-  own.kinematics = &kinematics;
-  own.friction = &friction;
+  own.kinematics = kinematics;
 }
 
 Structure::Structure(const ProcessGroup &processes, Part part)
     : own(std::move(part)), group(processes),
-      unknowns_per_body(own.kinematics->n_unknowns()),
-      rows_per_joint(own.kinematics->n_rows())
+      unknowns_per_body(own.kinematics.n_unknowns())
 {
+  if (has_blocks())
+  {
+    First next = {0, 0};
+    for (unsigned int e = 0; e < joints().size(); ++e)
+    {
+      first_of_joint.push_back(next);
+      for (unsigned int row = 0; row < n_rows(e); ++next.set)
+      {
+        const std::size_t size = own.joints.set_sizes[next.set];
+        row += size;
+        next.coefficient += size * size;
+      }
+    }
+    first_of_joint.push_back(next);
+  }
   if (processes.size() == 1)
     return;
   const unsigned int n_all_dofs =
@@ -36,26 +46,40 @@ Structure::Structure(const ProcessGroup &processes, Part part)
 }
 
 void Structure::Joints::add(const Joint &joint,
-                            const ContactRow *rows,
-                            const unsigned int n_rows,
-                            const bool with_turns)
+                            const std::vector<ContactRow> &rows,
+                            const Kinematics &kinematics,
+                            const std::vector<unsigned int> &sets)
 {
+  if (set_sizes.empty() && !sets.empty())
+    set_sizes.assign(first_row.back(), 1);
+  if (!sets.empty())
+    set_sizes.insert(set_sizes.end(), sets.begin(), sets.end());
+  else if (!set_sizes.empty())
+    set_sizes.insert(set_sizes.end(), rows.size(), 1);
   list.push_back(joint);
-  for (unsigned int r = 0; r < n_rows; ++r)
+  first_row.push_back(first_row.back() + rows.size());
+  const unsigned int T = kinematics.n_translations();
+  const unsigned int R = kinematics.n_rotations();
+  for (const ContactRow &row : rows)
   {
-    direction.push_back(rows[r].direction);
-    if (!with_turns)
-      continue;
-    turn_minus.push_back(rows[r].turn_minus);
-    turn_plus.push_back(rows[r].turn_plus);
+    direction.insert(direction.end(), row.direction.begin(),
+                     row.direction.begin() + T);
+    turn_minus.insert(turn_minus.end(), row.turn_minus.begin(),
+                      row.turn_minus.begin() + R);
+    turn_plus.insert(turn_plus.end(), row.turn_plus.begin(),
+                     row.turn_plus.begin() + R);
   }
 }
 
-void Structure::add_joint(const Joint &joint, const JointFrame &frame)
+void Structure::Joints::reserve(const std::size_t n_joints,
+                                const std::size_t n_rows,
+                                const Kinematics &kinematics)
 {
-  std::array<ContactRow, most_rows> rows;
-  own.kinematics->find_rows(frame, rows.data());
-  own.joints.add(joint, rows.data(), rows_per_joint, unknowns_per_body > 2);
+  list.reserve(n_joints);
+  first_row.reserve(n_joints + 1);
+  direction.reserve(n_rows * kinematics.n_translations());
+  turn_minus.reserve(n_rows * kinematics.n_rotations());
+  turn_plus.reserve(n_rows * kinematics.n_rotations());
 }
 
 void Structure::update_ghosts(std::vector<double> &u) const
@@ -75,25 +99,135 @@ void Structure::update_ghosts(std::vector<double> &u) const
       ghosts, requests);
 }
 
+unsigned int Structure::joint_of_row(const std::size_t k) const
+{
+  const std::vector<unsigned int> &first = own.joints.first_row;
+  return std::upper_bound(first.begin(), first.end(), k) - first.begin() - 1;
+}
+
+dealii::Tensor<1, 3> Structure::normal(const unsigned int e) const
+{
+  dealii::Tensor<1, 3> normal;
+  std::copy_n(direction(first_row(e)), n_translations(), normal.begin_raw());
+  return normal;
+}
+
+ContactRow Structure::row(const std::size_t k) const
+{
+  const unsigned int T = n_translations(), R = own.kinematics.n_rotations();
+  ContactRow row;
+  std::copy_n(direction(k), T, row.direction.begin());
+  std::copy_n(turn_minus(k), R, row.turn_minus.begin());
+  std::copy_n(turn_plus(k), R, row.turn_plus.begin());
+  return row;
+}
+
+std::vector<ContactRow> Structure::rows(const unsigned int e) const
+{
+  std::vector<ContactRow> rows;
+  for (unsigned int r = 0; r < n_rows(e); ++r)
+    rows.push_back(row(e, r));
+  return rows;
+}
+
+std::vector<unsigned int> Structure::sets(const unsigned int e) const
+{
+  std::vector<unsigned int> sets;
+  if (has_blocks())
+    for_each_set(e, [&](const unsigned int size, unsigned int, unsigned int) {
+      sets.push_back(size);
+    });
+  return sets;
+}
+
+void Structure::multiply_by_blocks(const std::vector<double> &coefficients,
+                                   std::vector<double> &f) const
+{
+  if (!has_blocks())
+  {
+    for (std::size_t k = 0; k < f.size(); ++k)
+      f[k] *= coefficients[k];
+    return;
+  }
+  std::vector<double> of_set;
+  for (unsigned int e = 0; e < joints().size(); ++e)
+    for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                        const unsigned int coefficient) {
+      const double *block = &coefficients[first_coefficient(e) + coefficient];
+      double *of_rows = &f[first_row(e) + row];
+      of_set.assign(of_rows, of_rows + size);
+      for (unsigned int i = 0; i < size; ++i)
+      {
+        of_rows[i] = 0.;
+        for (unsigned int j = 0; j < size; ++j)
+          of_rows[i] += block[i * size + j] * of_set[j];
+      }
+    });
+}
+
+void Structure::find_all_jumps(const double *u, double *jumps) const
+{
+  own.kinematics.dispatch([&](const auto T, const auto R) {
+    for (std::size_t e = 0, k = 0; e < joints().size(); ++e)
+    {
+      const double *plus = u + (T + R) * std::size_t(joints()[e].cell_plus);
+      const double *minus = u + (T + R) * std::size_t(joints()[e].cell_minus);
+      for (; k < own.joints.first_row[e + 1]; ++k)
+        jumps[k] = jump_in_row<T, R>(k, plus, minus);
+    }
+  });
+}
+
 std::vector<double> Structure::jumps(const std::vector<double> &u) const
 {
   std::vector<double> result(n_all_rows());
-  for (std::size_t e = 0; e < joints().size(); ++e)
-    find_jumps(e, u.data(), &result[e * rows_per_joint]);
+  find_all_jumps(u.data(), result.data());
   return result;
 }
 
-void Structure::add_jump_gradients(const double factor,
-                                   const std::vector<double> &f,
-                                   std::vector<double> &gradient) const
+template <unsigned int T, unsigned int R>
+void Structure::add_gradient(const unsigned int e,
+                             const double factor,
+                             const double *f,
+                             double *gradient) const
 {
-  std::array<double, most_rows> of_joint;
-  for (std::size_t e = 0, k = 0; e < joints().size(); ++e)
+  double *plus = gradient + (T + R) * std::size_t(joints()[e].cell_plus);
+  double *minus = gradient + (T + R) * std::size_t(joints()[e].cell_minus);
+  const std::size_t first = first_row(e), n = n_rows(e);
+  for (unsigned int i = 0; i < T; ++i)
   {
-    for (unsigned int r = 0; r < rows_per_joint; ++r, ++k)
-      of_joint[r] = factor * f[k];
-    add_jump_gradient(e, of_joint.data(), gradient.data());
+    double component = 0.;
+    for (std::size_t r = 0; r < n; ++r)
+      component += factor * f[r] * own.joints.direction[T * (first + r) + i];
+    plus[i] += component;
+    minus[i] -= component;
   }
+  for (std::size_t r = 0; r < n; ++r)
+    for (unsigned int i = 0; i < R; ++i)
+    {
+      const std::size_t k = R * (first + r) + i;
+      plus[T + i] += factor * f[r] * own.joints.turn_plus[k];
+      minus[T + i] -= factor * f[r] * own.joints.turn_minus[k];
+    }
+}
+
+void Structure::add_jump_gradient(const unsigned int e,
+                                  const double *f,
+                                  double *gradient) const
+{
+  own.kinematics.dispatch([&](const auto T, const auto R) {
+    add_gradient<T, R>(e, 1., f, gradient);
+  });
+}
+
+void Structure::add_all_jump_gradients(const double factor,
+                                       const double *f,
+                                       double *gradient) const
+{
+  own.kinematics.dispatch([&](const auto T, const auto R) {
+    for (unsigned int e = 0; e < joints().size(); ++e)
+      add_gradient<T, R>(e, factor, f + first_row(e), gradient);
+  });
 }
 
 double Structure::work(const double *u) const

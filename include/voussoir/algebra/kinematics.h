@@ -6,86 +6,105 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace Voussoir
 {
-
-/** A joint as its two bodies see it; nondimensional. */
-struct JointFrame
-{
-  /** n_e, from c- to c+. */
-  dealii::Tensor<1, 2> normal;
-  /** t_e = R(pi/2) n_e. */
-  dealii::Tensor<1, 2> tangent;
-  /** @{ */
-  /** The ends of the joint, start and end along t_e, from the centre of a body.
-   */
-  std::array<dealii::Tensor<1, 2>, 2> from_minus;
-  std::array<dealii::Tensor<1, 2>, 2> from_plus;
-  /** @} */
-};
 
 /**
  * A contact row: the displacement of c+ relative to c-, at one point of a joint
  * and in one direction, as a linear form on the unknowns of the two bodies,
  *
- *     direction . (u_{c+} - u_{c-}) + turn_plus w_{c+} - turn_minus w_{c-},
+ *     direction . (u_{c+} - u_{c-}) + turn_plus . w_{c+} - turn_minus . w_{c-},
  *
- * with u_c the first two unknowns of body c, and w_c the third if there is one.
+ * with u_c the translations of body c, and w_c its rotations if it has any. Of
+ * each array as many numbers count as there are of these.
  */
 struct ContactRow
 {
   /** The direction, of length one. */
-  dealii::Tensor<1, 2> direction;
+  std::array<double, 3> direction = {};
   /** @{ */
-  /** The factor of the third unknown of c-, of c+. */
-  double turn_minus = 0.;
-  double turn_plus = 0.;
+  /** The factors of the rotations of c-, of c+. */
+  std::array<double, 3> turn_minus = {};
+  std::array<double, 3> turn_plus = {};
   /** @}*/
 };
 
+/** The row that is @p a times a factor and @p b times another. */
+ContactRow combination(double factor_of_a,
+                       const ContactRow &a,
+                       double factor_of_b,
+                       const ContactRow &b);
+
 /**
- * The motions of a body: how many unknowns it has, two for its displacement and
- * possibly a third, which rows a joint has, and which motions are rigid.
+ * The unknowns of a body: in the plane two translations and possibly a
+ * rotation, in space three of each or no rotations. A rotation is the angle
+ * about x_c, positive counterclockwise, times the unit of length; in space the
+ * three are the components of the vector of the angle.
  */
 class Kinematics
 {
 public:
-  virtual ~Kinematics() = default;
-  /** The name, for the processes to agree on it; see kinematics_of(). */
-  virtual std::string name() const = 0;
-  /** The number of unknowns of a body, two or three. */
-  virtual unsigned int n_unknowns() const = 0;
-  /** The number of points in which the bodies of a joint touch. */
-  virtual unsigned int n_contacts() const = 0;
-  /** The rows of a joint: the normal one of each point, and a tangential one.*/
-  unsigned int n_rows() const { return n_contacts() + 1; }
-  /** Find the n_rows() @p rows of a joint, the tangential one at last. */
-  virtual void find_rows(const JointFrame &joint, ContactRow *rows) const = 0;
+  /** The largest number of unknowns of a body. */
+  static constexpr unsigned int most_unknowns = 6;
+
+  /** The @p name is how messages call it; two or three translations. */
+  Kinematics(std::string name,
+             const unsigned int n_translations,
+             const unsigned int n_rotations)
+      : its_name(std::move(name)), translations(n_translations),
+        rotations(n_rotations)
+  {}
+
+  /** The name. */
+  const std::string &name() const { return its_name; }
+  /** The number of components of the displacement of a body. */
+  unsigned int n_translations() const { return translations; }
+  /** The number of rotations of a body. */
+  unsigned int n_rotations() const { return rotations; }
+  /** The number of unknowns of a body, and of rigid motions of all as one. */
+  unsigned int n_unknowns() const { return translations + rotations; }
+  /** True if bodies turn, so that moments are balanced. */
+  bool turns() const { return rotations > 0; }
   /**
-   * The number of motions of all bodies as one. In motion k a body at the
-   * origin has unknown k equal to one and no other.
+   * Find the @p unknowns of a body at @p x in rigid motion @p k of all bodies:
+   * in that a body at the origin has unknown k equal to one and no other.
    */
-  virtual unsigned int n_rigid_motions() const = 0;
-  /** The unknowns of a body at @p x in motion @p k. */
-  virtual void find_rigid_motion(unsigned int k,
-                                 const dealii::Tensor<1, 2> &x,
-                                 double *unknowns) const = 0;
+  void find_rigid_motion(unsigned int k,
+                         const dealii::Tensor<1, 3> &x,
+                         double *unknowns) const;
+
+  /**
+   * Call @p f with the numbers of translations and rotations as constants that
+   * its loops are unrolled for.
+   */
+  template <typename F>
+  decltype(auto) dispatch(const F &f) const
+  {
+    using std::integral_constant;
+    using Two = integral_constant<unsigned int, 2>;
+    using Three = integral_constant<unsigned int, 3>;
+    if (translations == 2 && rotations == 0)
+      return f(Two(), integral_constant<unsigned int, 0>());
+    if (translations == 2 && rotations == 1)
+      return f(Two(), integral_constant<unsigned int, 1>());
+    if (rotations == 0)
+      return f(Three(), integral_constant<unsigned int, 0>());
+    return f(Three(), Three());
+  }
+
+private:
+  std::string its_name;
+  unsigned int translations;
+  unsigned int rotations;
 };
 
-/** Bodies that do not turn, and touch at the midpoint of a joint. */
+/** Bodies in the plane that do not turn. */
 const Kinematics &translations();
-/**
- * Bodies that also turn. The third unknown is the angle about x_c, positive
- * counterclockwise, times the unit of length, and bodies touch at both ends of
- * a joint: contact there is contact all along it, since the opening of a joint
- * is linear. Its sliding is the same everywhere, (x - x_c) . n_e being
- * constant.
- */
+/** Bodies in the plane that also turn. */
 const Kinematics &rotations();
-
-/** The kinematics of that name among those that there are. */
-const Kinematics &kinematics_of(const std::string &name);
 
 } // namespace Voussoir
 

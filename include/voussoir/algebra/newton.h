@@ -146,10 +146,10 @@ private:
   /** Find forces and gradient from the jumps. */
   void evaluate(State &state);
   /** The second derivatives of the energy. */
-  std::vector<double> stiffnesses() const;
+  JointStiffnesses stiffnesses() const;
   Direction direction(double shift, const std::vector<double> &centre);
   std::vector<double> solve(double shift, const std::vector<double> &right);
-  void refine(const std::vector<double> &second,
+  void refine(const JointStiffnesses &second,
               const std::vector<double> &right,
               std::vector<double> &d);
   /** Find @p trial at @p t steps in a direction. */

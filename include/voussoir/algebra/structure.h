@@ -2,7 +2,6 @@
 #ifndef voussoir_algebra_structure_h
 #define voussoir_algebra_structure_h
 
-#include <voussoir/algebra/friction_law.h>
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/parallel/process_group.h>
 
@@ -18,21 +17,25 @@ namespace Voussoir
 {
 /**
  * Bodies, the loads on them and the joints between them, nondimensional: what
- * Newton's method sees of a problem. All of it, or the part of one process: its
- * own bodies, the joints that touch them, and behind its own the ghosts, bodies
- * of other processes at the far ends of these joints.
+ * Newton's method sees of a problem, in the plane and in space. All of it, or
+ * the part of one process: its own bodies, the joints that touch them, and
+ * behind its own the ghosts, bodies of other processes at the far ends of these
+ * joints.
  *
  * Vectors of unknowns are ordered body by body, see dof(); what has a number
- * for each contact row, as jumps and forces have, joint by joint, n_rows() for
- * each: first the normal ones, n_contacts() of them, at last the tangential
- * one. Sums over the joints of a body are complete for own bodies only.
+ * for each contact row, as jumps and forces have, joint by joint, n_rows(e) of
+ * joint e from first_row(e) on. Sums over the joints of a body are complete for
+ * own bodies only.
+ *
+ * The rows of a joint come in sets, of one row, or of several whose forces
+ * limit one another: a disc of friction has two. What has a number for each
+ * pair of rows in a set, as second derivatives have, is ordered set by set, the
+ * rows of a set's block one behind the other: n_coefficients(e) numbers of
+ * joint e from first_coefficient(e) on. In the plane each set is one row.
  */
 class Structure
 {
 public:
-  /** The largest number of rows of a joint. */
-  static constexpr unsigned int most_rows = 17;
-
   /** An interface e; nondimensional. */
   struct Joint
   {
@@ -40,12 +43,11 @@ public:
     unsigned int cell_minus;
     /** c+, the number of a body here; possibly the ground. */
     unsigned int cell_plus;
-    /** The length |e|. */
+    /** |e|, the length, or in space the area. */
     double length;
     /** d_e, which is positive; see Packing::distance(). */
     double distance;
-    /** s_e |e|, the strength; see FrictionLaw. With Coulomb's friction c_e |e|.
-     */
+    /** s_e |e|, the strength. With Coulomb's friction c_e |e|. */
     double strength;
     /** mu_e, which Coulomb's friction adds times the compression. */
     double coefficient = 0.;
@@ -58,26 +60,42 @@ public:
   {
     /** The joints. */
     std::vector<Joint> list;
-    /** ContactRow::direction of each row. */
-    std::vector<dealii::Tensor<1, 2>> direction;
+    /** The number of the first row of each joint, and at last of all rows. */
+    std::vector<unsigned int> first_row = {0};
+    /** ContactRow::direction of each row, n_translations() numbers each. */
+    std::vector<double> direction;
     /** @{ */
-    /** Of each row; empty where bodies have two unknowns. */
+    /** Of each row, n_rotations() numbers each. */
     std::vector<double> turn_minus, turn_plus;
     /** @} */
-    /** Add a joint with its @p n_rows rows, in which bodies turn if so said. */
+    /**
+     * The number of rows of each set of all joints, in their order; empty where
+     * each set is one row.
+     */
+    std::vector<unsigned int> set_sizes;
+    /**
+     * Add a joint.
+     *
+     * @param joint without its rows.
+     * @param rows of the joint.
+     * @param kinematics of the bodies.
+     * @param sets the numbers of rows of its sets; empty if each is one row.
+     */
     void add(const Joint &joint,
-             const ContactRow *rows,
-             unsigned int n_rows,
-             bool with_turns);
+             const std::vector<ContactRow> &rows,
+             const Kinematics &kinematics,
+             const std::vector<unsigned int> &sets = {});
+    /** Make room for @p n_joints with @p n_rows rows in all. */
+    void reserve(std::size_t n_joints,
+                 std::size_t n_rows,
+                 const Kinematics &kinematics);
   };
 
   /** The part that one process gets of a structure that several share. */
   struct Part
   {
     /** The motions of its bodies. */
-    const Kinematics *kinematics = &translations();
-    /** The law of friction of its joints. */
-    const FrictionLaw *friction = &tresca();
+    Kinematics kinematics = translations();
     /**
      * The number of its first own body; those of a process follow each other,
      * in the order of the processes.
@@ -89,8 +107,8 @@ public:
     Joints joints;
     /** The result of loads(). */
     std::vector<double> loads;
-    /** The result of centres(). */
-    std::vector<dealii::Tensor<1, 2>> centres;
+    /** The result of centre(), of each own body. */
+    std::vector<dealii::Tensor<1, 3>> centres;
   };
 
   /** The part of this process of what @p processes share. */
@@ -99,25 +117,21 @@ public:
   /** The processes that share the structure. */
   const ProcessGroup &processes() const { return group; }
   /** The motions of the bodies. */
-  const Kinematics &kinematics() const { return *own.kinematics; }
-  /** The law of friction of the joints. */
-  const FrictionLaw &friction() const { return *own.friction; }
+  const Kinematics &kinematics() const { return own.kinematics; }
   /** The largest tangential force of joint @p e without compression. */
   double limit(const unsigned int e) const
   {
-    return own.friction->limit(own.joints.list[e].strength, 0.);
+    return own.joints.list[e].strength;
   }
-  /** The share of one contact in the stiffness of joint @p e. */
-  double contact_stiffness(const unsigned int e) const
+  /** Kinematics::n_translations(). */
+  unsigned int n_translations() const
   {
-    return own.joints.list[e].stiffness() / n_contacts();
+    return own.kinematics.n_translations();
   }
   /** Kinematics::n_unknowns(). */
   unsigned int n_unknowns() const { return unknowns_per_body; }
-  /** Kinematics::n_contacts(). */
-  unsigned int n_contacts() const { return rows_per_joint - 1; }
-  /** Kinematics::n_rows(). */
-  unsigned int n_rows() const { return rows_per_joint; }
+  /** True if the rows of joints are a list of contacts and one of sliding. */
+  bool is_plane() const { return n_translations() == 2; }
   /** The number of bodies of this process, with the ground if it has it. */
   unsigned int n_own_bodies() const
   {
@@ -139,66 +153,21 @@ public:
     return body < n_own_bodies() ? own.first + body
                                  : own.ghosts[body - n_own_bodies()];
   }
-  /** All joints that touch an own body. */
-  const std::vector<Joint> &joints() const { return own.joints.list; }
-  /** The number of all their rows. */
-  std::size_t n_all_rows() const { return own.joints.direction.size(); }
-  /** Row @p r of joint @p e. */
-  ContactRow row(unsigned int e, unsigned int r) const;
-  /** n_e, the direction of the first row of joint @p e. */
-  const dealii::Tensor<1, 2> &normal(const unsigned int e) const
-  {
-    return own.joints.direction[std::size_t(e) * rows_per_joint];
-  }
-  /** True if this process counts the joint; the others that have it do not. */
-  bool is_own(const Joint &joint) const
-  {
-    return joint.cell_minus < n_own_bodies();
-  }
   /** The load on each own unknown: F_c for the displacement. */
   const std::vector<double> &loads() const { return own.loads; }
-  /** x_c of each own body; that of the ground is zero. */
-  const std::vector<dealii::Tensor<1, 2>> &centres() const
+  /** x_c of an own body, in the plane without a third component; that of the
+   * ground is zero. */
+  const dealii::Tensor<1, 3> &centre(const unsigned int body) const
   {
-    return own.centres;
+    return own.centres[body];
   }
-  /** Let the ghosts in @p u (n_dofs() numbers) have what their owners have. */
-  void update_ghosts(std::vector<double> &u) const;
   /** Unknown @p i of @p body. */
   unsigned int dof(const unsigned int body, const unsigned int i) const
   {
     return unknowns_per_body * body + i;
   }
-  /**
-   * The jump of @p u (n_dofs() numbers) in row @p r of joint @p e: the opening,
-   * negative where bodies interpenetrate, or in the last row the sliding.
-   */
-  double jump(unsigned int e, unsigned int r, const double *u) const;
-  /** The jump of the contact of joint @p e that opens least. */
-  double opening(unsigned int e, const double *u) const;
-  /** The jump of the tangential row of joint @p e. */
-  double sliding(unsigned int e, const double *u) const;
-  /** Find the jumps in all rows of joint @p e. */
-  void find_jumps(unsigned int e, const double *u, double *jumps) const
-  {
-    for (unsigned int r = 0; r < rows_per_joint; ++r)
-      jumps[r] = jump(e, r, u);
-  }
-  /** The jumps in all rows of all joints. */
-  std::vector<double> jumps(const std::vector<double> &u) const;
-  /**
-   * Add to @p gradient (n_dofs() numbers) the derivative of the jumps of joint
-   * @p e times its forces @p f, n_rows() numbers.
-   */
-  void
-  add_jump_gradient(unsigned int e, const double *f, double *gradient) const;
-  /**
-   * The same of all joints: add @p factor times the forces @p f, of each row of
-   * each joint, on the bodies.
-   */
-  void add_jump_gradients(double factor,
-                          const std::vector<double> &f,
-                          std::vector<double> &gradient) const;
+  /** Let the ghosts in @p u (n_dofs() numbers) have what their owners have. */
+  void update_ghosts(std::vector<double> &u) const;
   /**
    * The work of the loads along @p u (n_dofs() numbers); collective.
    *
@@ -206,89 +175,238 @@ public:
    */
   double work(const double *u) const;
 
+  // ------------------------------------------------------ joints and rows
+
+  /** All joints that touch an own body. */
+  const std::vector<Joint> &joints() const { return own.joints.list; }
+  /** True if this process counts the joint; the others that have it do not. */
+  bool is_own(const Joint &joint) const
+  {
+    return joint.cell_minus < n_own_bodies();
+  }
+  /** The number of all their rows. */
+  std::size_t n_all_rows() const { return own.joints.first_row.back(); }
+  /** The first row of joint @p e among all; of their number behind the last. */
+  std::size_t first_row(const unsigned int e) const
+  {
+    return own.joints.first_row[e];
+  }
+  /** The number of rows of joint @p e. */
+  unsigned int n_rows(const unsigned int e) const
+  {
+    return own.joints.first_row[e + 1] - own.joints.first_row[e];
+  }
+  /** The joint that has row @p k among all. */
+  unsigned int joint_of_row(std::size_t k) const;
+  /** n_e, the direction of the first row of joint @p e. */
+  dealii::Tensor<1, 3> normal(unsigned int e) const;
+  /** Row @p k among all. */
+  ContactRow row(std::size_t k) const;
+  /** Row @p r of joint @p e. */
+  ContactRow row(const unsigned int e, const unsigned int r) const
+  {
+    return row(first_row(e) + r);
+  }
+  /** @{ */
+  /** The members of ContactRow, of row @p k among all. */
+  const double *direction(const std::size_t k) const
+  {
+    return own.joints.direction.data() + n_translations() * k;
+  }
+  const double *turn_minus(const std::size_t k) const
+  {
+    return own.joints.turn_minus.data() + own.kinematics.n_rotations() * k;
+  }
+  const double *turn_plus(const std::size_t k) const
+  {
+    return own.joints.turn_plus.data() + own.kinematics.n_rotations() * k;
+  }
+  /** @} */
+
+  /** The number of coefficients of all joints. */
+  std::size_t n_all_coefficients() const
+  {
+    return has_blocks() ? first_of_joint.back().coefficient : n_all_rows();
+  }
+  /** The first coefficient of joint @p e among all. */
+  std::size_t first_coefficient(const unsigned int e) const
+  {
+    return has_blocks() ? first_of_joint[e].coefficient : first_row(e);
+  }
+  /** The numbers of rows of the sets of joint @p e; empty without blocks. */
+  std::vector<unsigned int> sets(unsigned int e) const;
+  /** All rows of joint @p e. */
+  std::vector<ContactRow> rows(unsigned int e) const;
+  /** True if some set has more rows than one. */
+  bool has_blocks() const { return !own.joints.set_sizes.empty(); }
+  /**
+   * Call @p f for each set of joint @p e, with its number of rows and, counted
+   * from the first of the joint, its first row and its first coefficient.
+   */
+  template <typename F>
+  void for_each_set(unsigned int e, const F &f) const;
+  /**
+   * Multiply what each row of each joint has in @p f by the blocks of the
+   * @p coefficients of its set.
+   */
+  void multiply_by_blocks(const std::vector<double> &coefficients,
+                          std::vector<double> &f) const;
+
+  /**
+   * The jump of @p u (n_dofs() numbers) in row @p r of joint @p e: the
+   * displacement of c+ relative to c-.
+   */
+  double jump(unsigned int e, unsigned int r, const double *u) const;
+  /** Find the jumps in all rows of joint @p e. */
+  void find_jumps(unsigned int e, const double *u, double *jumps) const;
+  /** Find the @p jumps in all rows of all joints. */
+  void find_all_jumps(const double *u, double *jumps) const;
+  /** The jumps in all rows of all joints. */
+  std::vector<double> jumps(const std::vector<double> &u) const;
+  /**
+   * Add to @p gradient (n_dofs() numbers) the derivative of the jumps of joint
+   * @p e times its forces @p f, n_rows(e) numbers.
+   */
+  void
+  add_jump_gradient(unsigned int e, const double *f, double *gradient) const;
+  /**
+   * Add to @p gradient (n_dofs() numbers) @p factor times the forces @p f, of
+   * each row of each joint, on the bodies.
+   */
+  void add_all_jump_gradients(double factor,
+                              const double *f,
+                              double *gradient) const;
+  /** add_all_jump_gradients(). */
+  void add_jump_gradients(const double factor,
+                          const std::vector<double> &f,
+                          std::vector<double> &gradient) const
+  {
+    add_all_jump_gradients(factor, f.data(), gradient.data());
+  }
+
+  // ------------------------------------ in the plane: contacts and sliding
+
+  /** The number of contacts of joint @p e, the rows before its last. */
+  unsigned int n_contacts(const unsigned int e) const { return n_rows(e) - 1; }
+  /** The number of all contacts. */
+  std::size_t n_all_contacts() const { return first_contact(joints().size()); }
+  /** The first contact of joint @p e among all. */
+  std::size_t first_contact(const unsigned int e) const
+  {
+    return first_row(e) - e;
+  }
+  /** The share of one contact in the stiffness of joint @p e. */
+  double contact_stiffness(const unsigned int e) const
+  {
+    return own.joints.list[e].stiffness() / n_contacts(e);
+  }
+  /**
+   * The jump of the contact of joint @p e that opens least: negative where
+   * bodies interpenetrate.
+   */
+  double opening(unsigned int e, const double *u) const;
+  /** The jump of the tangential row of joint @p e. */
+  double sliding(unsigned int e, const double *u) const
+  {
+    return jump(e, n_contacts(e), u);
+  }
+
 protected:
   /** A whole structure, to be filled by a derived class. */
-  Structure(const Kinematics &kinematics, const FrictionLaw &friction);
-  /** Add a joint with its rows. */
-  void add_joint(const Joint &joint, const JointFrame &frame);
+  explicit Structure(const Kinematics &kinematics);
 
   /** The structure itself. */
   Part own;
 
 private:
+  /** The first of a joint; only kept where there are blocks. */
+  struct First
+  {
+    unsigned int set;
+    std::size_t coefficient;
+  };
+
+  template <unsigned int T, unsigned int R>
+  double
+  jump_in_row(std::size_t k, const double *plus, const double *minus) const;
+  template <unsigned int T, unsigned int R>
+  void add_gradient(unsigned int e,
+                    double factor,
+                    const double *f,
+                    double *gradient) const;
+
   ProcessGroup group;
   unsigned int unknowns_per_body;
-  unsigned int rows_per_joint;
+  std::vector<First> first_of_joint;
   /** The exchange of the unknowns of ghosts; null if there are none. */
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> exchange;
 };
 
 // ------------------------------------------------------------------- inline
 
-inline ContactRow Structure::row(const unsigned int e,
-                                 const unsigned int r) const
+template <typename F>
+void Structure::for_each_set(const unsigned int e, const F &f) const
 {
-  const std::size_t k = std::size_t(e) * rows_per_joint + r;
-  const Joints &joints = own.joints;
-  if (joints.turn_plus.empty())
-    return {joints.direction[k], 0., 0.};
-  return {joints.direction[k], joints.turn_minus[k], joints.turn_plus[k]};
+  if (!has_blocks())
+  {
+    for (unsigned int r = 0; r < n_rows(e); ++r)
+      f(1U, r, r);
+    return;
+  }
+  unsigned int row = 0, coefficient = 0;
+  for (unsigned int s = first_of_joint[e].set; row < n_rows(e); ++s)
+  {
+    const unsigned int size = own.joints.set_sizes[s];
+    f(size, row, coefficient);
+    row += size;
+    coefficient += size * size;
+  }
+}
+
+template <unsigned int T, unsigned int R>
+inline double Structure::jump_in_row(const std::size_t k,
+                                     const double *plus,
+                                     const double *minus) const
+{
+  // The products may cancel all but the last digits, and in a stiff joint
+  // these are forces.
+  const double *direction = &own.joints.direction[T * k];
+  long double jump = 0.;
+  for (unsigned int i = 0; i < T; ++i)
+    jump += (static_cast<long double>(plus[i]) - minus[i]) * direction[i];
+  for (unsigned int i = 0; i < R; ++i)
+    jump += static_cast<long double>(own.joints.turn_plus[R * k + i]) *
+                plus[T + i] -
+            static_cast<long double>(own.joints.turn_minus[R * k + i]) *
+                minus[T + i];
+  return static_cast<double>(jump);
 }
 
 inline double Structure::jump(const unsigned int e,
                               const unsigned int r,
                               const double *u) const
 {
-  // The products may cancel all but the last digits, and in a stiff joint
-  // these are forces.
   const double *plus = u + dof(own.joints.list[e].cell_plus, 0);
   const double *minus = u + dof(own.joints.list[e].cell_minus, 0);
-  const long double x = static_cast<long double>(plus[0]) - minus[0];
-  const long double y = static_cast<long double>(plus[1]) - minus[1];
-  const std::size_t k = std::size_t(e) * rows_per_joint + r;
-  const dealii::Tensor<1, 2> &direction = own.joints.direction[k];
-  long double jump = x * direction[0] + y * direction[1];
-  if (!own.joints.turn_plus.empty())
-    jump += static_cast<long double>(own.joints.turn_plus[k]) * plus[2] -
-            static_cast<long double>(own.joints.turn_minus[k]) * minus[2];
-  return static_cast<double>(jump);
+  return own.kinematics.dispatch([&](const auto T, const auto R) {
+    return jump_in_row<T, R>(first_row(e) + r, plus, minus);
+  });
+}
+
+inline void Structure::find_jumps(const unsigned int e,
+                                  const double *u,
+                                  double *jumps) const
+{
+  for (unsigned int r = 0; r < n_rows(e); ++r)
+    jumps[r] = jump(e, r, u);
 }
 
 inline double Structure::opening(const unsigned int e, const double *u) const
 {
   double least = jump(e, 0, u);
-  for (unsigned int r = 1; r < n_contacts(); ++r)
+  for (unsigned int r = 1; r < n_contacts(e); ++r)
     least = std::min(least, jump(e, r, u));
   return least;
-}
-
-inline double Structure::sliding(const unsigned int e, const double *u) const
-{
-  return jump(e, n_contacts(), u);
-}
-
-inline void Structure::add_jump_gradient(const unsigned int e,
-                                         const double *f,
-                                         double *gradient) const
-{
-  double *plus = gradient + dof(own.joints.list[e].cell_plus, 0);
-  double *minus = gradient + dof(own.joints.list[e].cell_minus, 0);
-  const std::size_t first = std::size_t(e) * rows_per_joint;
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    double component = 0.;
-    for (unsigned int r = 0; r < rows_per_joint; ++r)
-      component += f[r] * own.joints.direction[first + r][i];
-    plus[i] += component;
-    minus[i] -= component;
-  }
-  if (own.joints.turn_plus.empty())
-    return;
-  for (unsigned int r = 0; r < rows_per_joint; ++r)
-  {
-    plus[2] += f[r] * own.joints.turn_plus[first + r];
-    minus[2] -= f[r] * own.joints.turn_minus[first + r];
-  }
 }
 
 } // namespace Voussoir

@@ -4,6 +4,8 @@
 
 #include <voussoir/algebra/kinematics.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <vector>
 
 namespace Voussoir
@@ -34,8 +36,7 @@ struct Motion
   Motion() = default;
   /** One of rest. */
   Motion(const unsigned int n_cells, const Kinematics &kinematics)
-      : displacement(n_cells),
-        rotation(kinematics.n_rigid_motions() > 2 ? n_cells : 0, 0.)
+      : displacement(n_cells), rotation(kinematics.turns() ? n_cells : 0, 0.)
   {}
   /**
    * The displacement of cell @p c at @p arm from its centre, to first order in

@@ -2,7 +2,6 @@
 #ifndef voussoir_scene_scene_h
 #define voussoir_scene_scene_h
 
-#include <voussoir/algebra/friction_law.h>
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/contact/joint_limits.h>
 #include <voussoir/packing/packing.h>
@@ -52,8 +51,6 @@ struct Scene
   std::vector<double> tensile_strength;
   /** f_c of each interface, positive; S. Empty if no interface crushes. */
   std::vector<double> compressive_strength;
-  /** The forces that interfaces of a strength admit. */
-  const FrictionLaw *friction = &tresca();
   /** The motions of the blocks. */
   const Kinematics *kinematics;
   /** The forces that interface @p e admits. */
@@ -81,7 +78,7 @@ struct Scene
                        [](const double size) { return size > 0.; });
   }
   /** True if they turn, so that moments are balanced. */
-  bool turns() const { return kinematics->n_rigid_motions() > 2; }
+  bool turns() const { return kinematics->turns(); }
   /** g_e on each boundary edge, tension positive; S. */
   std::vector<dealii::Tensor<1, 2>> traction;
   /** EdgeTractions::first_moment of it on each boundary edge; S L^2. */

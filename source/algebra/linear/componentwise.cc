@@ -3,26 +3,15 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <numeric>
 #include <utility>
 
 namespace Voussoir
 {
 
-Componentwise::Componentwise(std::unique_ptr<LinearMethod> one)
-    : one(std::move(one))
+Componentwise::Componentwise(std::unique_ptr<LinearMethod> one,
+                             const unsigned int n_components)
+    : one(std::move(one)), n_components(n_components)
 {}
-
-bool Componentwise::serves(const Structure &structure,
-                           const std::vector<double> &coefficients)
-{
-  const unsigned int n_contacts = structure.n_contacts();
-  bool same = true;
-  for (auto a = coefficients.begin(); a != coefficients.end() && same;
-       a += n_contacts + 1)
-    same = std::accumulate(a, a + n_contacts, 0.) == a[n_contacts];
-  return structure.processes().all(same);
-}
 
 bool Componentwise::prepare(const std::vector<double> &coefficients,
                             const double shift)
@@ -35,14 +24,17 @@ std::vector<double> Componentwise::solve(const std::vector<double> &r,
 {
   AssertDimension(n_columns, 1);
   (void)n_columns;
-  const std::size_t n = r.size() / 2;
+  const std::size_t n = r.size() / n_components;
+  const auto place = [&](const std::size_t k) {
+    return k % n_components * n + k / n_components;
+  };
   std::vector<double> columns(r.size());
   for (std::size_t k = 0; k < r.size(); ++k)
-    columns[k % 2 * n + k / 2] = r[k];
-  columns = one->solve(columns, 2);
+    columns[place(k)] = r[k];
+  columns = one->solve(columns, n_components);
   std::vector<double> u(r.size());
   for (std::size_t k = 0; k < r.size(); ++k)
-    u[k] = columns[k % 2 * n + k / 2];
+    u[k] = columns[place(k)];
   return u;
 }
 

@@ -39,7 +39,8 @@ JointSystem::JointSystem(const Structure &structure,
                          const LinearSolver kind,
                          const double residual)
     : structure(structure), kind(kind),
-      residual(structure.n_unknowns() == 2 && structure.processes().size() == 1
+      residual(structure.is_plane() && !structure.kinematics().turns() &&
+                       structure.processes().size() == 1
                    ? residual
                    : 0.)
 {
@@ -73,25 +74,29 @@ std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
   return std::make_unique<Cholesky>(blocks);
 }
 
-bool JointSystem::comes_apart(const std::vector<double> &coefficients) const
+bool JointSystem::comes_apart(const JointStiffnesses &coefficients) const
 {
-  return residual > 0. ? NearComponentwise::serves(structure, coefficients)
-                       : Componentwise::serves(structure, coefficients);
+  if (residual > 0.)
+    return NearComponentwise::serves(structure, coefficients.of_rows);
+  // In space rotations have three components, which nothing here takes apart.
+  const bool serves = structure.is_plane() || !structure.kinematics().turns();
+  return serves && structure.processes().all(coefficients.are_isotropic);
 }
 
 std::unique_ptr<LinearMethod> JointSystem::make_componentwise() const
 {
-  auto translations = std::make_unique<Componentwise>(make(true));
+  auto translations =
+      std::make_unique<Componentwise>(make(true), structure.n_translations());
   if (residual > 0.)
     return std::make_unique<NearComponentwise>(
         structure, std::move(translations), residual);
-  if (structure.n_unknowns() == 2)
+  if (!structure.kinematics().turns())
     return translations;
   return std::make_unique<RotationComplement>(structure,
                                               std::move(translations));
 }
 
-bool JointSystem::prepare(const std::vector<double> &coefficients,
+bool JointSystem::prepare(const JointStiffnesses &coefficients,
                           const double shift)
 {
   timer.start();
@@ -101,12 +106,12 @@ bool JointSystem::prepare(const std::vector<double> &coefficients,
     if (!componentwise)
       componentwise = make_componentwise();
     current = componentwise.get();
-    is_prepared = current->prepare(coefficients, shift);
-    if (structure.n_unknowns() > 2 || residual > 0.)
-      prepared = {coefficients, shift};
+    is_prepared = current->prepare(coefficients.of_rows, shift);
+    if (structure.kinematics().turns() || residual > 0.)
+      prepared = {coefficients.of_rows, shift};
   }
   else
-    is_prepared = prepare_coupled(coefficients, shift);
+    is_prepared = prepare_coupled(coefficients.of_rows, shift);
   timer.stop();
   return is_prepared;
 }

@@ -88,12 +88,11 @@ bool Multigrid::prepare(const std::vector<double> &coefficients,
   std::unique_ptr<Epetra_MultiVector> modes;
   data.set_parameters(parameters, modes, matrix.trilinos_matrix());
   // The rigid motions of the packing, where one component is not by itself.
-  std::array<double, 3> unknowns;
-  for (unsigned int k = 0;
-       n > 1 && k < structure.kinematics().n_rigid_motions(); ++k)
+  std::array<double, Kinematics::most_unknowns> unknowns;
+  for (unsigned int k = 0; n > 1 && k < structure.n_unknowns(); ++k)
     for (unsigned int b = 0; b < n_own; ++b)
     {
-      structure.kinematics().find_rigid_motion(k, structure.centres()[b],
+      structure.kinematics().find_rigid_motion(k, structure.centre(b),
                                                unknowns.data());
       std::copy_n(unknowns.begin(), n, (*modes)[k] + n * b);
     }
@@ -143,8 +142,8 @@ void Multigrid::assemble(const std::vector<double> &coefficients,
     const auto add = [&](const unsigned int c, const auto &entry) {
       for (unsigned int i = 0; i < n && c < n_own; ++i)
       {
-        std::array<global_dof_index, 6> columns;
-        std::array<double, 6> values;
+        std::array<global_dof_index, 2 * Kinematics::most_unknowns> columns;
+        std::array<double, 2 * Kinematics::most_unknowns> values;
         for (unsigned int j = 0; j < n; ++j)
         {
           columns[j] = row(joint.cell_minus, j);

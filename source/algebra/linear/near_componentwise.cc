@@ -5,7 +5,6 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 
@@ -23,9 +22,13 @@ constexpr double largest_factor = 8.;
 /** More than that needs for any residual that is asked for. */
 constexpr unsigned int n_max_near_steps = 30;
 
-double sum_of_contacts(const double *a, const unsigned int n_contacts)
+/** The sum of the coefficients of the contacts of joint @p e. */
+double sum_of_contacts(const Structure &structure,
+                       const unsigned int e,
+                       const std::vector<double> &coefficients)
 {
-  return std::accumulate(a, a + n_contacts, 0.);
+  const auto a = coefficients.begin() + structure.first_row(e);
+  return std::accumulate(a, a + structure.n_contacts(e), 0.);
 }
 } // namespace
 
@@ -36,20 +39,16 @@ public:
   void vmult(Vector &to, const Vector &from) const
   {
     to.equ(of.shift, from);
-    std::array<double, Structure::most_rows> rows;
-    const unsigned int n_rows = of.structure.n_rows();
-    const double *a = of.coefficients.data();
-    for (unsigned int e = 0; e < of.structure.joints().size(); ++e)
-    {
-      of.structure.find_jumps(e, from.begin(), rows.data());
-      for (unsigned int r = 0; r < n_rows; ++r)
-        rows[r] *= *a++;
-      of.structure.add_jump_gradient(e, rows.data(), to.begin());
-    }
+    rows.resize(of.structure.n_all_rows());
+    of.structure.find_all_jumps(from.begin(), rows.data());
+    of.structure.multiply_by_blocks(of.coefficients, rows);
+    of.structure.add_all_jump_gradients(1., rows.data(), to.begin());
   }
 
 private:
   const NearComponentwise &of;
+  /** The forces, which are not allocated again for each product. */
+  mutable std::vector<double> rows;
 };
 
 class NearComponentwise::Preconditioner
@@ -73,20 +72,21 @@ NearComponentwise::NearComponentwise(
     : structure(structure), componentwise(std::move(componentwise)),
       residual(residual)
 {
-  AssertDimension(structure.n_unknowns(), 2);
+  Assert(structure.is_plane() && !structure.kinematics().turns(),
+         dealii::ExcInternalError());
   AssertDimension(structure.processes().size(), 1);
 }
 
 bool NearComponentwise::serves(const Structure &structure,
                                const std::vector<double> &coefficients)
 {
-  const unsigned int n_contacts = structure.n_contacts();
-  for (auto a = coefficients.begin(); a != coefficients.end();
-       a += n_contacts + 1)
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
   {
-    const double sum = sum_of_contacts(&*a, n_contacts);
-    if (!(a[n_contacts] <= largest_factor * sum &&
-          sum <= largest_factor * a[n_contacts]))
+    const double sum = sum_of_contacts(structure, e, coefficients);
+    const double tangential =
+        coefficients[structure.first_row(e) + structure.n_contacts(e)];
+    if (!(tangential <= largest_factor * sum &&
+          sum <= largest_factor * tangential))
       return false;
   }
   return true;
@@ -95,10 +95,10 @@ bool NearComponentwise::serves(const Structure &structure,
 bool NearComponentwise::prepare(const std::vector<double> &new_coefficients,
                                 const double new_shift)
 {
-  const unsigned int n_contacts = structure.n_contacts();
   std::vector<double> isotropic = new_coefficients;
-  for (std::size_t k = 0; k < isotropic.size(); k += n_contacts + 1)
-    isotropic[k + n_contacts] = sum_of_contacts(&isotropic[k], n_contacts);
+  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+    isotropic[structure.first_row(e) + structure.n_contacts(e)] =
+        sum_of_contacts(structure, e, isotropic);
   coefficients = new_coefficients;
   if (isotropic == factorised && new_shift == shift)
     return true;

@@ -35,7 +35,8 @@ RotationComplement::RotationComplement(
     const Structure &structure, std::unique_ptr<LinearMethod> translations)
     : structure(structure), translations(std::move(translations))
 {
-  AssertDimension(structure.n_unknowns(), 3);
+  Assert(structure.is_plane() && structure.kinematics().turns(),
+         dealii::ExcInternalError());
   const unsigned int n_own = structure.n_own_bodies();
   dealii::IndexSet own(structure.processes().sum(n_own));
   own.add_range(structure.first_body(), structure.first_body() + n_own);

@@ -188,8 +188,7 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
   }
   for (const FurtherRow &one : further)
   {
-    of = {};
-    blocks.add(one.row, one.coefficient, of);
+    blocks.find(one.row, one.coefficient, of);
     add(one.joint, of);
   }
   if (!held.empty() || relative_shift > 0.)

@@ -66,12 +66,11 @@ double ExtremeStates::largest_room(const StatePolytope::Limit &limit) const
 
 void ExtremeStates::leave_limits()
 {
-  const unsigned int n = polytope.problem().n_contacts();
   for (const StatePolytope::Limit &limit : polytope.limits())
     if (largest_room(limit) < no_force)
       add({{{limit.joint,
-             {{-limit.outward[0], -limit.outward[n - 1]}},
-             -limit.outward[n]}}});
+             {{-limit.outward[0], -limit.outward[limit.n_rows - 2]}},
+             -limit.outward[limit.n_rows - 1]}}});
 }
 
 std::vector<double> ExtremeStates::middle() const
@@ -100,7 +99,7 @@ void ExtremeStates::find_limits()
   for (const StatePolytope::Limit &limit : polytope.limits())
   {
     bool varies = false;
-    for (unsigned int r = 0; r < polytope.problem().n_rows(); ++r)
+    for (unsigned int r = 0; r < limit.n_rows; ++r)
       varies |= limit.outward[r] != 0. && varying[limit.first + r];
     if (!varies)
       continue;
@@ -129,12 +128,13 @@ unsigned int ExtremeStates::dimension() const
   {
     if (!varying[r])
       continue;
-    const unsigned int e = r / problem.n_rows();
-    const ContactRow row = problem.row(e, r % problem.n_rows());
+    const unsigned int e = problem.joint_of_row(r);
+    const ContactRow row = problem.row(r);
     for (const unsigned int body :
          {problem.joints()[e].cell_minus, problem.joints()[e].cell_plus})
       for (unsigned int i = 0; i < n && !problem.is_held(body); ++i)
-        if (i == 2 || std::abs(row.direction[i]) > no_force)
+        if (i >= problem.n_translations() ||
+            std::abs(row.direction[i]) > no_force)
           is_moved[problem.dof(body, i)] = true;
   }
   const unsigned int n_balances =

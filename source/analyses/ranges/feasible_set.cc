@@ -60,9 +60,9 @@ std::vector<double>
 FeasibleSet::coefficients(const ForceFunction &function) const
 {
   std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
-  const unsigned int n = problem.n_contacts();
   for (const ForceFunction::Term &term : function.terms)
   {
+    const unsigned int n = problem.n_contacts(term.interface);
     for (unsigned int r = 0; r < 2; ++r)
       by_rows.rows().add_force(term.interface, std::min(r, n - 1),
                                term.at_ends[r] / (n == 1 ? 2. : 1.), c);

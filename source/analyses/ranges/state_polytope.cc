@@ -21,15 +21,14 @@ DiscreteProblem without_limits(const DiscreteProblem &problem)
 } // namespace
 
 StatePolytope::StatePolytope(const Scene &scene)
-    : unlimited(without_limits(DiscreteProblem(scene))),
-      n_rows(unlimited.n_rows())
+    : unlimited(without_limits(DiscreteProblem(scene)))
 {
   const DiscreteProblem limited(scene);
-  const unsigned int n_contacts = limited.n_contacts();
   for (unsigned int e = 0; e < limited.joints().size(); ++e)
   {
     const Structure::Joint &joint = limited.joints()[e];
-    Limit limit = {e, std::size_t(e) * n_rows, {{0., 0., 0.}}, 0.};
+    const unsigned int n_contacts = limited.n_contacts(e);
+    Limit limit = {e, limited.first_row(e), n_contacts + 1, {{0., 0., 0.}}, 0.};
     for (unsigned int k = 0; k < n_contacts; ++k)
     {
       limit.outward = {{0., 0., 0.}};

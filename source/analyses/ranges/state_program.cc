@@ -82,23 +82,23 @@ StateProgram::StateProgram(const RowProblem &problem)
     entries.push_back(value);
   };
   for (unsigned int e = 0; e < rows.joints().size(); ++e)
-    for (unsigned int r = 0; r < rows.n_rows(); ++r)
+    for (unsigned int r = 0; r < rows.n_rows(e); ++r)
     {
       const BoundedRows::Joint &joint = rows.joints()[e];
       const ContactRow row = rows.row(e, r);
-      const BoundedRows::Bounds &limits =
-          rows.bounds()[std::size_t(e) * rows.n_rows() + r];
+      const BoundedRows::Bounds &limits = rows.bounds()[rows.first_row(e) + r];
       if (limits.least != 0. || limits.greatest != 0.)
       {
-        for (unsigned int i = 0; i < 2; ++i)
+        const unsigned int T = rows.n_translations();
+        for (unsigned int i = 0; i < T; ++i)
         {
           add(joint.cell_minus, i, row.direction[i]);
           add(joint.cell_plus, i, -row.direction[i]);
         }
-        if (rows.n_unknowns() > 2)
+        for (unsigned int i = T; i < rows.n_unknowns(); ++i)
         {
-          add(joint.cell_minus, 2, row.turn_minus);
-          add(joint.cell_plus, 2, -row.turn_plus);
+          add(joint.cell_minus, i, row.turn_minus[i - T]);
+          add(joint.cell_plus, i, -row.turn_plus[i - T]);
         }
       }
       begins.push_back(entries.size());

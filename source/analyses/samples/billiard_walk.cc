@@ -31,9 +31,9 @@ BilliardWalk::BilliardWalk(const StatePolytope &polytope,
       direction(x.size())
 {
   balanced.set_weights(ellipsoid.weights());
-  const unsigned int n_rows = polytope.problem().n_rows();
   for (const StatePolytope::Limit &limit : limits)
   {
+    const unsigned int n_rows = limit.n_rows;
     double square = 0.;
     for (unsigned int r = 0; r < n_rows; ++r)
       for (unsigned int s = 0; s < n_rows; ++s)
@@ -75,7 +75,7 @@ BilliardWalk::Meeting BilliardWalk::next_limit() const
 /** Turn the direction back, of which @p size is along the normal. */
 void BilliardWalk::reflect(const StatePolytope::Limit &limit, const double size)
 {
-  for (unsigned int r = 0; r < polytope.problem().n_rows(); ++r)
+  for (unsigned int r = 0; r < limit.n_rows; ++r)
   {
     const double factor = 2. * size * limit.outward[r];
     if (factor == 0.)
@@ -94,7 +94,7 @@ void BilliardWalk::step()
   for (std::size_t k = 0; k < n_reflections * limits.size(); ++k)
   {
     const Meeting next =
-        polytope.problem().n_rows() == 2 ? next_limit<2>() : next_limit<3>();
+        limits.front().n_rows == 2 ? next_limit<2>() : next_limit<3>();
     add(x, std::min(time, next.time), direction);
     if (next.time >= time)
       return;

@@ -83,7 +83,7 @@ private:
     for (const StatePolytope::Limit &limit : limits)
     {
       const double room = polytope.room(limit, x);
-      for (unsigned int r = 0; r < polytope.problem().n_rows(); ++r)
+      for (unsigned int r = 0; r < limit.n_rows; ++r)
         result[limit.first + r] += std::pow(limit.outward[r] / room, power);
     }
     return result;

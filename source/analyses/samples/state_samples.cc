@@ -4,6 +4,7 @@
 #include <voussoir/analyses/samples/state_samples.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/contact/contact_points.h>
 #include <voussoir/scene/proofs/certificate.h>
 
 #include <deal.II/base/parallel.h>
@@ -116,9 +117,11 @@ void Chains::draw(const unsigned int n,
 void Chains::keep(const unsigned int c)
 {
   const std::vector<double> &x = walks[c]->state();
-  const unsigned int n_contacts = polytope.problem().n_contacts();
-  for (std::size_t r = 0; r < x.size(); r += n_contacts + 1)
+  const DiscreteProblem &problem = polytope.problem();
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
+    const std::size_t r = problem.first_row(e);
+    const unsigned int n_contacts = problem.n_contacts(e);
     double p = 0.;
     for (unsigned int k = 0; k < n_contacts; ++k)
       p += centre[r + k] - x[r + k];
@@ -232,10 +235,10 @@ void add_state(const StatePolytope &polytope,
                const double unit,
                StateSamples &samples)
 {
-  const unsigned int n = polytope.problem().n_contacts();
   for (unsigned int e = 0; e < samples.normal.size(); ++e)
   {
-    const double *of = &x[e * (n + 1)];
+    const unsigned int n = polytope.problem().n_contacts(e);
+    const double *of = &x[polytope.problem().first_row(e)];
     for (unsigned int k = 0; k < n; ++k)
       samples.normal[e].mean += unit * of[k];
     samples.tangential[e].mean += unit * of[n];
@@ -275,12 +278,12 @@ void check_can_be_sampled(const Scene &scene)
                      "bear tension nor crush, and 'Contact' gives them "
                      "strengths; set 'Ranges/Samples = 0', or leave these "
                      "out.");
-  const std::size_t n =
-      scene.packing.interfaces().size() * scene.kinematics->n_rows();
+  const std::size_t of_each = contact_points(scene.turns()).pressure.size() + 1;
+  const std::size_t n = scene.packing.interfaces().size() * of_each;
   if (n > most_forces)
     throw InputError(text("'Ranges/Samples' draws states of at most ",
                           most_forces, " forces, and this packing has ", n,
-                          ", ", scene.kinematics->n_rows(),
+                          ", ", of_each,
                           " on each interface; set 'Ranges/Samples = 0', or "
                           "take fewer blocks."));
 }

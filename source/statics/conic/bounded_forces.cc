@@ -136,18 +136,13 @@ bool BoundedForces::factorise(const double shift)
   coupling = on_bodies(of_rows);
   coupling.pop_back();
   std::vector<SparseFactor::FurtherRow> further;
-  const unsigned int n = rows.n_rows();
   for (std::size_t i = 0; i < of_function.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
     {
       const auto &[r, c_r] = of_function[i];
       const auto &[s, c_s] = of_function[j];
-      const ContactRow of_r = rows.row(r / n, r % n),
-                       of_s = rows.row(s / n, s % n);
-      further.push_back({r / n,
-                         {c_s * of_r.direction - c_r * of_s.direction,
-                          c_s * of_r.turn_minus - c_r * of_s.turn_minus,
-                          c_s * of_r.turn_plus - c_r * of_s.turn_plus},
+      const unsigned int e = rows.joint_of_row(r);
+      further.push_back({e, combination(c_s, rows.row(r), -c_r, rows.row(s)),
                          weights[r] * (weights[s] / own_stiffness)});
     }
   return factor.factorise(rest, 0., shift, further);

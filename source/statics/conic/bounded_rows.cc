@@ -22,40 +22,6 @@ constexpr double closer = 0.25;
 /** Jumps of a joint, over the largest of all, that are rounding. */
 constexpr double small_jump = 1e-4;
 
-/** The motions of another kinematics, with another number of contacts. */
-class WithContacts : public Kinematics
-{
-public:
-  WithContacts(const Kinematics &of, const unsigned int n) : of(of), n(n) {}
-  std::string name() const override { return of.name() + " by rows"; }
-  unsigned int n_unknowns() const override { return of.n_unknowns(); }
-  unsigned int n_contacts() const override { return n; }
-  void find_rows(const JointFrame & /*joint*/,
-                 ContactRow * /*rows*/) const override
-  {
-    // The rows depend on the friction and the strips: see BoundedRows.
-    AssertThrow(false, dealii::ExcInternalError());
-  }
-  unsigned int n_rigid_motions() const override { return of.n_rigid_motions(); }
-  void find_rigid_motion(const unsigned int k,
-                         const dealii::Tensor<1, 2> &x,
-                         double *unknowns) const override
-  {
-    of.find_rigid_motion(k, x, unknowns);
-  }
-
-private:
-  const Kinematics &of;
-  const unsigned int n;
-};
-
-bool have_friction_with_pressure(const Structure &joints)
-{
-  return std::any_of(
-      joints.joints().begin(), joints.joints().end(),
-      [](const Structure::Joint &joint) { return joint.coefficient > 0.; });
-}
-
 bool have_crushing(const DiscreteProblem &problem)
 {
   return std::any_of(problem.normal_limits().begin(),
@@ -63,42 +29,6 @@ bool have_crushing(const DiscreteProblem &problem)
                      [](const NormalLimits &limits) {
                        return std::isfinite(limits.crushing);
                      });
-}
-
-const Kinematics &kinematics_of_rows(const DiscreteProblem &problem,
-                                     const Strips &strips)
-{
-  static const std::vector<WithContacts> by_two = [] {
-    std::vector<WithContacts> all;
-    for (unsigned int n = 0; n < Structure::most_rows; ++n)
-      all.emplace_back(translations(), n);
-    return all;
-  }();
-  static const std::vector<WithContacts> by_three = [] {
-    std::vector<WithContacts> all;
-    for (unsigned int n = 0; n < Structure::most_rows; ++n)
-      all.emplace_back(rotations(), n);
-    return all;
-  }();
-  unsigned int n = problem.n_contacts();
-  if (have_friction_with_pressure(problem))
-    n *= 2;
-  if (have_crushing(problem))
-    n = std::max(n, strips.n_strips());
-  if (n == problem.n_contacts())
-    return problem.kinematics();
-  return problem.n_unknowns() == 2 ? by_two[n] : by_three[n];
-}
-
-/** The sum of two rows times factors. */
-ContactRow sum(const double factor_of_a,
-               const ContactRow &a,
-               const double factor_of_b,
-               const ContactRow &b)
-{
-  return {factor_of_a * a.direction + factor_of_b * b.direction,
-          factor_of_a * a.turn_minus + factor_of_b * b.turn_minus,
-          factor_of_a * a.turn_plus + factor_of_b * b.turn_plus};
 }
 } // namespace
 
@@ -140,12 +70,12 @@ void Strips::cut_at(const unsigned int e, const double place)
 }
 
 BoundedRows::BoundedRows(const DiscreteProblem &problem, const Strips &strips)
-    : Structure(kinematics_of_rows(problem, strips), problem.friction()),
-      problem(problem), strips(strips)
+    : Structure(problem.kinematics()), problem(problem), strips(strips)
 {
-  own.centres = problem.centres();
-  own.joints.list.reserve(problem.joints().size());
-  own.joints.direction.reserve(problem.joints().size() * n_rows());
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    own.centres.push_back(problem.centre(b));
+  own.joints.reserve(problem.joints().size(), problem.n_all_rows(),
+                     kinematics());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const Joint &joint = problem.joints()[e];
@@ -153,8 +83,7 @@ BoundedRows::BoundedRows(const DiscreteProblem &problem, const Strips &strips)
     if (has_cone(e) && crushes(e))
     {
       // The body between them has the centre of c-.
-      const dealii::Tensor<1, 2> centre = own.centres[joint.cell_minus];
-      own.centres.push_back(centre);
+      own.centres.push_back(problem.centre(joint.cell_minus));
       add_rays(e, joint.cell_minus, own.centres.size() - 1);
       add_contacts_or_strips(e);
     }
@@ -181,10 +110,10 @@ bool BoundedRows::crushes(const unsigned int e) const
 
 double BoundedRows::share(const unsigned int e, const unsigned int r) const
 {
-  if (!crushes(e))
-    return r < problem.n_contacts() ? 1. / problem.n_contacts() : 0.;
-  if (r >= strips.n_strips())
+  if (r >= n_contacts(e))
     return 0.;
+  if (!crushes(e))
+    return 1. / n_contacts(e);
   const double *places = strips.of(e);
   return places[r + 1] - places[r];
 }
@@ -196,11 +125,10 @@ double BoundedRows::middle(const unsigned int e, const unsigned int strip) const
 }
 
 void BoundedRows::add(const Joint &joint,
-                      const Rows &rows,
+                      const std::vector<ContactRow> &rows,
                       const double tangential)
 {
-  own.joints.add(joint, rows.data(), n_rows(), n_unknowns() > 2);
-  of_rows.resize(n_all_rows() - 1, {0., 0.});
+  own.joints.add(joint, rows, kinematics());
   of_rows.push_back({-tangential, tangential});
 }
 
@@ -212,16 +140,16 @@ void BoundedRows::add_rays(const unsigned int e,
   const bool is_whole = plus == joint.cell_plus;
   joint.cell_minus = minus;
   joint.cell_plus = plus;
-  Rows rows = {};
-  const unsigned int n = problem.n_contacts();
-  for (unsigned int r = 0; r < 2 * n; ++r)
-  {
-    rows[r] = sum(1., problem.row(e, r / 2),
-                  r % 2 == 0 ? joint.coefficient : -joint.coefficient,
-                  problem.row(e, n));
-    of_rows.push_back({-infinity, 0.});
-  }
-  rows[n_contacts()] = problem.row(e, n);
+  std::vector<ContactRow> rows;
+  const unsigned int n = problem.n_contacts(e);
+  for (unsigned int r = 0; r < n; ++r)
+    for (const double slope : {joint.coefficient, -joint.coefficient})
+    {
+      rows.push_back(
+          combination(1., problem.row(e, r), slope, problem.row(e, n)));
+      of_rows.push_back({-infinity, 0.});
+    }
+  rows.push_back(problem.row(e, n));
   if (!is_whole)
     for (ContactRow &row : rows)
       row.turn_plus = row.turn_minus;
@@ -232,29 +160,26 @@ void BoundedRows::add_rays(const unsigned int e,
 void BoundedRows::add_contacts_or_strips(const unsigned int e)
 {
   Joint joint = problem.joints()[e];
-  Rows rows = {};
-  const unsigned int n = problem.n_contacts();
-  rows[n_contacts()] = problem.row(e, n);
+  const unsigned int n = problem.n_contacts(e);
   if (!crushes(e))
   {
-    for (unsigned int r = 0; r < n; ++r)
-    {
-      rows[r] = problem.row(e, r);
-      of_rows.push_back({-infinity, 0.});
-    }
-    add(joint, rows, problem.limit(e));
+    of_rows.insert(of_rows.end(), n, {-infinity, 0.});
+    add(joint, problem.rows(e), problem.limit(e));
     return;
   }
+  std::vector<ContactRow> rows;
   const NormalLimits &limits = problem.normal_limits()[e];
   const double strength = limits.tension + limits.crushing;
   const double *places = strips.of(e);
   for (unsigned int k = 0; k < strips.n_strips(); ++k)
   {
     const double at = middle(e, k);
-    rows[k] = n == 1 ? problem.row(e, 0)
-                     : sum(1. - at, problem.row(e, 0), at, problem.row(e, 1));
+    rows.push_back(n == 1 ? problem.row(e, 0)
+                          : combination(1. - at, problem.row(e, 0), at,
+                                        problem.row(e, 1)));
     of_rows.push_back({-strength * (places[k + 1] - places[k]), 0.});
   }
+  rows.push_back(problem.row(e, n));
   double tangential = problem.limit(e);
   if (has_cone(e))
   {
@@ -266,13 +191,13 @@ void BoundedRows::add_contacts_or_strips(const unsigned int e)
 
 std::vector<double> BoundedRows::forces_of(const std::vector<double> &x) const
 {
-  const unsigned int n = problem.n_contacts();
   std::vector<double> forces;
   forces.reserve(problem.n_all_rows());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const double *of = &x[std::size_t(first[e]) * n_rows()];
-    double ends[] = {0., 0.}, tangential = of[n_contacts()];
+    const unsigned int n = problem.n_contacts(e);
+    const double *of = &x[first_row(first[e])];
+    double ends[] = {0., 0.}, tangential = of[n_contacts(first[e])];
     if (has_cone(e))
       for (unsigned int k = 0; k < n; ++k)
       {
@@ -301,12 +226,12 @@ void BoundedRows::add_force(const unsigned int e,
                             const double factor,
                             std::vector<double> &c) const
 {
-  const unsigned int n = problem.n_contacts();
-  double *of = &c[std::size_t(first[e]) * n_rows()];
+  const unsigned int n = problem.n_contacts(e);
+  double *of = &c[first_row(first[e])];
   const double mu = problem.joints()[e].coefficient;
   if (r == n)
   {
-    of[n_contacts()] += factor;
+    of[n_contacts(first[e])] += factor;
     for (unsigned int k = 0; has_cone(e) && k < 2 * n; ++k)
       of[k] += k % 2 == 0 ? factor * mu : -factor * mu;
   }
@@ -326,11 +251,11 @@ void BoundedRows::add_force(const unsigned int e,
 std::vector<double> BoundedRows::offset() const
 {
   std::vector<double> sum(n_dofs());
-  const unsigned int n = problem.n_contacts();
   std::vector<double> tension(problem.n_all_rows(), 0.);
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    for (unsigned int k = 0; k < n; ++k)
-      tension[std::size_t(e) * (n + 1) + k] = problem.tension(e) / n;
+    for (unsigned int k = 0; k < problem.n_contacts(e); ++k)
+      tension[problem.first_row(e) + k] =
+          problem.tension(e) / problem.n_contacts(e);
   problem.add_jump_gradients(-1., tension, sum);
   return sum;
 }

@@ -59,7 +59,7 @@ constexpr unsigned int n_strips_of_turning = 16;
 RowProblem::RowProblem(const DiscreteProblem &problem)
     : problem(problem),
       strips(problem.normal_limits().size(),
-             problem.n_contacts() > 1 ? n_strips_of_turning : 1)
+             problem.kinematics().turns() ? n_strips_of_turning : 1)
 {
   make_rows();
 }
@@ -148,8 +148,7 @@ Solution collapse_with(const RowProblem &problem, const FeasibleForces &found)
   const DiscreteProblem &of = problem.of();
   double dissipation = 0.;
   for (unsigned int e = 0; e < of.joints().size(); ++e)
-    dissipation += of.friction().dissipation(
-        of.joints()[e].strength, of.sliding(e, found.collapse.data()));
+    dissipation += of.limit(e) * std::abs(of.sliding(e, found.collapse.data()));
   solution.mechanism = Mechanism{problem.motion_of(found.collapse),
                                  of.work(found.collapse.data()), dissipation};
   return solution;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/statics/conic/interior_point.h>
@@ -45,9 +46,10 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
                              const std::vector<JointCost> &costs,
                              const Aim aim)
     : problem(problem), aim(aim), system(problem, LinearSolver::automatic),
-      n_contacts(problem.n_contacts()), displacement(problem.n_dofs(), 0.),
-      alpha(aim == Aim::load_factor ? 0. : 1.), stiffness(problem.n_all_rows())
+      displacement(problem.n_dofs(), 0.),
+      alpha(aim == Aim::load_factor ? 0. : 1.)
 {
+  stiffness.of_rows.resize(problem.n_all_rows());
   const double first_product =
       aim == Aim::near_least_cost ? first_product_of_approach : 1.;
   for (unsigned int e = 0; e < costs.size(); ++e)
@@ -63,6 +65,7 @@ InteriorPoint::InteriorPoint(const DiscreteProblem &problem,
                       weight,
                       FrictionCone(problem.limit(e), costs[e].smoothing,
                                    first_product * weight)});
+    const unsigned int n_contacts = problem.n_contacts(e);
     for (unsigned int r = 0; r < n_contacts; ++r)
       contacts.push_back({weight / n_contacts, joint.length / n_contacts,
                           first_product * joint.distance});
@@ -121,9 +124,9 @@ void InteriorPoint::find_shortages()
   for (unsigned int e = 0; e < states.size(); ++e)
   {
     State &state = states[e];
-    for (unsigned int r = 0; r < n_contacts; ++r)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
     {
-      Contact &contact = contacts[e * n_contacts + r];
+      Contact &contact = contacts[problem.first_contact(e) + r];
       contact.short_z = problem.jump(e, r, displacement.data()) +
                         state.cost.normal_compliance * contact.p - contact.z;
     }
@@ -136,26 +139,30 @@ void InteriorPoint::find_shortages()
 /** Linearise, and prepare the linear system. */
 bool InteriorPoint::prepare()
 {
+  std::vector<double> &of_rows = stiffness.of_rows;
+  stiffness.are_isotropic = true;
   for (unsigned int e = 0, k = 0; e < states.size(); ++e)
   {
     State &state = states[e];
-    for (unsigned int r = 0; r < n_contacts; ++r, ++k)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r, ++k)
     {
-      const Contact &contact = contacts[e * n_contacts + r];
-      stiffness[k] =
+      const Contact &contact = contacts[problem.first_contact(e) + r];
+      of_rows[k] =
           contact.p / (contact.z + state.normal_compliance() * contact.p);
     }
-    stiffness[k] = 0.;
+    of_rows[k] = 0.;
     if (state.friction.exists())
     {
       state.friction.linearise();
-      stiffness[k] =
+      of_rows[k] =
           1. / (state.friction.compliance() + state.cost.tangential_compliance +
                 state.extra_compliance);
     }
     ++k;
+    stiffness.are_isotropic &=
+        is_isotropic(&of_rows[problem.first_row(e)], problem.n_contacts(e));
   }
-  if (!std::all_of(stiffness.begin(), stiffness.end(),
+  if (!std::all_of(of_rows.begin(), of_rows.end(),
                    [](const double k) { return std::isfinite(k); }))
     return false;
   double shift = least_shift;
@@ -191,8 +198,8 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
     std::vector<double> f = problem.jumps(d);
     for (std::size_t k = 0; k < f.size(); ++k)
     {
-      energy += stiffness[k] * f[k] * f[k];
-      f[k] *= stiffness[k];
+      energy += stiffness.of_rows[k] * f[k] * f[k];
+      f[k] *= stiffness.of_rows[k];
     }
     problem.add_jump_gradients(1., f, force);
     const double length = now / energy;
@@ -216,25 +223,25 @@ std::vector<double> InteriorPoint::solve(const std::vector<double> &right)
 /** Newton's step to where all products are @p target times their weights. */
 InteriorPoint::Step InteriorPoint::direction(const double target)
 {
-  const std::size_t n_rows = problem.n_rows();
   // The changes of -p and q are those below plus stiffness times [du].
-  std::vector<double> constant(stiffness.size(), 0.);
+  const std::vector<double> &k = stiffness.of_rows;
+  std::vector<double> constant(k.size(), 0.);
   std::vector<double> right = missing_forces();
-  for (std::size_t e = 0, k = 0; e < states.size(); ++e, k += n_rows)
+  for (unsigned int e = 0; e < states.size(); ++e)
   {
     const State &state = states[e];
-    for (unsigned int r = 0; r < n_contacts; ++r)
+    std::size_t row = problem.first_row(e);
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r, ++row)
     {
-      const Contact &contact = contacts[e * n_contacts + r];
-      constant[k + r] =
-          -stiffness[k + r] *
+      const Contact &contact = contacts[problem.first_contact(e) + r];
+      constant[row] =
+          -k[row] *
           ((target * contact.weight - contact.second_order) / contact.p -
            contact.z - contact.short_z);
     }
     if (state.friction.exists())
-      constant[k + n_contacts] =
-          stiffness[k + n_contacts] *
-          (state.short_v - state.friction.constant(target * state.weight));
+      constant[row] = k[row] * (state.short_v -
+                                state.friction.constant(target * state.weight));
   }
   problem.add_jump_gradients(-1., constant, right);
   Step step = {solve(right), {}, {}, 0.};
@@ -250,21 +257,21 @@ InteriorPoint::Step InteriorPoint::direction(const double target)
   const std::vector<double> jumps = problem.jumps(step.u);
   step.contacts.reserve(contacts.size());
   step.frictions.reserve(states.size());
-  for (std::size_t e = 0, k = 0; e < states.size(); ++e, k += n_rows)
+  for (unsigned int e = 0; e < states.size(); ++e)
   {
     const State &state = states[e];
-    for (unsigned int r = 0; r < n_contacts; ++r)
+    std::size_t row = problem.first_row(e);
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r, ++row)
     {
-      const double dp = -constant[k + r] - stiffness[k + r] * jumps[k + r];
-      step.contacts.push_back({dp, jumps[k + r] +
-                                       contacts[e * n_contacts + r].short_z +
-                                       state.normal_compliance() * dp});
+      const Contact &contact = contacts[problem.first_contact(e) + r];
+      const double dp = -constant[row] - k[row] * jumps[row];
+      step.contacts.push_back(
+          {dp, jumps[row] + contact.short_z + state.normal_compliance() * dp});
     }
-    const std::size_t t = k + n_contacts;
     step.frictions.push_back(
         state.friction.exists()
             ? state.friction.step(target * state.weight,
-                                  constant[t] + stiffness[t] * jumps[t])
+                                  constant[row] + k[row] * jumps[row])
             : FrictionCone::Step{0., 0., 0., 0.});
   }
   return step;
@@ -327,11 +334,11 @@ bool InteriorPoint::take(const Step &step, const Parts &parts)
 std::vector<double> InteriorPoint::forces() const
 {
   std::vector<double> forces;
-  forces.reserve(stiffness.size());
+  forces.reserve(problem.n_all_rows());
   for (unsigned int e = 0; e < states.size(); ++e)
   {
-    for (unsigned int r = 0; r < n_contacts; ++r)
-      forces.push_back(-contacts[e * n_contacts + r].p);
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
+      forces.push_back(-contacts[problem.first_contact(e) + r].p);
     forces.push_back(states[e].friction.force());
   }
   return forces;

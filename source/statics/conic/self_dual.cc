@@ -43,7 +43,7 @@ SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
     const double k =
         first_slack *
         std::min(
-            std::sqrt(rows.joints()[bound.row / rows.n_rows()].stiffness()),
+            std::sqrt(rows.joints()[rows.joint_of_row(bound.row)].stiffness()),
             of_row.greatest - of_row.least);
     const double s = bound.limit > far_bound ? bound.limit : k;
     now.s.push_back(s);
@@ -110,11 +110,13 @@ SelfDual::State SelfDual::judge()
   };
   double of_multipliers = 0.;
   const BoundedRows &rows = forces.of();
-  for (std::size_t k = 0; k < residual.multipliers.size(); ++k)
-    of_multipliers =
-        std::max(of_multipliers,
-                 std::abs(residual.multipliers[k]) *
-                     std::sqrt(rows.joints()[k / rows.n_rows()].stiffness()));
+  for (unsigned int e = 0; e < rows.joints().size(); ++e)
+  {
+    const double root = std::sqrt(rows.joints()[e].stiffness());
+    for (std::size_t k = rows.first_row(e); k < rows.first_row(e + 1); ++k)
+      of_multipliers =
+          std::max(of_multipliers, std::abs(residual.multipliers[k]) * root);
+  }
   double of_bounds = 0.;
   for (std::size_t b = 0; b < residual.bounds.size(); ++b)
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /

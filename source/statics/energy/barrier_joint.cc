@@ -18,8 +18,8 @@ void BarrierJoint::find_forces(const unsigned int e,
                                const double *jumps,
                                double *forces) const
 {
-  const unsigned int n = structure->n_contacts();
-  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  const unsigned int n = structure->n_contacts(e);
+  const signed char *is_fixed = &fixed[structure->first_row(e)];
   for (unsigned int r = 0; r < n; ++r)
     if (is_fixed[r] != 0)
       forces[r] = 0.;
@@ -31,25 +31,26 @@ void BarrierJoint::find_forces(const unsigned int e,
                                : b * (b * x / (w + std::hypot(w, b * x)));
 }
 
-void BarrierJoint::find_second_derivatives(const unsigned int e,
+bool BarrierJoint::find_second_derivatives(const unsigned int e,
                                            const double *jumps,
                                            double *second) const
 {
-  const unsigned int n = structure->n_contacts();
-  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  const unsigned int n = structure->n_contacts(e);
+  const signed char *is_fixed = &fixed[structure->first_row(e)];
   for (unsigned int r = 0; r < n; ++r)
     second[r] = is_fixed[r] != 0 ? 0. : contact_weight(e) / jumps[r] / jumps[r];
   const double w = weight(e), b = structure->limit(e);
   const double root = std::hypot(w, b * jumps[n]);
   second[n] = is_fixed[n] != 0 ? 0. : b * (w / root) * (b / (w + root));
+  return is_isotropic(second, n);
 }
 
 double BarrierJoint::longest_step(const unsigned int e,
                                   const double *jumps,
                                   const double *steps) const
 {
-  const unsigned int n = structure->n_contacts();
-  const signed char *is_fixed = &fixed[std::size_t(e) * (n + 1)];
+  const unsigned int n = structure->n_contacts(e);
+  const signed char *is_fixed = &fixed[structure->first_row(e)];
   double longest = std::numeric_limits<double>::infinity();
   for (unsigned int r = 0; r < n; ++r)
     if (is_fixed[r] == 0 && steps[r] < 0.)

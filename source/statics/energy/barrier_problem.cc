@@ -42,7 +42,7 @@ std::vector<double> start_of_barrier(const SharedProblem &problem,
   double sum_of_weights = 0.;
   for (unsigned int e = 0; e < structure.joints().size(); ++e)
     if (structure.is_own(structure.joints()[e]))
-      sum_of_weights += structure.n_contacts() * law.contact_weight(e);
+      sum_of_weights += structure.n_contacts(e) * law.contact_weight(e);
   double size_of_terms = 0.;
   for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
     size_of_terms += std::abs(structure.loads()[k] * u[k]);

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -102,13 +103,12 @@ void FixedPoint::polish(const std::vector<double> &limits)
 std::vector<double> FixedPoint::own_limits() const
 {
   std::vector<double> limits;
-  auto force = state.forces.begin();
-  for (const Structure::Joint &joint : problem.joints())
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    double normal = 0.;
-    for (unsigned int k = 0; k < problem.n_contacts(); ++k)
-      normal += *force++;
-    ++force;
+    const Structure::Joint &joint = problem.joints()[e];
+    const auto first = state.forces.begin() + problem.first_row(e);
+    const double normal =
+        std::accumulate(first, first + problem.n_contacts(e), 0.);
     limits.push_back(std::max(joint.strength - joint.coefficient * normal, 0.));
   }
   return limits;

@@ -73,8 +73,7 @@ private:
     const unsigned int n = structure.joints().size();
     unsigned int n_sliding = 0;
     for (unsigned int e = 0; e < n; ++e)
-      n_sliding +=
-          law.slides(e, &newton.jumps()[std::size_t(e) * structure.n_rows()]);
+      n_sliding += law.slides(e, &newton.jumps()[structure.first_row(e)]);
     const ProcessGroup &processes = structure.processes();
     return double(processes.sum(n_sliding)) / std::max(processes.sum(n), 1U);
   }
@@ -93,22 +92,18 @@ void ElasticJoint::find_forces(const unsigned int e,
                                double *forces) const
 {
   const Structure::Joint &joint = structure.joints()[e];
-  const unsigned int n = structure.n_contacts();
-  double normal = 0.;
+  const unsigned int n = structure.n_contacts(e);
   for (unsigned int r = 0; r < n; ++r)
-  {
     forces[r] = structure.contact_stiffness(e) * std::min(jumps[r], 0.);
-    normal += forces[r];
-  }
-  forces[n] = structure.friction().projection(joint.strength, normal,
-                                              joint.stiffness() * jumps[n]);
+  forces[n] =
+      std::clamp(joint.stiffness() * jumps[n], -joint.strength, joint.strength);
 }
 
-void ElasticJoint::find_second_derivatives(const unsigned int e,
+bool ElasticJoint::find_second_derivatives(const unsigned int e,
                                            const double *jumps,
                                            double *second) const
 {
-  const unsigned int n = structure.n_contacts();
+  const unsigned int n = structure.n_contacts(e);
   for (unsigned int r = 0; r < n; ++r)
     second[r] = jumps[r] <= 0. ? structure.contact_stiffness(e) : 0.;
   const double jump = std::abs(jumps[n]);
@@ -116,11 +111,12 @@ void ElasticJoint::find_second_derivatives(const unsigned int e,
     second[n] = structure.joints()[e].stiffness();
   else // it has no secant where it slides without a force
     second[n] = jump > 0. ? secant_share * structure.limit(e) / jump : 0.;
+  return is_isotropic(second, n);
 }
 
 bool ElasticJoint::slides(const unsigned int e, const double *jumps) const
 {
-  const double jump = std::abs(jumps[structure.n_contacts()]);
+  const double jump = std::abs(jumps[structure.n_contacts(e)]);
   return !(structure.joints()[e].stiffness() * jump < structure.limit(e));
 }
 

@@ -55,8 +55,7 @@ Solution minimise(const SharedProblem &problem,
 
   // Beyond the limit the displacement grows along a mechanism. One that turns
   // about hinges shows late, perhaps not before the last iteration.
-  const bool blocks_turn =
-      problem.structure().kinematics().n_rigid_motions() > 2;
+  const bool blocks_turn = problem.structure().kinematics().turns();
   if ((solution.stop == Stop::Reason::rounding ||
        (blocks_turn && solution.stop == Stop::Reason::most_iterations)) &&
       (solution.mechanism = problem.search(newton.u(), find_mechanism_near)))

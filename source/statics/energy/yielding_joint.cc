@@ -2,8 +2,7 @@
 #include <voussoir/statics/energy/yielding_joint.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+#include <cmath>
 #include <utility>
 
 namespace Voussoir
@@ -14,62 +13,28 @@ namespace
 constexpr unsigned int start = 0, end = 1, middle = 2;
 constexpr unsigned int n_contacts_with_middle = 3;
 
-/**
- * Blocks that turn, with a third contact in the middle of each joint, whose
- * opening is the mean of those at the ends. It has no force; its second
- * derivative is that which mixes the two ends.
- */
-class WithMiddle : public Kinematics
+/** True if joint @p e of a problem crushes between blocks that turn. */
+bool has_section(const DiscreteProblem &problem, const unsigned int e)
 {
-public:
-  std::string name() const override { return rotations().name() + ", middle"; }
-  unsigned int n_unknowns() const override { return rotations().n_unknowns(); }
-  unsigned int n_contacts() const override { return n_contacts_with_middle; }
-  void find_rows(const JointFrame &joint, ContactRow *rows) const override
-  {
-    rotations().find_rows(joint, rows);
-    add_middle(rows);
-  }
-  unsigned int n_rigid_motions() const override
-  {
-    return rotations().n_rigid_motions();
-  }
-  void find_rigid_motion(const unsigned int k,
-                         const dealii::Tensor<1, 2> &x,
-                         double *unknowns) const override
-  {
-    rotations().find_rigid_motion(k, x, unknowns);
-  }
-  /** Put the middle between the rows of the ends and the tangential one. */
-  static void add_middle(ContactRow *rows)
-  {
-    rows[n_contacts_with_middle] = rows[middle];
-    rows[middle] = {0.5 * (rows[start].direction + rows[end].direction),
-                    0.5 * (rows[start].turn_minus + rows[end].turn_minus),
-                    0.5 * (rows[start].turn_plus + rows[end].turn_plus)};
-  }
-};
-
+  return problem.kinematics().turns() && !problem.normal_limits().empty() &&
+         std::isfinite(problem.normal_limits()[e].crushing);
+}
 } // namespace
 
 Structure with_middle(const DiscreteProblem &problem)
 {
-  static const WithMiddle kinematics;
-  const bool turns = problem.n_contacts() > 1;
   Structure::Part part;
-  part.kinematics = turns ? &kinematics : &problem.kinematics();
-  part.friction = &problem.friction();
+  part.kinematics = problem.kinematics();
   part.loads = problem.loads();
-  part.centres = problem.centres();
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    part.centres.push_back(problem.centre(b));
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    std::array<ContactRow, n_contacts_with_middle + 1> rows;
-    for (unsigned int r = 0; r < problem.n_rows(); ++r)
-      rows[r] = problem.row(e, r);
-    if (turns)
-      WithMiddle::add_middle(rows.data());
-    part.joints.add(problem.joints()[e], rows.data(), part.kinematics->n_rows(),
-                    problem.n_unknowns() > 2);
+    std::vector<ContactRow> rows = problem.rows(e);
+    if (has_section(problem, e))
+      rows.insert(rows.begin() + middle,
+                  combination(0.5, rows[start], 0.5, rows[end]));
+    part.joints.add(problem.joints()[e], rows, part.kinematics);
   }
   return Structure(ProcessGroup(), std::move(part));
 }
@@ -79,11 +44,12 @@ std::vector<double> without_middle(const DiscreteProblem &problem,
 {
   std::vector<double> kept;
   kept.reserve(problem.n_all_rows());
-  const std::size_t n = forces.size() / problem.joints().size();
-  for (auto of = forces.begin(); of != forces.end(); of += n)
+  auto of = forces.begin();
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    kept.insert(kept.end(), of, of + problem.n_contacts());
-    kept.push_back(of[n - 1]);
+    kept.insert(kept.end(), of, of + problem.n_contacts(e));
+    of += problem.n_contacts(e) + (has_section(problem, e) ? 1 : 0);
+    kept.push_back(*of++);
   }
   return kept;
 }
@@ -92,7 +58,7 @@ void YieldingJoint::find_forces(const unsigned int e,
                                 const double *jumps,
                                 double *forces) const
 {
-  const unsigned int n = structure.n_contacts();
+  const unsigned int n = structure.n_contacts(e);
   std::fill_n(forces, n, 0.);
   if (is_section(e))
   {
@@ -101,7 +67,7 @@ void YieldingJoint::find_forces(const unsigned int e,
     forces[end] = found.at_end;
   }
   else
-    for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+    for (unsigned int k = 0; k < n; ++k)
       forces[k] = std::clamp(problem.contact_stiffness(e) * jumps[k], least(e),
                              most(e));
   const double limit = structure.limit(e);
@@ -109,11 +75,11 @@ void YieldingJoint::find_forces(const unsigned int e,
       std::clamp(structure.joints()[e].stiffness() * jumps[n], -limit, limit);
 }
 
-void YieldingJoint::find_second_derivatives(const unsigned int e,
+bool YieldingJoint::find_second_derivatives(const unsigned int e,
                                             const double *jumps,
                                             double *second) const
 {
-  const unsigned int n = structure.n_contacts();
+  const unsigned int n = structure.n_contacts(e);
   std::fill_n(second, n, 0.);
   if (is_section(e))
   {
@@ -124,7 +90,7 @@ void YieldingJoint::find_second_derivatives(const unsigned int e,
     second[middle] = 4. * found.mixed;
   }
   else
-    for (unsigned int k = 0; k < problem.n_contacts(); ++k)
+    for (unsigned int k = 0; k < n; ++k)
     {
       const double stiffness = problem.contact_stiffness(e);
       const double force = stiffness * jumps[k];
@@ -133,12 +99,12 @@ void YieldingJoint::find_second_derivatives(const unsigned int e,
   const double stiffness = structure.joints()[e].stiffness();
   second[n] =
       std::abs(stiffness * jumps[n]) > structure.limit(e) ? 0. : stiffness;
+  return is_isotropic(second, n);
 }
 
 bool YieldingJoint::is_section(const unsigned int e) const
 {
-  return structure.n_contacts() == n_contacts_with_middle &&
-         std::isfinite(problem.normal_limits()[e].crushing);
+  return structure.n_contacts(e) == n_contacts_with_middle;
 }
 
 Section YieldingJoint::section(const unsigned int e) const
@@ -148,11 +114,11 @@ Section YieldingJoint::section(const unsigned int e) const
 
 double YieldingJoint::least(const unsigned int e) const
 {
-  return -problem.normal_limits()[e].crushing / problem.n_contacts();
+  return -problem.normal_limits()[e].crushing / problem.n_contacts(e);
 }
 
 double YieldingJoint::most(const unsigned int e) const
 {
-  return problem.tension(e) / problem.n_contacts();
+  return problem.tension(e) / problem.n_contacts(e);
 }
 } // namespace Voussoir

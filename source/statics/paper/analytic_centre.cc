@@ -43,7 +43,6 @@ fixed_joints(const DiscreteProblem &problem,
              Newton &newton)
 {
   const std::vector<double> origin(problem.n_dofs(), 0.);
-  const unsigned int n_rows = problem.n_rows();
   std::vector<signed char> fixed(problem.n_all_rows());
   // The force of a contact, the slack of friction.
   std::vector<double> before(problem.n_all_rows(), 1.);
@@ -67,8 +66,8 @@ fixed_joints(const DiscreteProblem &problem,
 
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      std::size_t k = std::size_t(e) * n_rows;
-      for (unsigned int r = 0; r < problem.n_contacts(); ++r, ++k)
+      std::size_t k = problem.first_row(e);
+      for (unsigned int r = 0; r < problem.n_contacts(e); ++r, ++k)
         fixed[k] = vanishes(before[k], -newton.forces()[k]) ? 1 : 0;
       const double sliding = newton.jumps()[k];
       fixed[k] = 0;
@@ -158,10 +157,9 @@ Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,
   if (solution.converged())
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
-      const auto friction =
-          law.fixed.begin() + (std::size_t(e) + 1) * problem.n_rows() - 1;
-      solution.never_pressed.push_back(
-          std::count(friction - problem.n_contacts(), friction, 0) == 0);
+      const auto first = law.fixed.begin() + problem.first_row(e);
+      const auto friction = first + problem.n_contacts(e);
+      solution.never_pressed.push_back(std::count(first, friction, 0) == 0);
       solution.always_sliding.push_back(*friction != 0);
     }
   else if (!solution.mechanism && n_iterations < controls.n_max_iterations)

@@ -81,17 +81,37 @@ void add_jump_entries(const DiscreteProblem &problem,
                       std::vector<ConvexProgram::Entry> &entries)
 {
   const ContactRow of = problem.row(e, r);
-  const double turns[] = {-of.turn_minus, of.turn_plus};
   const DiscreteProblem::Joint &joint = problem.joints()[e];
   for (const int side : {0, 1})
   {
     const unsigned int body = side == 0 ? joint.cell_minus : joint.cell_plus;
     const double sign = side == 0 ? -factor : factor;
-    for (unsigned int i = 0; i < 2; ++i)
+    const std::array<double, 3> &turn =
+        side == 0 ? of.turn_minus : of.turn_plus;
+    const unsigned int T = problem.n_translations();
+    for (unsigned int i = 0; i < T; ++i)
       entries.push_back({row, problem.dof(body, i), sign * of.direction[i]});
-    if (problem.n_unknowns() > 2)
-      entries.push_back({row, problem.dof(body, 2), factor * turns[side]});
+    for (unsigned int i = T; i < problem.n_unknowns(); ++i)
+      entries.push_back({row, problem.dof(body, i), sign * turn[i - T]});
   }
+}
+
+void add_opening_entries(const DiscreteProblem &problem,
+                         std::vector<ConvexProgram::Entry> &entries)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
+      add_jump_entries(problem, e, r, 1., problem.first_contact(e) + r,
+                       entries);
+}
+
+void set_normal_forces(const DiscreteProblem &problem,
+                       const std::vector<double> &multipliers,
+                       std::vector<double> &forces)
+{
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    std::copy_n(multipliers.begin() + problem.first_contact(e),
+                problem.n_contacts(e), forces.begin() + problem.first_row(e));
 }
 
 ProgramResult solve_program(const DiscreteProblem &problem,

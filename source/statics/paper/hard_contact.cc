@@ -45,24 +45,25 @@ public:
                    double *forces) const override
   {
     friction.find_forces(e, jumps, forces);
-    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+    for (unsigned int r = 0; r < friction.n_contacts(e); ++r)
       forces[r] = jumps[r] > 0. ? -mu / jumps[r]
                                 : -std::numeric_limits<double>::infinity();
   }
-  void find_second_derivatives(const unsigned int e,
+  bool find_second_derivatives(const unsigned int e,
                                const double *jumps,
                                double *second) const override
   {
     friction.find_second_derivatives(e, jumps, second);
-    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+    for (unsigned int r = 0; r < friction.n_contacts(e); ++r)
       second[r] = mu / jumps[r] / jumps[r];
+    return is_isotropic(second, friction.n_contacts(e));
   }
-  double longest_step(unsigned int /*e*/,
+  double longest_step(const unsigned int e,
                       const double *jumps,
                       const double *steps) const override
   {
     double longest = std::numeric_limits<double>::infinity();
-    for (unsigned int r = 0; r < friction.n_contacts(); ++r)
+    for (unsigned int r = 0; r < friction.n_contacts(e); ++r)
       if (steps[r] < 0.)
         longest = std::min(longest, -jumps[r] / steps[r]);
     return longest;

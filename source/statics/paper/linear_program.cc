@@ -80,14 +80,13 @@ public:
   std::vector<Entry> constraints() const override
   {
     std::vector<Entry> entries;
-    const unsigned int n = problem.n_contacts();
-    for (unsigned int k = 0; k < n_contacts(); ++k)
-      add_jump_entries(problem, k / n, k % n, 1., k, entries);
+    add_opening_entries(problem, entries);
     for (unsigned int k = 0; k < rough.size(); ++k)
       for (const int sign : {-1, 1})
       {
         const unsigned int row = forward_row(k) + (sign > 0 ? 1 : 0);
-        add_jump_entries(problem, rough[k], n, sign, row, entries);
+        add_jump_entries(problem, rough[k], problem.n_contacts(rough[k]), sign,
+                         row, entries);
         entries.push_back({row, problem.n_dofs() + k, 1.});
       }
     return entries;
@@ -97,15 +96,14 @@ public:
   std::vector<double> forces(const std::vector<double> &multipliers) const
   {
     std::vector<double> forces(problem.n_all_rows());
-    const unsigned int n = problem.n_contacts();
-    for (unsigned int k = 0; k < n_contacts(); ++k)
-      forces[k / n * problem.n_rows() + k % n] = multipliers[k];
+    set_normal_forces(problem, multipliers, forces);
     for (unsigned int k = 0; k < rough.size(); ++k)
     {
       // The two multipliers add up to minus the limit, but for rounding.
-      forces[rough[k] * problem.n_rows() + n] = problem.friction().projection(
-          problem.joints()[rough[k]].strength, 0.,
-          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)]);
+      const unsigned int e = rough[k];
+      forces[problem.first_row(e) + problem.n_contacts(e)] = std::clamp(
+          multipliers[forward_row(k) + 1] - multipliers[forward_row(k)],
+          -problem.limit(e), problem.limit(e));
     }
     return forces;
   }
@@ -113,10 +111,7 @@ public:
 private:
   unsigned int n_unknowns() const { return problem.n_dofs() + rough.size(); }
 
-  unsigned int n_contacts() const
-  {
-    return problem.joints().size() * problem.n_contacts();
-  }
+  unsigned int n_contacts() const { return problem.n_all_contacts(); }
   /** The row of v_e >= [u]_e . t_e; that of v_e >= -[u]_e . t_e is next. */
   unsigned int forward_row(const unsigned int k) const
   {

@@ -125,7 +125,7 @@ public:
     {
       problem.find_jumps(e, x, jumps.data());
       law.find_second_derivatives(e, jumps.data(),
-                                  &second[std::size_t(e) * problem.n_rows()]);
+                                  &second[problem.first_row(e)]);
       of_joints.find(e, second.data(), blocks);
       const DiscreteProblem::Joint &joint = problem.joints()[e];
       unsigned int k = 0;
@@ -148,16 +148,13 @@ public:
   }
   unsigned int n_constraints() const override
   {
-    return contact == Contact::hard
-               ? problem.joints().size() * problem.n_contacts()
-               : 0;
+    return contact == Contact::hard ? problem.n_all_contacts() : 0;
   }
   std::vector<Entry> constraints() const override
   {
     std::vector<Entry> entries;
-    const unsigned int n = problem.n_contacts();
-    for (unsigned int k = 0; k < n_constraints(); ++k)
-      add_jump_entries(problem, k / n, k % n, 1., k, entries);
+    if (contact == Contact::hard)
+      add_opening_entries(problem, entries);
     return entries;
   }
   Stop verdict(const unsigned int iteration) override
@@ -238,18 +235,16 @@ private:
     Solution solution = std::move(result.solution);
     if (solution.mechanism)
       return solution;
-    const unsigned int n = problem.n_contacts(), n_rows = problem.n_rows();
     solution.forces.resize(problem.n_all_rows());
     std::array<double, 3> jumps;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
       problem.find_jumps(e, x.data(), jumps.data());
-      law.find_forces(e, jumps.data(),
-                      &solution.forces[std::size_t(e) * n_rows]);
+      law.find_forces(e, jumps.data(), &solution.forces[problem.first_row(e)]);
     }
     // Ipopt's multiplier of y_e >= 0 is -p_e.
-    for (unsigned int k = 0; k < n_constraints(); ++k)
-      solution.forces[k / n * n_rows + k % n] = multipliers[k];
+    if (contact == Contact::hard)
+      set_normal_forces(problem, multipliers, solution.forces);
     if (contact == Contact::hard)
       refine_hard_contact(problem, law, barrier_parameter, x,
                           controls.tolerance, solution);

@@ -27,7 +27,7 @@ double SmoothedJoint::smoothing(const unsigned int e) const
 
 double SmoothedJoint::energy(const unsigned int e, const double *jumps) const
 {
-  const unsigned int n = problem.n_contacts();
+  const unsigned int n = problem.n_contacts(e);
   double energy = 0.;
   const double eps = smoothing(e), x = jumps[n];
   if (eps > 0.) // sqrt(x^2 + eps^2) - eps without its cancellation
@@ -43,7 +43,7 @@ void SmoothedJoint::find_forces(const unsigned int e,
                                 const double *jumps,
                                 double *forces) const
 {
-  const unsigned int n = problem.n_contacts();
+  const unsigned int n = problem.n_contacts(e);
   const double eps = smoothing(e), x = jumps[n];
   for (unsigned int r = 0; r < n; ++r)
     forces[r] = contact == Contact::compliant
@@ -52,11 +52,11 @@ void SmoothedJoint::find_forces(const unsigned int e,
   forces[n] = eps > 0. ? problem.limit(e) * (x / std::hypot(x, eps)) : 0.;
 }
 
-void SmoothedJoint::find_second_derivatives(const unsigned int e,
+bool SmoothedJoint::find_second_derivatives(const unsigned int e,
                                             const double *jumps,
                                             double *second) const
 {
-  const unsigned int n = problem.n_contacts();
+  const unsigned int n = problem.n_contacts(e);
   for (unsigned int r = 0; r < n; ++r)
     second[r] = contact == Contact::compliant && jumps[r] <= 0.
                     ? problem.contact_stiffness(e)
@@ -64,5 +64,6 @@ void SmoothedJoint::find_second_derivatives(const unsigned int e,
   const double eps = smoothing(e), root = std::hypot(jumps[n], eps);
   second[n] =
       eps > 0. ? problem.limit(e) / root * (eps / root) * (eps / root) : 0.;
+  return is_isotropic(second, n);
 }
 } // namespace Voussoir

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/base/lowest_in_sets.h>
+#include <voussoir/contact/contact_points.h>
 #include <voussoir/statics/problem/discrete_problem.h>
 
 #include <algorithm>
@@ -12,13 +14,52 @@ namespace Voussoir
 {
 using dealii::Tensor;
 
+namespace
+{
+Tensor<1, 3> in_space(const Tensor<1, 2> &x)
+{
+  Tensor<1, 3> result;
+  std::copy_n(x.begin_raw(), 2, result.begin_raw());
+  return result;
+}
+
+/** A joint as its two bodies see it; nondimensional. */
+struct JointFrame
+{
+  /** n_e, from c- to c+, and t_e. */
+  Tensor<1, 2> normal, tangent;
+  /** The ends of the joint, start and end along t_e, from the centre of a body.
+   */
+  std::array<Tensor<1, 2>, 2> from_minus, from_plus;
+
+  /** The row of a point, in the direction @p d. */
+  ContactRow row(const ContactPoint &point, const Tensor<1, 2> &d) const
+  {
+    const auto turn = [&](const std::array<Tensor<1, 2>, 2> &ends) {
+      return cross((1. - point.place) * ends[0] + point.place * ends[1], d);
+    };
+    return {{d[0], d[1], 0.}, {turn(from_minus)}, {turn(from_plus)}};
+  }
+
+  /** The same joint with the other body as c-. */
+  void exchange_bodies()
+  {
+    normal *= -1.;
+    tangent *= -1.;
+    std::swap(from_minus, from_plus);
+    std::swap(from_minus[0], from_minus[1]);
+    std::swap(from_plus[0], from_plus[1]);
+  }
+};
+} // namespace
+
 DiscreteProblem::DiscreteProblem(const Scene &scene)
     : DiscreteProblem(scene, std::vector<bool>(scene.packing.n_cells(), true))
 {}
 
 DiscreteProblem::DiscreteProblem(const Scene &scene,
                                  const std::vector<bool> &moves)
-    : Structure(*scene.kinematics, *scene.friction)
+    : Structure(*scene.kinematics)
 {
   choose_scales(scene, moves);
   const Packing &packing = scene.packing;
@@ -32,18 +73,20 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (moves[c])
     {
-      body[c] = own.centres.size();
-      own.centres.push_back((packing.centre(c) - centroid) / length_unit);
-      own.loads.resize(n_unknowns() * own.centres.size());
+      body[c] = n_moving_cells++;
+      const Tensor<1, 2> x = (packing.centre(c) - centroid) / length_unit;
+      own.centres.push_back(in_space(x));
+      own.loads.resize(n_unknowns() * n_moving_cells);
       find_load(scene, c, &own.loads[dof(body[c], 0)]);
     }
-  n_moving_cells = own.centres.size();
   for (unsigned int c = 0; c <= packing.n_cells(); ++c)
     if (c == packing.ground() || !moves[c])
       body[c] = n_cells();
   const std::size_t n_interfaces = packing.interfaces().size();
-  own.joints.list.reserve(n_interfaces);
-  own.joints.direction.reserve(n_rows() * n_interfaces);
+  own.joints.reserve(n_interfaces,
+                     n_interfaces *
+                         (contact_points(scene.turns()).pressure.size() + 1),
+                     kinematics());
   bool rests_on_ground = false;
   for (unsigned int e = 0; e < n_interfaces; ++e)
   {
@@ -54,7 +97,7 @@ DiscreteProblem::DiscreteProblem(const Scene &scene,
   if (rests_on_ground)
   {
     own.centres.emplace_back();
-    own.loads.resize(n_unknowns() * own.centres.size());
+    own.loads.resize(own.loads.size() + n_unknowns());
   }
   boost::disjoint_sets_with_storage<> groups(n_bodies());
   for (const Joint &joint : joints())
@@ -101,17 +144,19 @@ void DiscreteProblem::add_interface(const Scene &scene,
   if (minus == n_cells())
   {
     std::swap(minus, plus);
-    frame.normal *= -1.;
-    frame.tangent *= -1.;
-    std::swap(frame.from_minus, frame.from_plus);
-    std::swap(frame.from_minus[0], frame.from_minus[1]);
-    std::swap(frame.from_plus[0], frame.from_plus[1]);
+    frame.exchange_bodies();
   }
+  const ContactPoints &points = contact_points(scene.turns());
+  std::vector<ContactRow> rows;
+  for (const ContactPoint &point : points.pressure)
+    rows.push_back(frame.row(point, frame.normal));
+  rows.push_back(frame.row(points.friction, frame.tangent));
   const double length = i.length / length_unit;
-  add_joint({minus, plus, length, scene.packing.distance(i) / length_unit,
-             scene.strength[interface] / stress_unit * length,
-             scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
-            frame);
+  own.joints.add(
+      {minus, plus, length, scene.packing.distance(i) / length_unit,
+       scene.strength[interface] / stress_unit * length,
+       scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
+      rows, kinematics());
   if (!scene.has_normal_limits())
     return;
   const JointLimits limits = scene.limits(interface);
@@ -155,15 +200,15 @@ void DiscreteProblem::balance_loads()
   std::vector<unsigned int> size(n_bodies(), 0);
   for (const unsigned int g : group)
     ++size[g];
-  std::array<double, 3> motion;
-  for (unsigned int k = 0; k < kinematics().n_rigid_motions(); ++k)
+  std::array<double, Kinematics::most_unknowns> motion;
+  for (unsigned int k = 0; k < n_unknowns(); ++k)
   {
     // With many cells the sum of doubles would be off by more than a solver's
     // tolerance.
     std::vector<long double> sum(n_bodies(), 0.);
     for (unsigned int b = 0; b < n_bodies(); ++b)
     {
-      kinematics().find_rigid_motion(k, centres()[b], motion.data());
+      kinematics().find_rigid_motion(k, centre(b), motion.data());
       for (unsigned int i = 0; i < n_unknowns(); ++i)
         sum[group[b]] += own.loads[dof(b, i)] * motion[i];
     }
@@ -178,13 +223,13 @@ void DiscreteProblem::balance_loads()
 void DiscreteProblem::subtract(const std::vector<RigidMotion> &motion_of_group,
                                std::vector<double> &u) const
 {
-  std::array<double, 3> unknowns;
+  std::array<double, Kinematics::most_unknowns> unknowns;
   for (unsigned int b = 0; b < n_bodies(); ++b)
   {
     const RigidMotion &motion = motion_of_group[group[b]];
-    for (unsigned int k = 0; k < kinematics().n_rigid_motions(); ++k)
+    for (unsigned int k = 0; k < n_unknowns(); ++k)
     {
-      kinematics().find_rigid_motion(k, centres()[b] - motion.about,
+      kinematics().find_rigid_motion(k, centre(b) - motion.about,
                                      unknowns.data());
       for (unsigned int i = 0; i < n_unknowns(); ++i)
         u[dof(b, i)] -= motion.size[k] * unknowns[i];
@@ -200,7 +245,7 @@ void DiscreteProblem::remove_rigid_motions(std::vector<double> &u) const
   {
     for (unsigned int i = 0; i < n_unknowns(); ++i)
       motion[group[b]].size[i] += u[dof(b, i)];
-    motion[group[b]].about += centres()[b];
+    motion[group[b]].about += centre(b);
     ++size[group[b]];
   }
   for (unsigned int b = 0; b < n_bodies(); ++b)
@@ -212,7 +257,7 @@ void DiscreteProblem::remove_rigid_motions(std::vector<double> &u) const
     }
   if (has_ground())
   {
-    motion[group.back()].about = centres().back();
+    motion[group.back()].about = centre(n_cells());
     for (unsigned int i = 0; i < n_unknowns(); ++i)
       motion[group.back()].size[i] = u[dof(n_cells(), i)];
   }
@@ -225,7 +270,7 @@ void DiscreteProblem::hold_bodies(std::vector<double> &u) const
   for (unsigned int b = 0; b < n_bodies(); ++b)
     if (is_held(b))
     {
-      motion[group[b]].about = centres()[b];
+      motion[group[b]].about = centre(b);
       for (unsigned int i = 0; i < n_unknowns(); ++i)
         motion[group[b]].size[i] = u[dof(b, i)];
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/linear/joint_system.h>
 #include <voussoir/statics/problem/equilibrate.h>
 
@@ -42,15 +43,15 @@ struct OfJoint
           const unsigned int e,
           const std::vector<double> &forces)
       : joint(problem.joints()[e]),
-        most(problem.tension(e) / problem.n_contacts())
+        most(problem.tension(e) / problem.n_contacts(e))
   {
-    const std::size_t first = std::size_t(e) * problem.n_rows();
-    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    const std::size_t first = problem.first_row(e);
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
     {
       normal += forces[first + r];
       excess = std::max(excess, forces[first + r] - most);
     }
-    tangential = forces[first + problem.n_contacts()];
+    tangential = forces[first + problem.n_contacts(e)];
     strength = std::max(joint.strength - joint.coefficient * normal, 0.);
   }
   const Joint &joint;
@@ -72,16 +73,15 @@ double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 {
   std::vector<double> left = imbalance(problem, forces);
   if (problem.has_ground())
-    left.resize(problem.dof(problem.n_cells(), 2));
+    left.resize(problem.dof(problem.n_cells(), problem.n_translations()));
   double largest = 0.;
   for (const double component : left)
     largest = std::max(largest, std::abs(component));
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const OfJoint of(problem, e, forces);
-    largest = std::max(
-        {largest, of.excess,
-         std::abs(of.tangential) - problem.friction().limit(of.strength, 0.)});
+    largest =
+        std::max({largest, of.excess, std::abs(of.tangential) - of.strength});
   }
   return largest;
 }
@@ -90,10 +90,10 @@ void move_into_limits(const DiscreteProblem &problem,
                       const double margin,
                       std::vector<double> &forces)
 {
-  const unsigned int n = problem.n_contacts();
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    double *of_joint = &forces[std::size_t(e) * problem.n_rows()];
+    const unsigned int n = problem.n_contacts(e);
+    double *of_joint = &forces[problem.first_row(e)];
     const double most = problem.tension(e) / n;
     for (unsigned int r = 0; r < n; ++r)
       of_joint[r] = std::min(of_joint[r], most);
@@ -101,33 +101,32 @@ void move_into_limits(const DiscreteProblem &problem,
     const double strength = of.joint.coefficient > 0.
                                 ? std::max(of.strength - margin, 0.)
                                 : of.strength;
-    of_joint[n] =
-        problem.friction().projection(strength, of.normal, of.tangential);
+    of_joint[n] = std::clamp(of.tangential, -strength, strength);
   }
 }
 
 /** (|e|/d_e) w_e, which turns a jump into a force. */
-std::vector<double> weighted_stiffnesses(const DiscreteProblem &problem,
-                                         const std::vector<double> &forces,
-                                         const double ample)
+JointStiffnesses weighted_stiffnesses(const DiscreteProblem &problem,
+                                      const std::vector<double> &forces,
+                                      const double ample)
 {
-  const unsigned int n = problem.n_contacts();
-  std::vector<double> stiffness(forces.size());
+  JointStiffnesses stiffness = {std::vector<double>(forces.size()), true};
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const OfJoint of(problem, e, forces);
-    const std::size_t first = std::size_t(e) * problem.n_rows();
+    const unsigned int n = problem.n_contacts(e);
+    const std::size_t first = problem.first_row(e);
     const auto weight = [&](const double slack, const double share) {
       return std::min(1., slack / (ample * of.joint.length * share));
     };
     for (unsigned int r = 0; r < n; ++r)
-      stiffness[first + r] = problem.contact_stiffness(e) *
-                             weight(of.most - forces[first + r], 1. / n);
-    stiffness[first + n] =
+      stiffness.of_rows[first + r] =
+          problem.contact_stiffness(e) *
+          weight(of.most - forces[first + r], 1. / n);
+    stiffness.of_rows[first + n] =
         of.joint.stiffness() *
-        weight(problem.friction().limit(of.strength, -of.normal) -
-                   std::abs(of.tangential),
-               1.);
+        weight(of.strength - std::abs(of.tangential), 1.);
+    stiffness.are_isotropic &= is_isotropic(&stiffness.of_rows[first], n);
   }
   return stiffness;
 }
@@ -138,7 +137,7 @@ bool correct(const DiscreteProblem &problem,
              std::vector<double> &forces,
              const double ample)
 {
-  const std::vector<double> stiffness =
+  const JointStiffnesses stiffness =
       weighted_stiffnesses(problem, forces, ample);
   double shift = least_shift;
   while (!system.prepare(stiffness, shift))
@@ -150,7 +149,7 @@ bool correct(const DiscreteProblem &problem,
     const std::vector<double> u = system.solve(imbalance(problem, forces));
     const std::vector<double> jumps = problem.jumps(u);
     for (std::size_t k = 0; k < forces.size(); ++k)
-      forces[k] += stiffness[k] * jumps[k];
+      forces[k] += stiffness.of_rows[k] * jumps[k];
   }
   return true;
 }

@@ -44,22 +44,23 @@ public:
                    const double *jumps,
                    double *forces) const override
   {
-    const unsigned int n = problem.n_contacts();
+    const unsigned int n = problem.n_contacts(e);
     for (unsigned int r = 0; r < n; ++r)
       forces[r] = problem.contact_stiffness(e) *
                   std::min(jumps[r] - problem.joints()[e].distance, 0.);
     forces[n] = 0.;
   }
-  void find_second_derivatives(const unsigned int e,
+  bool find_second_derivatives(const unsigned int e,
                                const double *jumps,
                                double *second) const override
   {
-    const unsigned int n = problem.n_contacts();
+    const unsigned int n = problem.n_contacts(e);
     for (unsigned int r = 0; r < n; ++r)
       second[r] = jumps[r] < problem.joints()[e].distance
                       ? problem.contact_stiffness(e)
                       : 0.;
     second[n] = 0.;
+    return is_isotropic(second, n);
   }
 
 private:
@@ -72,9 +73,9 @@ private:
  *
  * @return true if there is such a point.
  */
-bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
+bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 3> &ground)
 {
-  Tensor<1, 2> mean_normal, mean_point;
+  Tensor<1, 3> mean_normal, mean_point;
   double length = 0.;
   const auto for_supports = [&](const auto &visit) {
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
@@ -82,12 +83,12 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
       const DiscreteProblem::Joint &joint = problem.joints()[e];
       if (joint.cell_plus == problem.n_cells())
         visit(joint.length, problem.normal(e),
-              problem.centres()[joint.cell_minus] +
+              problem.centre(joint.cell_minus) +
                   joint.distance * problem.normal(e));
     }
   };
-  for_supports([&](const double share, const Tensor<1, 2> &normal,
-                   const Tensor<1, 2> &point) {
+  for_supports([&](const double share, const Tensor<1, 3> &normal,
+                   const Tensor<1, 3> &point) {
     mean_normal += share * normal;
     mean_point += share * point;
     length += share;
@@ -96,11 +97,11 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 2> &ground)
   if (!(mean_normal.norm() > least_cosine * length))
     return false;
 
-  const Tensor<1, 2> back = mean_normal / mean_normal.norm();
+  const Tensor<1, 3> back = mean_normal / mean_normal.norm();
   double distance = 0.;
   bool all_face_back = true;
   for_supports(
-      [&](double, const Tensor<1, 2> &normal, const Tensor<1, 2> &point) {
+      [&](double, const Tensor<1, 3> &normal, const Tensor<1, 3> &point) {
         const double cosine = normal * back;
         if (cosine > least_cosine)
           distance = std::max(distance, (point - ground) * normal / cosine);
@@ -148,23 +149,22 @@ bool is_self_stress(const DiscreteProblem &problem,
 {
   std::vector<double> sum(problem.n_dofs());
   double rounding = 0.;
-  const unsigned int n_rows = problem.n_rows();
-  for (std::size_t e = 0, k = 0; k < p.size(); ++e, k += n_rows)
-  {
-    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+  for (unsigned int e = 0; e < problem.joints().size() && !p.empty(); ++e)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
     {
-      if (!(p[k + r] >= 0.))
+      const double pressure = p[problem.first_row(e) + r];
+      if (!(pressure >= 0.))
         return false;
-      rounding += p[k + r] * error_of_normal(problem, problem.joints()[e]);
+      rounding += pressure * error_of_normal(problem, problem.joints()[e]);
     }
-    problem.add_jump_gradient(e, &p[k], sum.data());
-  }
+  if (!p.empty())
+    problem.add_jump_gradients(1., p, sum);
   double left = 0.;
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
   {
     left += std::hypot(sum[problem.dof(b, 0)], sum[problem.dof(b, 1)]);
     // The ground does not turn, and is far from some of its joints.
-    if (problem.n_unknowns() > 2 && b < problem.n_cells())
+    if (problem.kinematics().turns() && b < problem.n_cells())
       left += std::abs(sum[problem.dof(b, 2)]);
   }
   return rounding > 0. && left <= rounding;
@@ -177,7 +177,7 @@ std::vector<double> open_along(const DiscreteProblem &problem,
 {
   double length = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
       length = std::max(length, (problem.joints()[e].distance -
                                  problem.jump(e, r, u.data())) /
                                     problem.jump(e, r, ray.data()));
@@ -218,8 +218,8 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
     const double length = newton.step(shift, before);
     bool all_open = true;
     for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      for (unsigned int r = 0; r < problem.n_contacts(); ++r)
-        all_open &= newton.jumps()[std::size_t(e) * problem.n_rows() + r] >
+      for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
+        all_open &= newton.jumps()[problem.first_row(e) + r] >
                     least_opening * problem.joints()[e].distance;
     if (all_open && opens_all_joints(problem, newton.u()))
       return {newton.u(), {}};
@@ -260,16 +260,16 @@ Opening find_opening(const DiscreteProblem &problem)
 {
   std::vector<double> u(problem.n_dofs());
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[problem.dof(c, i)] = problem.centres()[c][i];
+    for (unsigned int i = 0; i < problem.n_translations(); ++i)
+      u[problem.dof(c, i)] = problem.centre(c)[i];
   // Convex blocks all draw apart, others may clamp each other.
   const bool draws_apart = opens_between_cells(problem, u);
   if (!problem.has_ground())
     return draws_apart ? Opening{u, {}} : push_open(problem, u);
-  Tensor<1, 2> ground;
+  Tensor<1, 3> ground;
   if (!draws_apart || !draw_back_ground(problem, ground))
     return push_open(problem, u);
-  for (unsigned int i = 0; i < 2; ++i)
+  for (unsigned int i = 0; i < problem.n_translations(); ++i)
     u[problem.dof(problem.n_cells(), i)] = ground[i];
   return {u, {}};
 }

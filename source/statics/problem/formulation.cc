@@ -101,10 +101,13 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution)
 {
   const double unit = force_scale(problem);
-  const unsigned int n = problem.n_contacts();
   InterfaceForces forces;
-  for (auto f = solution.forces.begin(); f != solution.forces.end(); f += n + 1)
+  if (solution.forces.empty())
+    return forces;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
+    const unsigned int n = problem.n_contacts(e);
+    const double *f = &solution.forces[problem.first_row(e)];
     forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
     forces.tangential.push_back(unit * f[n]);
     if (n == 2)

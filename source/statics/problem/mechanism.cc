@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/linear/joint_system.h>
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/problem/find_opening.h>
@@ -61,8 +62,7 @@ double dissipation(const DiscreteProblem &problem, const std::vector<double> &v)
 {
   double sum = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    sum += problem.friction().dissipation(problem.joints()[e].strength,
-                                          problem.sliding(e, v.data()));
+    sum += problem.limit(e) * std::abs(problem.sliding(e, v.data()));
   return sum;
 }
 
@@ -78,24 +78,28 @@ bool round_small_jumps(const DiscreteProblem &problem,
                        const double small,
                        std::vector<double> &v)
 {
-  const unsigned int n_rows = problem.n_rows(), n = problem.n_contacts();
-  std::vector<double> springs(problem.n_all_rows(), 0.);
+  JointStiffnesses springs = {std::vector<double>(problem.n_all_rows(), 0.),
+                              false};
   JointSystem system(problem, LinearSolver::automatic);
   for (unsigned int round = 0; round < n_rounds; ++round)
   {
     const double limit = round == 0 ? small : -rounding_of_closing;
     std::vector<double> right(problem.n_dofs(), 0.);
     std::vector<double> forces = problem.jumps(v);
-    for (std::size_t e = 0, k = 0; k < forces.size(); ++e, k += n_rows)
+    springs.are_isotropic = true;
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
     {
+      const unsigned int n = problem.n_contacts(e);
+      const double *jumps = &forces[problem.first_row(e)];
+      double *of_rows = &springs.of_rows[problem.first_row(e)];
       for (unsigned int r = 0; r < n; ++r)
-        if (forces[k + r] < limit)
-          springs[k + r] = problem.contact_stiffness(e);
-      if (std::abs(forces[k + n]) < limit)
-        springs[k + n] = problem.joints()[e].stiffness();
-      for (unsigned int r = 0; r < n_rows; ++r)
-        forces[k + r] *= springs[k + r];
+        if (jumps[r] < limit)
+          of_rows[r] = problem.contact_stiffness(e);
+      if (std::abs(jumps[n]) < limit)
+        of_rows[n] = problem.joints()[e].stiffness();
+      springs.are_isotropic &= is_isotropic(of_rows, n);
     }
+    problem.multiply_by_blocks(springs.of_rows, forces);
     problem.add_jump_gradients(-1., forces, right);
     if (!system.prepare(springs, holding_shift))
       return false;
@@ -137,7 +141,7 @@ double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 
   double share = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    for (unsigned int r = 0; r < problem.n_contacts(); ++r)
+    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
       share = std::max(share, -problem.jump(e, r, v.data()) /
                                   problem.jump(e, r, opening.data()));
   for (unsigned int k = 0; k < v.size(); ++k)

@@ -23,9 +23,9 @@ namespace
 /**
  * Recursive coordinate bisection: cut the cells from @p begin to @p end - 1
  * into parts of equal numbers, @p n_parts of them from @p first_part on, always
- * across the longer side of their box.
+ * across the longest side of their box.
  */
-void bisect(const std::vector<Tensor<1, 2>> &centres,
+void bisect(const Structure &whole,
             const std::vector<unsigned int>::iterator begin,
             const std::vector<unsigned int>::iterator end,
             const unsigned int first_part,
@@ -38,46 +38,50 @@ void bisect(const std::vector<Tensor<1, 2>> &centres,
       part[*cell] = first_part;
     return;
   }
-  std::array<double, 2> extent;
-  for (unsigned int i = 0; i < 2; ++i)
+  std::array<double, 3> extent = {};
+  for (unsigned int i = 0; i < whole.n_translations(); ++i)
   {
     const auto [low, high] = std::minmax_element(
         begin, end, [&](const unsigned int a, const unsigned int b) {
-          return centres[a][i] < centres[b][i];
+          return whole.centre(a)[i] < whole.centre(b)[i];
         });
-    extent[i] = begin == end ? 0. : centres[*high][i] - centres[*low][i];
+    extent[i] =
+        begin == end ? 0. : whole.centre(*high)[i] - whole.centre(*low)[i];
   }
-  const unsigned int i = extent[0] < extent[1] ? 1 : 0;
+  const unsigned int i =
+      std::max_element(extent.begin(), extent.end()) - extent.begin();
   const unsigned int n_first = n_parts / 2;
   const auto middle =
       begin + static_cast<std::size_t>(end - begin) * n_first / n_parts;
   std::nth_element(begin, middle, end,
                    [&](const unsigned int a, const unsigned int b) {
-                     return centres[a][i] < centres[b][i];
+                     return whole.centre(a)[i] < whole.centre(b)[i];
                    });
-  bisect(centres, begin, middle, first_part, n_first, part);
-  bisect(centres, middle, end, first_part + n_first, n_parts - n_first, part);
+  bisect(whole, begin, middle, first_part, n_first, part);
+  bisect(whole, middle, end, first_part + n_first, n_parts - n_first, part);
 }
 /** Send all that a part has by @p pass, or receive it. */
 template <typename Part, typename Pass>
 void transfer(Part &part, const Pass &pass)
 {
-  const auto name_of = [&](const auto &law) {
-    const std::string name = law.name();
-    std::vector<char> letters(name.begin(), name.end());
-    pass(letters);
-    return std::string(letters.begin(), letters.end());
-  };
-  part.kinematics = &kinematics_of(name_of(*part.kinematics));
-  part.friction = &friction_law_of(name_of(*part.friction));
+  const Kinematics &kinematics = part.kinematics;
+  std::vector<unsigned int> motions = {kinematics.n_translations(),
+                                       kinematics.n_rotations()};
+  std::vector<char> name(kinematics.name().begin(), kinematics.name().end());
+  pass(motions);
+  pass(name);
+  part.kinematics =
+      Kinematics(std::string(name.begin(), name.end()), motions[0], motions[1]);
   std::vector<unsigned int> first = {part.first};
   pass(first);
   part.first = first.front();
   pass(part.ghosts);
   pass(part.joints.list);
+  pass(part.joints.first_row);
   pass(part.joints.direction);
   pass(part.joints.turn_minus);
   pass(part.joints.turn_plus);
+  pass(part.joints.set_sizes);
   pass(part.loads);
   pass(part.centres);
 }
@@ -117,8 +121,7 @@ void SharedProblem::cut()
   std::vector<unsigned int> part(whole->n_bodies(), 0); // that of the ground
   std::vector<unsigned int> cells(whole->n_cells());
   std::iota(cells.begin(), cells.end(), 0);
-  bisect(whole->centres(), cells.begin(), cells.end(), 0, processes.size(),
-         part);
+  bisect(*whole, cells.begin(), cells.end(), 0, processes.size(), part);
 
   first_body.assign(processes.size() + 1, 0);
   for (const unsigned int p : part)
@@ -151,14 +154,13 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
     return begin <= k && k < end;
   };
   Structure::Part result;
-  result.kinematics = &whole->kinematics();
-  result.friction = &whole->friction();
+  result.kinematics = whole->kinematics();
   result.first = begin;
   for (unsigned int k = begin; k < end; ++k)
   {
     for (unsigned int i = 0; i < whole->n_unknowns(); ++i)
       result.loads.push_back(whole->loads()[whole->dof(bodies[k], i)]);
-    result.centres.push_back(whole->centres()[bodies[k]]);
+    result.centres.push_back(whole->centre(bodies[k]));
   }
   const std::vector<unsigned int> &joints = joints_of[process];
   for (const unsigned int e : joints)
@@ -179,18 +181,16 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
                                                 result.ghosts.end(), k) -
                                result.ghosts.begin());
   };
-  result.joints.list.reserve(joints.size());
-  result.joints.direction.reserve(joints.size() * whole->n_rows());
-  std::array<ContactRow, 3> rows;
+  std::size_t n_rows = 0;
+  for (const unsigned int e : joints)
+    n_rows += whole->n_rows(e);
+  result.joints.reserve(joints.size(), n_rows, result.kinematics);
   for (const unsigned int e : joints)
   {
     Joint joint = whole->joints()[e];
     joint.cell_minus = local(joint.cell_minus);
     joint.cell_plus = local(joint.cell_plus);
-    for (unsigned int r = 0; r < whole->n_rows(); ++r)
-      rows[r] = whole->row(e, r);
-    result.joints.add(joint, rows.data(), whole->n_rows(),
-                      whole->n_unknowns() > 2);
+    result.joints.add(joint, whole->rows(e), result.kinematics, whole->sets(e));
   }
   return result;
 }
@@ -256,14 +256,20 @@ void SharedProblem::collect(const std::vector<double> &u,
   const auto parts = processes.gather(forces);
   if (whole == nullptr)
     return;
-  const unsigned int n_rows = whole->n_rows();
-  solution.forces.resize(whole->n_all_rows());
-  for (unsigned int r = 0; r < parts.size(); ++r)
-    for (std::size_t k = 0; k < parts[r].size(); ++k)
+  if (!part)
+    solution.forces = parts.front();
+  else
+    solution.forces.resize(whole->n_all_rows());
+  for (unsigned int r = 0; part && r < parts.size(); ++r)
+  {
+    auto of_joint = parts[r].begin();
+    for (const unsigned int e : joints_of[r])
     {
-      const std::size_t e = part ? joints_of[r][k / n_rows] : k / n_rows;
-      solution.forces[e * n_rows + k % n_rows] = parts[r][k];
+      std::copy_n(of_joint, whole->n_rows(e),
+                  solution.forces.begin() + whole->first_row(e));
+      of_joint += whole->n_rows(e);
     }
+  }
   whole->remove_rigid_motions(all);
   solution.motion = whole->motion_of_cells(all, displacement_unit);
 }

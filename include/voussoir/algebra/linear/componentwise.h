@@ -3,7 +3,6 @@
 #define voussoir_algebra_linear_componentwise_h
 
 #include <voussoir/algebra/linear/linear_method.h>
-#include <voussoir/algebra/structure.h>
 
 #include <memory>
 
@@ -11,22 +10,18 @@ namespace Voussoir
 {
 
 /**
- * The translations of systems in which their two components come apart: in each
- * joint the coefficients of the contacts add up to the tangential one, so that
- * a (n n^T + t t^T) is a times the identity. One matrix of half the size serves
- * both components.
+ * The translations of systems in which their components come apart: each joint
+ * is as stiff in one direction as in the other, so that a (n n^T + t t^T) is a
+ * times the identity. One matrix of the size of one component serves them all.
  */
 class Componentwise : public LinearMethod
 {
 public:
-  /** @param one the method for the matrix of one component. */
-  explicit Componentwise(std::unique_ptr<LinearMethod> one);
   /**
-   * True if the translations in the system with these coefficients come apart;
-   * collective.
+   * @param one the method for the matrix of one component.
+   * @param n_components of the translations.
    */
-  static bool serves(const Structure &structure,
-                     const std::vector<double> &coefficients);
+  Componentwise(std::unique_ptr<LinearMethod> one, unsigned int n_components);
   bool prepare(const std::vector<double> &coefficients, double shift) override;
   std::vector<double> solve(const std::vector<double> &r,
                             unsigned int n_columns) override;
@@ -34,6 +29,7 @@ public:
 
 private:
   std::unique_ptr<LinearMethod> one;
+  unsigned int n_components;
 };
 
 } // namespace Voussoir

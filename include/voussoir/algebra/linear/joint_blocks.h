@@ -10,29 +10,32 @@ namespace Voussoir
 {
 
 /**
- * The matrix of JointSystem, sum_e B_e^T diag(a_e) B_e with the rows B_e of
- * joint e and their coefficients a_e, block by block. Each block couples two
- * bodies, row by row of n() unknowns each.
+ * The matrix of JointSystem, sum_e B_e^T A_e B_e with the rows B_e of joint e
+ * and their coefficients A_e, block by block. Each block couples two bodies,
+ * row by row of n() unknowns each.
  */
 class JointBlocks
 {
 public:
+  /** A block; of its numbers the first n()^2 count. */
+  using Block =
+      std::array<double, Kinematics::most_unknowns * Kinematics::most_unknowns>;
   /** The blocks of one joint. */
   struct Blocks
   {
     /** @{ */
     /** Of c- with itself, and of c+ with itself. */
-    std::array<double, 9> minus;
-    std::array<double, 9> plus;
+    Block minus;
+    Block plus;
     /** @} */
     /** Of c+ (rows) with c- (columns). */
-    std::array<double, 9> mixed;
+    Block mixed;
   };
 
   /**
    * @param structure has the joints; it must outlive this object.
    * @param apart true for the matrix of one component of the translations, by
-   *   itself; see Componentwise.
+   *   itself; see Componentwise. Then coefficients are isotropic.
    */
   JointBlocks(const Structure &structure, bool apart)
       : structure(&structure), unknowns(apart ? 1 : structure.n_unknowns())
@@ -44,10 +47,12 @@ public:
   unsigned int n() const { return unknowns; }
   /** Find those of joint @p e for @p coefficients of all rows of all joints. */
   void find(unsigned int e, const double *coefficients, Blocks &blocks) const;
-  /** Add those of one row, of any joint, with the coefficient @p a. */
-  void add(const ContactRow &row, double a, Blocks &blocks) const;
+  /** Find those of one row, of any joint, with the coefficient @p a. */
+  void find(const ContactRow &row, double a, Blocks &blocks) const;
 
 private:
+  void clear(Blocks &blocks) const;
+
   const Structure *structure;
   unsigned int unknowns;
 };

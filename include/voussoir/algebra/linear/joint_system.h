@@ -35,14 +35,15 @@ enum class LinearSolver
 /**
  * The linear systems of Newton's method: find u with
  *
- *     (sum_e B_e^T diag(a_e) B_e + shift) u = r,
+ *     (sum_e B_e^T A_e B_e + shift) u = r,
  *
- * where B_e u are the jumps in the rows of joint e, a_e are coefficients of the
- * rows that are not negative, and the shift is positive, so that the matrix is
- * symmetric and positive definite. Where all joints are as stiff in one
- * direction as in the other, Componentwise takes half of the matrix, and of
- * bodies that turn RotationComplement takes the rest. Where a residual is
- * admitted NearComponentwise serves joints that are not far from that.
+ * where B_e u are the jumps in the rows of joint e, A_e has the blocks of its
+ * sets of rows, none with a negative eigenvalue, and the shift is positive, so
+ * that the matrix is symmetric and positive definite. Where all joints are as
+ * stiff in one direction as in the other, Componentwise takes half of the
+ * matrix, and of bodies that turn RotationComplement takes the rest. Where a
+ * residual is admitted NearComponentwise serves joints that are not far from
+ * that.
  *
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see
@@ -65,12 +66,12 @@ public:
               double residual = 0.);
 
   /**
-   * Prepare to solve with the given coefficients, one for each row.
+   * Prepare to solve with the given coefficients.
    *
    * @return false if a factorisation found that rounding has cost the matrix
    *   its positive definiteness; a larger shift helps then.
    */
-  bool prepare(const std::vector<double> &coefficients, double shift);
+  bool prepare(const JointStiffnesses &coefficients, double shift);
 
   /**
    * The solution for the right-hand side @p r, of which that of own bodies
@@ -87,7 +88,7 @@ public:
 
 private:
   std::unique_ptr<LinearMethod> make(bool apart) const;
-  bool comes_apart(const std::vector<double> &coefficients) const;
+  bool comes_apart(const JointStiffnesses &coefficients) const;
   std::unique_ptr<LinearMethod> make_componentwise() const;
   bool prepare_coupled(const std::vector<double> &coefficients, double shift);
 

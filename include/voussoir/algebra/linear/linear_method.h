@@ -6,6 +6,17 @@
 
 namespace Voussoir
 {
+/** The coefficients of a system of JointSystem. */
+struct JointStiffnesses
+{
+  /** The blocks of the sets of rows of each joint; see Structure. */
+  std::vector<double> of_rows;
+  /**
+   * True if in each joint they add up, between translations, to a multiple of
+   * the identity: then the components of the translations come apart.
+   */
+  bool are_isotropic = false;
+};
 
 /** One way to solve the systems of JointSystem; see JointBlocks. */
 class LinearMethod

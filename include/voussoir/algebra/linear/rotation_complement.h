@@ -8,14 +8,16 @@
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <array>
 #include <memory>
 
 namespace Voussoir
 {
 
 /**
- * The systems of bodies that turn, of which the translations alone come apart;
- * see Componentwise. With the blocks of translations u and rotations theta
+ * The systems of bodies that turn in the plane, of which the translations alone
+ * come apart; see Componentwise. With the blocks of translations u and
+ * rotations theta
  *
  *     ( L  C ) (u    )   (r    )
  *     ( C' D ) (theta) = (m),
@@ -45,7 +47,7 @@ private:
   {
     /** @{ */
     /** The force between the bodies for a unit rotation of c-, and of c+. */
-    dealii::Tensor<1, 2> minus, plus;
+    std::array<double, 2> minus, plus;
     /** @} */
     /** @{ */
     /** The couples on c-, on c+, and on c+ from c-. */

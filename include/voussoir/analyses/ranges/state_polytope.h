@@ -13,8 +13,8 @@ namespace Voussoir
 {
 /**
  * The admissible states of a scene as a polytope: vectors x of nondimensional
- * forces, n_rows() of each joint as in Structure, that balance the loads and
- * are within the limits() of the joints.
+ * forces, those of the rows of each joint as in Structure, that balance the
+ * loads and are within the limits() of the joints.
  */
 class StatePolytope
 {
@@ -26,6 +26,8 @@ public:
     unsigned int joint;
     /** The number of its first row among all. */
     std::size_t first;
+    /** The number of its rows. */
+    unsigned int n_rows;
     /** The coefficients of its rows; zero beyond the last. */
     std::array<double, 3> outward;
     /** The largest value. */
@@ -46,7 +48,7 @@ public:
   {
     const double *of_joint = &d[limit.first];
     double sum = 0.;
-    for (unsigned int r = 0; r < n_rows; ++r)
+    for (unsigned int r = 0; r < limit.n_rows; ++r)
       sum += limit.outward[r] * of_joint[r];
     return sum;
   }
@@ -58,7 +60,6 @@ public:
 
 private:
   const DiscreteProblem unlimited;
-  const unsigned int n_rows;
   std::vector<Limit> all_limits;
 };
 } // namespace Voussoir

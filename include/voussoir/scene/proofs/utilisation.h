@@ -8,7 +8,7 @@ namespace Voussoir
 {
 /**
  * The share of the friction of each interface that a state uses,
- * FrictionLaw::utilisation(). A tangential force that is rounding beside the
+ * |f_e^t| over JointLimits::shear_strength(). A tangential force that is rounding beside the
  * largest force of the state counts as none: the ratio of two such forces says
  * nothing.
  */

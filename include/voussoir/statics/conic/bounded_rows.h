@@ -4,7 +4,6 @@
 
 #include <voussoir/statics/problem/discrete_problem.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -83,7 +82,7 @@ public:
    */
   BoundedRows(const DiscreteProblem &problem, const Strips &strips);
 
-  /** The bounds of each row; zero for rows that a joint does not need. */
+  /** The bounds of each row. */
   const std::vector<Bounds> &bounds() const { return of_rows; }
   /** Of each row of each joint of the structure, from those of these rows. */
   std::vector<double> forces_of(const std::vector<double> &x) const;
@@ -111,8 +110,6 @@ public:
   Strips cuts_for(const std::vector<double> &u) const;
 
 private:
-  using Rows = std::array<ContactRow, most_rows>;
-
   bool has_cone(const unsigned int e) const
   {
     return problem.joints()[e].coefficient > 0.;
@@ -127,7 +124,9 @@ private:
   double middle(unsigned int e, unsigned int strip) const;
   void add_rays(unsigned int e, unsigned int minus, unsigned int plus);
   void add_contacts_or_strips(unsigned int e);
-  void add(const Joint &joint, const Rows &rows, double tangential);
+  void add(const Joint &joint,
+           const std::vector<ContactRow> &rows,
+           double tangential);
 
   const DiscreteProblem &problem;
   const Strips &strips;

@@ -151,15 +151,13 @@ private:
   const DiscreteProblem &problem;
   const Aim aim;
   JointSystem system;
-  /** Of a joint. */
-  const unsigned int n_contacts;
   std::vector<State> states;
   /** Joint by joint. */
   std::vector<Contact> contacts;
   std::vector<double> displacement;
   double alpha;
   /** The coefficients of the linear system. */
-  std::vector<double> stiffness;
+  JointStiffnesses stiffness;
   /** Its solution for the loads. */
   std::vector<double> u_of_load;
   unsigned int iterations = 0;

@@ -48,7 +48,7 @@ public:
   void find_forces(unsigned int e,
                    const double *jumps,
                    double *forces) const override;
-  void find_second_derivatives(unsigned int e,
+  bool find_second_derivatives(unsigned int e,
                                const double *jumps,
                                double *second) const override;
   double longest_step(unsigned int e,
@@ -68,7 +68,7 @@ public:
   {
     return weights == BarrierWeights::equal
                ? 1.
-               : weight(e) / structure->n_contacts();
+               : weight(e) / structure->n_contacts(e);
   }
 
   /** The rest of the strength, s_e |e| - |q_e|, without cancellation. */

@@ -35,7 +35,7 @@ public:
   void find_forces(unsigned int e,
                    const double *jumps,
                    double *forces) const override;
-  void find_second_derivatives(unsigned int e,
+  bool find_second_derivatives(unsigned int e,
                                const double *jumps,
                                double *second) const override;
 

@@ -11,10 +11,10 @@
 namespace Voussoir
 {
 /**
- * The structure of a problem for YieldingJoint. Where blocks turn, a joint has
- * a third contact between those at its ends, whose opening is their mean. It
- * has no force; its second derivative is that which mixes the ends, of a
- * Section:
+ * The structure of a problem for YieldingJoint. Where blocks turn, a joint that
+ * crushes has a third contact between those at its ends, whose opening is their
+ * mean. It has no force; its second derivative is that which mixes the ends, of
+ * a Section:
  *
  *     a x^2 + 2 b x y + c y^2
  *         = (a - b) x^2 + (c - b) y^2 + 4 b ((x + y) / 2)^2.
@@ -43,7 +43,7 @@ public:
                    const double *jumps,
                    double *forces) const override;
   /** Find the second derivatives; of the ends possibly negative. */
-  void find_second_derivatives(unsigned int e,
+  bool find_second_derivatives(unsigned int e,
                                const double *jumps,
                                double *second) const override;
 

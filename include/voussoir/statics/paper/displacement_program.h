@@ -34,6 +34,19 @@ void add_jump_entries(const DiscreteProblem &problem,
                       unsigned int row,
                       std::vector<ConvexProgram::Entry> &entries);
 
+/** Add those of the openings, each with the row of its number among all. */
+void add_opening_entries(const DiscreteProblem &problem,
+                         std::vector<ConvexProgram::Entry> &entries);
+
+/**
+ * Set of the @p forces, of each row of each joint, the normal ones.
+ *
+ * @param multipliers of the openings, and behind them possibly others.
+ */
+void set_normal_forces(const DiscreteProblem &problem,
+                       const std::vector<double> &multipliers,
+                       std::vector<double> &forces);
+
 /** The result of solve_program(). */
 struct ProgramResult
 {

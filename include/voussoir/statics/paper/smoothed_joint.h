@@ -40,7 +40,7 @@ public:
   void find_forces(unsigned int e,
                    const double *jumps,
                    double *forces) const override;
-  void find_second_derivatives(unsigned int e,
+  bool find_second_derivatives(unsigned int e,
                                const double *jumps,
                                double *second) const override;
 
@@ -48,7 +48,10 @@ public:
   double smoothing(unsigned int e) const;
 
   /** The number of contacts of a joint. */
-  unsigned int n_contacts() const { return problem.n_contacts(); }
+  unsigned int n_contacts(const unsigned int e) const
+  {
+    return problem.n_contacts(e);
+  }
 
   /** The displacement that stands for one smoothing length of the user. */
   double displacement_unit() const

@@ -179,9 +179,9 @@ private:
   struct RigidMotion
   {
     /** The place about which it turns. */
-    dealii::Tensor<1, 2> about;
+    dealii::Tensor<1, 3> about;
     /** The size of each rigid motion of Kinematics. */
-    std::array<double, 3> size = {{0., 0., 0.}};
+    std::array<double, Kinematics::most_unknowns> size = {};
   };
   void subtract(const std::vector<RigidMotion> &motion_of_group,
                 std::vector<double> &u) const;
