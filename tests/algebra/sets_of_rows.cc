@@ -8,6 +8,7 @@
 // heap of blocks in which every force is checked against its law.
 
 #include <voussoir/algebra/newton.h>
+#include <voussoir/statics/energy/elastic_problem.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -43,8 +44,7 @@ ContactRow row(const Vector3 &direction,
                const Vector3 &from_minus = Vector3(),
                const Vector3 &from_plus = Vector3())
 {
-  return {numbers(direction),
-          numbers(cross_product_3d(from_minus, direction)),
+  return {numbers(direction), numbers(cross_product_3d(from_minus, direction)),
           numbers(cross_product_3d(from_plus, direction))};
 }
 
@@ -72,18 +72,18 @@ public:
                    double *forces) const override
   {
     const double k = structure.joints()[e].stiffness();
-    structure.for_each_set(e, [&](const unsigned int size, const unsigned int r,
-                                  unsigned int) {
-      if (size == 1)
-      {
-        forces[r] = k / n_contacts(e) * std::min(jumps[r], 0.);
-        return;
-      }
-      const double force = k * std::hypot(jumps[r], jumps[r + 1]);
-      const double share = std::min(1., structure.limit(e) / force);
-      for (unsigned int i = 0; i < 2; ++i)
-        forces[r + i] = (force > 0. ? share : 1.) * k * jumps[r + i];
-    });
+    structure.for_each_set(
+        e, [&](const unsigned int size, const unsigned int r, unsigned int) {
+          if (size == 1)
+          {
+            forces[r] = k / n_contacts(e) * std::min(jumps[r], 0.);
+            return;
+          }
+          const double force = k * std::hypot(jumps[r], jumps[r + 1]);
+          const double share = std::min(1., structure.limit(e) / force);
+          for (unsigned int i = 0; i < 2; ++i)
+            forces[r + i] = (force > 0. ? share : 1.) * k * jumps[r + i];
+        });
   }
 
   bool find_second_derivatives(const unsigned int e,
@@ -122,10 +122,8 @@ private:
   unsigned int n_contacts(const unsigned int e) const
   {
     unsigned int n = 0;
-    structure.for_each_set(
-        e, [&](const unsigned int size, unsigned int, unsigned int) {
-          n += size == 1 ? 1 : 0;
-        });
+    structure.for_each_set(e, [&](const unsigned int size, unsigned int,
+                                  unsigned int) { n += size == 1 ? 1 : 0; });
     return n;
   }
 
@@ -159,9 +157,8 @@ void add_joint(Structure::Part &part,
 }
 
 /** Newton's method from rest. */
-Newton solved(const Structure &structure,
-              const JointLaw &law,
-              JointSystem &system)
+Newton
+solved(const Structure &structure, const JointLaw &law, JointSystem &system)
 {
   Newton newton(structure, law, system,
                 std::vector<double>(structure.n_dofs(), 0.));
@@ -193,8 +190,8 @@ void block_on_floor()
     JointSystem system(structure, method);
     return solved(structure, law, system).forces();
   };
-  for (const LinearSolver method : {LinearSolver::direct,
-                                    LinearSolver::multigrid})
+  for (const LinearSolver method :
+       {LinearSolver::direct, LinearSolver::multigrid})
   {
     // Pulled from the wall, in any direction: the floor bears it all.
     std::vector<double> f = solution(vector(-0.2, 0.1, -1.), method);
@@ -209,8 +206,8 @@ void block_on_floor()
     f = solution(vector(0.3, 0., -1.), method);
     check_error("shared by the wall", std::abs(f[3] + 0.1), 1e-12);
     f = solution(vector(1., 0., -1.), method);
-    check_error("the floor slides",
-                std::abs(std::hypot(f[1], f[2]) - strength), 1e-12);
+    check_error("the floor slides", std::abs(std::hypot(f[1], f[2]) - strength),
+                1e-12);
     check_error("and the wall bears the rest", std::abs(f[3] + 1. - strength),
                 1e-12);
   }
@@ -237,9 +234,9 @@ Structure::Part heap(const Kinematics &kinematics, const bool all_alike)
     if (!all_alike)
       normal += 0.2 * vector(random(), random(), random());
     normal /= normal.norm();
-    const Vector3 middle =
-        b == ground ? part.centres[a] + 0.5 * normal
-                    : 0.5 * (part.centres[a] + part.centres[b]);
+    const Vector3 middle = b == ground
+                               ? part.centres[a] + 0.5 * normal
+                               : 0.5 * (part.centres[a] + part.centres[b]);
     std::vector<Vector3> points;
     const unsigned int n_points = all_alike ? 1 : 1 + generator() % 4;
     for (unsigned int k = 0; k < n_points; ++k)
@@ -383,21 +380,21 @@ void heap_of_blocks()
     unsigned int n_sliding = 0, n_open = 0;
     double excess = 0., along = 0.;
     for (unsigned int e = 0; e < structure.joints().size(); ++e)
-      structure.for_each_set(e, [&](const unsigned int size,
-                                    const unsigned int r, unsigned int) {
-        const double *f = &newton.forces()[structure.first_row(e) + r];
-        const double *x = &newton.jumps()[structure.first_row(e) + r];
-        if (size == 1)
-        {
-          n_open += *x > 0.;
-          excess = std::max(excess, *f);
-          return;
-        }
-        const double force = std::hypot(f[0], f[1]);
-        n_sliding += force > (1. - 1e-9) * structure.limit(e);
-        excess = std::max(excess, force - structure.limit(e));
-        along = std::max(along, std::abs(f[0] * x[1] - f[1] * x[0]));
-      });
+      structure.for_each_set(
+          e, [&](const unsigned int size, const unsigned int r, unsigned int) {
+            const double *f = &newton.forces()[structure.first_row(e) + r];
+            const double *x = &newton.jumps()[structure.first_row(e) + r];
+            if (size == 1)
+            {
+              n_open += *x > 0.;
+              excess = std::max(excess, *f);
+              return;
+            }
+            const double force = std::hypot(f[0], f[1]);
+            n_sliding += force > (1. - 1e-9) * structure.limit(e);
+            excess = std::max(excess, force - structure.limit(e));
+            along = std::max(along, std::abs(f[0] * x[1] - f[1] * x[0]));
+          });
     check("  some joints slide, and some open", n_sliding > 0 && n_open > 0);
     check_error("  forces beyond their sets", excess, 1e-15);
     check_error("  friction across its sliding", along, 1e-12);
@@ -433,6 +430,38 @@ void contacts_in_the_plane()
   }
 }
 
+/**
+ * Bodies that turn, on joints of one contact whose rows no turn moves, have the
+ * forces of bodies that do not: the rotations are idle.
+ */
+void idle_rotations()
+{
+  const DiscreteProblem problem(scene_under_stress(
+      random_packing(100, 1), 0.35, tensor(-1.3, 0.1, 0.1, -0.7)));
+  Structure::Part part;
+  part.kinematics = rotations();
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+  {
+    part.centres.push_back(problem.centre(b));
+    for (unsigned int i = 0; i < 2; ++i)
+      part.loads.push_back(problem.loads()[problem.dof(b, i)]);
+    part.loads.push_back(0.);
+  }
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    part.joints.add(problem.joints()[e], problem.rows(e), part.kinematics);
+  const Structure turning(ProcessGroup(), std::move(part));
+  const auto forces = [](const Structure &structure) {
+    const ElasticJoint law(structure);
+    JointSystem system(structure, LinearSolver::direct);
+    return solved(structure, law, system).forces();
+  };
+  const std::vector<double> expected = forces(problem), found = forces(turning);
+  double largest = 0.;
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    largest = std::max(largest, std::abs(found[k] - expected[k]));
+  check_error("idle rotations: the forces of translations", largest, 1e-9);
+}
+
 void run()
 {
   rigid_motions();
@@ -440,6 +469,7 @@ void run()
   block_on_floor();
   heap_of_blocks();
   contacts_in_the_plane();
+  idle_rotations();
 }
 
 const RoomTest test("sets_of_rows", run);

@@ -47,9 +47,10 @@ InterfaceForces from_start(const Scene &scene,
   const BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::direct);
   std::vector<double> u;
-  for (const auto &x : problem.centres())
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
     for (unsigned int i = 0; i < 2; ++i)
-      u.push_back(A[i] * x + 3.);
+      u.push_back(A[i][0] * problem.centre(b)[0] +
+                  A[i][1] * problem.centre(b)[1] + 3.);
   Newton newton(problem, law, system, u);
   std::ostringstream nowhere;
   Terminal &quiet = Terminal::silent();

@@ -4,6 +4,7 @@
 // residual that is left is the one that was asked for, computed from the
 // joints.
 
+#include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/linear/joint_system.h>
 #include <voussoir/algebra/linear/near_componentwise.h>
 #include <voussoir/statics/problem/discrete_problem.h>
@@ -26,7 +27,10 @@ double residual(const DiscreteProblem &problem,
   for (double &component : r)
     component = random() / double(std::mt19937::max()) - 0.5;
   problem.remove_rigid_motions(r);
-  system.prepare(coefficients, shift);
+  bool are_isotropic = true;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    are_isotropic &= is_isotropic(&coefficients[problem.first_row(e)], 1);
+  system.prepare({coefficients, are_isotropic}, shift);
   const std::vector<double> u = system.solve(r);
   std::vector<double> f = problem.jumps(u), left = r;
   for (std::size_t k = 0; k < f.size(); ++k)

@@ -210,12 +210,11 @@ double energy(const DiscreteProblem &problem,
               const std::vector<double> &b)
 {
   double sum = 0.;
-  const unsigned int n = problem.n_contacts();
   for (std::size_t k = 0; k < a.size(); ++k)
   {
-    const auto &joint = problem.joints()[k / (n + 1)];
-    const double share = k % (n + 1) < n ? n : 1;
-    sum += share * a[k] * b[k] / joint.stiffness();
+    const unsigned int e = problem.joint_of_row(k), n = problem.n_contacts(e);
+    const double share = k < problem.first_row(e) + n ? n : 1;
+    sum += share * a[k] * b[k] / problem.joints()[e].stiffness();
   }
   return sum;
 }

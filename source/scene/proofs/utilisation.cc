@@ -27,7 +27,6 @@ double Utilisation::operator()(const unsigned int e) const
   const double normal = forces.normal[e], tangential = forces.tangential[e];
   if (std::abs(tangential) <= rounding)
     return 0.;
-  return scene.friction->utilisation(scene.limits(e).shear_strength(normal),
-                                     normal, tangential);
+  return std::abs(tangential) / scene.limits(e).shear_strength(normal);
 }
 } // namespace Voussoir

@@ -38,7 +38,7 @@ struct JointFrame
     const auto turn = [&](const std::array<Tensor<1, 2>, 2> &ends) {
       return cross((1. - point.place) * ends[0] + point.place * ends[1], d);
     };
-    return {{d[0], d[1], 0.}, {turn(from_minus)}, {turn(from_plus)}};
+    return {{{d[0], d[1], 0.}}, {{turn(from_minus)}}, {{turn(from_plus)}}};
   }
 
   /** The same joint with the other body as c-. */

@@ -8,9 +8,9 @@ namespace Voussoir
 {
 /**
  * The share of the friction of each interface that a state uses,
- * |f_e^t| over JointLimits::shear_strength(). A tangential force that is rounding beside the
- * largest force of the state counts as none: the ratio of two such forces says
- * nothing.
+ * |f_e^t| over JointLimits::shear_strength(). A tangential force that is
+ * rounding beside the largest force of the state counts as none: the ratio of
+ * two such forces says nothing.
  */
 class Utilisation
 {
