@@ -237,12 +237,18 @@ Structure::Part heap(const Kinematics &kinematics, const bool all_alike)
     const Vector3 middle = b == ground
                                ? part.centres[a] + 0.5 * normal
                                : 0.5 * (part.centres[a] + part.centres[b]);
+    // Blocks that turn are held at all corners of each joint.
+    const std::array<Vector3, 2> t = tangents(normal);
+    const double s[] = {-0.5, 0.5, 0.5, -0.5, 0., 0.2},
+                 r[] = {-0.5, -0.5, 0.5, 0.5, 0., 0.1};
     std::vector<Vector3> points;
-    const unsigned int n_points = all_alike ? 1 : 1 + generator() % 4;
+    const unsigned int least = kinematics.turns() ? 4 : 1;
+    const unsigned int n_points = all_alike ? 1 : least + generator() % 3;
     for (unsigned int k = 0; k < n_points; ++k)
-      points.push_back(middle + 0.4 * vector(random(), random(), random()));
-    const bool has_friction = all_alike || generator() % 4 > 0;
-    add_joint(part, {a, b, 1. + random(), 1. + random(), 0.2}, normal, points,
+      points.push_back(middle + s[k] * t[0] + r[k] * t[1]);
+    const bool has_friction =
+        all_alike || kinematics.turns() || generator() % 4 > 0;
+    add_joint(part, {a, b, 1. + random(), 1. + random(), 0.03}, normal, points,
               has_friction);
   };
   for (unsigned int b = 0; b < ground; ++b)

@@ -371,9 +371,12 @@ inline double Structure::jump_in_row(const std::size_t k,
   // The products may cancel all but the last digits, and in a stiff joint
   // these are forces.
   const double *direction = &own.joints.direction[T * k];
-  long double jump = 0.;
-  for (unsigned int i = 0; i < T; ++i)
-    jump += (static_cast<long double>(plus[i]) - minus[i]) * direction[i];
+  const auto along = [&](const unsigned int i) {
+    return (static_cast<long double>(plus[i]) - minus[i]) * direction[i];
+  };
+  long double jump = along(0);
+  for (unsigned int i = 1; i < T; ++i)
+    jump += along(i);
   for (unsigned int i = 0; i < R; ++i)
     jump += static_cast<long double>(own.joints.turn_plus[R * k + i]) *
                 plus[T + i] -
