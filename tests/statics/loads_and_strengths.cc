@@ -5,7 +5,7 @@
 // body forces, forces on cells and loaded parts of the boundary; bad values are
 // refused.
 
-#include <voussoir/contact/friction.h>
+#include <voussoir/contact/friction_parameters.h>
 #include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/loads/loads.h>

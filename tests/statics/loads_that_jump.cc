@@ -6,7 +6,7 @@
 // their first moments. What cannot be integrated exactly is a warning.
 
 #include <voussoir/base/text.h>
-#include <voussoir/contact/friction.h>
+#include <voussoir/contact/friction_parameters.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/supports.h>
 #include <voussoir/stress/cell_means.h>

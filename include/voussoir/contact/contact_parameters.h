@@ -2,7 +2,8 @@
 #ifndef voussoir_contact_contact_parameters_h
 #define voussoir_contact_contact_parameters_h
 
-#include <voussoir/contact/friction.h>
+#include <voussoir/contact/strengths.h>
+#include <voussoir/packing/packing.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,7 +3,7 @@
 #define voussoir_run_scene_parameters_h
 
 #include <voussoir/contact/contact_parameters.h>
-#include <voussoir/contact/friction.h>
+#include <voussoir/contact/friction_parameters.h>
 #include <voussoir/packing/packing_parameters.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/loads/loads.h>

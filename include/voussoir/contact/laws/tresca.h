@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_contact_laws_tresca_h
+#define voussoir_contact_laws_tresca_h
+
+#include <voussoir/contact/laws/friction_law.h>
+
+namespace Voussoir
+{
+/** |f_e^t| <= s_e |e|, whatever the pressure (paper, eq. 2). */
+class Tresca : public FrictionLaw
+{
+public:
+  std::string name() const override { return "Tresca"; }
+  std::string meaning() const override
+  {
+    return "|f_t| <= s_T |e|, whatever the pressure.";
+  }
+  std::string entries() const override { return "Strength, Pair strengths"; }
+  void add_parameters(dealii::ParameterHandler &prm) override;
+  Strengths strengths(const Packing &packing) const override;
+
+private:
+  std::string strength = "1", pair_strengths;
+};
+} // namespace Voussoir
+
+#endif

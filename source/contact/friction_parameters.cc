@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/contact/friction_parameters.h>
+#include <voussoir/contact/laws/coulomb.h>
+#include <voussoir/contact/laws/tresca.h>
+
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** All laws, in the order in which they are documented. */
+std::vector<std::unique_ptr<FrictionLaw>> all_laws()
+{
+  std::vector<std::unique_ptr<FrictionLaw>> laws;
+  laws.push_back(std::make_unique<Tresca>());
+  auto coulomb = std::make_unique<Coulomb>();
+  auto associated = std::make_unique<AssociatedCoulomb>(*coulomb);
+  laws.push_back(std::move(coulomb));
+  laws.push_back(std::move(associated));
+  return laws;
+}
+} // namespace
+
+FrictionParameters::FrictionParameters() : laws(all_laws()) {}
+
+void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Friction");
+  std::vector<Choice<unsigned int>> choices;
+  for (unsigned int i = 0; i < laws.size(); ++i)
+    choices.push_back(
+        {i, laws[i]->name(), laws[i]->meaning(), laws[i]->entries()});
+  add_choice(
+      prm, "Law", chosen, choices,
+      "The largest tangential force f_t on an interface of the length |e|.");
+  for (const auto &law : laws)
+    law->add_parameters(prm);
+  prm.leave_subsection();
+}
+} // namespace Voussoir
