@@ -43,12 +43,12 @@ inline Judgement judge(const Voussoir::Scene &scene, const Method &method)
   Judgement judgement;
   try
   {
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     const Solution found = Solver(method).solve(problem);
     if (found.mechanism)
     {
-      const MechanismCertificate proof =
-          certify_mechanism(scene, found.mechanism->motion);
+      const MechanismCertificate proof = certify_mechanism(
+          scene, dimensional_motion(discretise(scene), *found.mechanism));
       if (proves_collapse(proof))
         judgement.verdict = Verdict::collapse;
       else

@@ -10,6 +10,7 @@
 #include <voussoir/packing/voronoi/voronoi.h>
 #include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/scene/scene.h>
+#include <voussoir/statics/problem/discretise.h>
 #include <voussoir/terminal/terminal.h>
 
 #include "room.h"
@@ -311,7 +312,7 @@ struct Solver
   /** The forces in the units of the scene. */
   Voussoir::InterfaceForces forces(const Voussoir::Scene &scene)
   {
-    const Voussoir::DiscreteProblem problem(scene);
+    const Voussoir::DiscreteProblem problem = discretise(scene);
     return dimensional_forces(problem, solve(problem));
   }
 

@@ -9,6 +9,7 @@
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/run/factor_search.h>
 #include <voussoir/run/scene_analysis.h>
+#include <voussoir/statics/problem/discretise.h>
 #include <voussoir/stress/cell_means.h>
 
 #include <utility>
@@ -250,7 +251,7 @@ Carried SceneAnalysis::read_forces(EarlierRun &earlier,
   Carried found = earlier.forces(scene, record);
   if (solver.controls().equilibrate && !found.correction)
   {
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     Solution solution;
     solution.forces = nondimensional_forces(problem, found.forces);
     equilibrate_solution(problem, solution);

@@ -266,11 +266,16 @@ Structure::Part heap(const Kinematics &kinematics, const bool all_alike)
   part.loads.assign(kinematics.n_unknowns() * part.centres.size(), 0.);
   for (unsigned int b = 0; b < ground; ++b)
   {
-    const double load[] = {0.02 * random(), 0.02 * random(), 0.05};
+    // The ground has all others with the opposite sign, and their moment.
+    const Vector3 load = vector(0.02 * random(), 0.02 * random(), 0.05);
+    const Vector3 moment = cross_product_3d(part.centres[b], load);
+    double *of_ground = &part.loads[kinematics.n_unknowns() * ground];
     for (unsigned int i = 0; i < 3; ++i)
     {
       part.loads[kinematics.n_unknowns() * b + i] = load[i];
-      part.loads[kinematics.n_unknowns() * ground + i] -= load[i];
+      of_ground[i] -= load[i];
+      if (kinematics.turns())
+        of_ground[3 + i] -= moment[i];
     }
   }
   return part;
@@ -442,7 +447,7 @@ void contacts_in_the_plane()
  */
 void idle_rotations()
 {
-  const DiscreteProblem problem(scene_under_stress(
+  const DiscreteProblem problem = discretise(scene_under_stress(
       random_packing(100, 1), 0.35, tensor(-1.3, 0.1, 0.1, -0.7)));
   Structure::Part part;
   part.kinematics = rotations();

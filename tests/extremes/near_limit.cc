@@ -21,7 +21,7 @@ using namespace Voussoir;
 
 double limit_strength(const Scene &scene, const double strength)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   InteriorPoint point(problem, std::vector<JointCost>(problem.joints().size()),
                       InteriorPoint::Aim::load_factor);
   while (point.product() > 1e-13 && point.step())

@@ -86,13 +86,14 @@ void compare_forces(const std::string &name,
 
 void compare_collapse(const Scene &scene, const ProcessGroup &processes)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution found =
       Solver(least_energy, 1e-10, "", processes).solve(problem);
   check("collapse is found", found.mechanism.has_value());
   if (found.mechanism)
     check("collapse is proven",
-          proves_collapse(certify_mechanism(scene, found.mechanism->motion)));
+          proves_collapse(certify_mechanism(
+              scene, dimensional_motion(discretise(scene), *found.mechanism))));
 }
 
 /** The sub-cells of the root's own part, which are the first of all. */

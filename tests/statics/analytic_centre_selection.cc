@@ -43,7 +43,7 @@ InterfaceForces from_start(const Scene &scene,
                            const BarrierWeights weights,
                            const dealii::Tensor<2, 2> &A)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const BarrierJoint law(problem, weights);
   JointSystem system(problem, LinearSolver::direct);
   std::vector<double> u;

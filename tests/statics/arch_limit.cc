@@ -55,7 +55,7 @@ void run()
                                  method.name + ": ";
         const Scene stands =
             arch(n, R, thickness, gamma, (1. + margin) * limit * gamma * R);
-        const DiscreteProblem problem(stands);
+        const DiscreteProblem problem = discretise(stands);
         const Solution found = Solver(method, 1e-8).solve(problem);
         check(name + "carried above", !found.mechanism);
         if (!found.mechanism)
@@ -74,10 +74,12 @@ void run()
         const Scene falls =
             arch(n, R, thickness, gamma, (1. - margin) * limit * gamma * R);
         const Solution mechanism =
-            Solver(method, 1e-8).solve(DiscreteProblem(falls));
+            Solver(method, 1e-8).solve(discretise(falls));
         check(name + "collapse below",
               mechanism.mechanism &&
-                  certify_mechanism(falls, mechanism.mechanism->motion)
+                  certify_mechanism(falls,
+                                    dimensional_motion(discretise(falls),
+                                                       *mechanism.mechanism))
                           .work_over_dissipation > 1.);
       }
 }

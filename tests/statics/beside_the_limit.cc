@@ -58,7 +58,7 @@ bool is_open(const Scene &scene)
 {
   try
   {
-    FeasibleState().solve(DiscreteProblem(scene), {}, Terminal::silent());
+    FeasibleState().solve(discretise(scene), {}, Terminal::silent());
     return false;
   }
   catch (const Undecided &)

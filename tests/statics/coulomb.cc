@@ -70,7 +70,7 @@ void states()
   {
     Scene scene = wall_under(6, 5, 10. * push, -10., 0.65, 0.);
     scene.dilates = false;
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     std::string failure;
     const auto found =
         fixed_point().find(problem, {}, failure, Terminal::silent());
@@ -98,7 +98,7 @@ void states()
   // Where the passes come to rest short of their fixed point, and many joints
   // slide.
   const auto state_of = [](const Scene &scene) {
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     return dimensional_forces(
         problem, fixed_point().solve(problem, {}, Terminal::silent()));
   };
@@ -115,10 +115,12 @@ void states()
   Scene steep = wall_under(6, 5, 8., -10., 0.65, 0.);
   steep.dilates = false;
   const Solution collapse =
-      fixed_point().solve(DiscreteProblem(steep), {}, Terminal::silent());
+      fixed_point().solve(discretise(steep), {}, Terminal::silent());
   check("too steep: a mechanism that opens as it slides",
-        collapse.mechanism && proves_collapse(certify_mechanism(
-                                  steep, collapse.mechanism->motion)));
+        collapse.mechanism &&
+            proves_collapse(certify_mechanism(
+                steep,
+                dimensional_motion(discretise(steep), *collapse.mechanism))));
 }
 
 void factors()

@@ -61,7 +61,7 @@ Scene pile(const unsigned int n)
 void try_pile()
 {
   const Scene scene = pile(5);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   Solution solution;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
@@ -105,7 +105,7 @@ void try_smallest()
 {
   const Scene scene = scene_under_stress(random_packing(100, 1), 10.,
                                          tensor(-1.2, 0.1, 0.1, -0.8));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Forces even = Solver(least_energy).solve(problem).forces;
   const Forces other =
       difference(Solver(centre_equal).solve(problem).forces, even);
@@ -129,7 +129,7 @@ void try_smallest()
 void try_impossible()
 {
   const Scene scene = shear_wall(0.9);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   Solution solution = Solver(least_energy).solve(problem);
   check("a wall that slides has no forces", solution.mechanism.has_value());
   const unsigned int n = problem.joints().size();
@@ -153,7 +153,7 @@ void try_limits()
 {
   const Scene scene = scene_under_stress(random_packing(200, 2), 0.3,
                                          tensor(-1.4, 0., 0., -0.6));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   Forces forces = Solver(least_energy).solve(problem).forces;
   unsigned int n_limits = 0, n_kept = 0;
   std::vector<bool> slides;
@@ -184,7 +184,7 @@ void run()
   try_limits();
 
   const Scene scene = shear_wall(1.2);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution loose = Solver(compliant, 1e-2).solve(problem);
   const Solution balanced =
       Solver(compliant, 1e-2, "set Equilibrate = true").solve(problem);

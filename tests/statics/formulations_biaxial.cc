@@ -16,12 +16,13 @@ void try_load(const Method &method, const Packing &packing, const double d)
 {
   const Scene scene =
       scene_under_stress(packing, 0.3, tensor(-1 + d, 0, 0, -1 - d));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution solution = Solver(method).solve(problem);
   std::cout << "  " << method.name << ", d = " << d << ": ";
   if (solution.mechanism)
   {
-    const auto proof = certify_mechanism(scene, solution.mechanism->motion);
+    const auto proof = certify_mechanism(
+        scene, dimensional_motion(discretise(scene), *solution.mechanism));
     std::cout << "collapse "
               << (proof.closing_violation <= 1e-12 &&
                           proof.work_over_dissipation > 1.

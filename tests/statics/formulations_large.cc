@@ -15,7 +15,7 @@ void solve(const Method &method,
            const unsigned int n_allowed)
 {
   const Scene scene = scene_under_stress(random_packing(10000, 1), strength, S);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution solution = Solver(method).solve(problem);
   const Certificate certificate =
       certify(scene, dimensional_forces(problem, solution));

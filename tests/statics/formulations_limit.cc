@@ -13,12 +13,13 @@ using namespace Voussoir;
 void try_strength(const Method &method, const double strength)
 {
   const Scene scene = shear_wall(strength);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution solution = Solver(method).solve(problem);
   std::cout << method.name << ", s_T = " << strength << ": ";
   if (solution.mechanism)
   {
-    const auto proof = certify_mechanism(scene, solution.mechanism->motion);
+    const auto proof = certify_mechanism(
+        scene, dimensional_motion(discretise(scene), *solution.mechanism));
     std::cout << "collapse" << std::endl;
     check("  work above dissipation", proof.work_over_dissipation > 1.);
     check_error("  ratio of work to dissipation, over the largest",
@@ -70,7 +71,7 @@ void try_shape(const Method &method, const double width, const double height)
   for (const double strength : {1.5, 0.99})
   {
     const Scene scene = shear_wall(strength, width, height);
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     const Solution solution = Solver(method).solve(problem);
     std::cout << method.name << ", " << width << " x " << height
               << ", s_T = " << strength << ": "
@@ -89,7 +90,7 @@ void try_marks(const Method &method)
   for (const double above : {1e-3, 1e-5, 1e-6, 1e-7, 1e-9})
   {
     const Scene scene = shear_wall(1. + above);
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     const Solution solution = Solver(method).solve(problem);
     bool right = solution.never_pressed.empty() ||
                  std::count(solution.always_sliding.begin(),

@@ -30,10 +30,12 @@ void compare_displacements(const Method &method,
                            const double factor)
 {
   const Scene scene = shear_wall(2.);
-  const DiscreteProblem problem(scene);
-  const auto u = Solver(method).solve(problem).motion.displacement;
+  const DiscreteProblem problem = discretise(scene);
+  const auto u =
+      dimensional_motion(problem, Solver(method).solve(problem)).displacement;
   const auto v =
-      Solver(method.with(setting)).solve(problem).motion.displacement;
+      dimensional_motion(problem, Solver(method.with(setting)).solve(problem))
+          .displacement;
   double error = 0., largest = 0.;
   for (unsigned int c = 0; c < u.size(); ++c)
   {

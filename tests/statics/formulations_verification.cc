@@ -20,7 +20,7 @@ void verify(const std::string &name,
   list.points = points;
   const Scene scene =
       scene_under_stress(Packing(voronoi_cells(list, {{0, 0}, {1, 1}})), 10, S);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution solution = Solver(method).solve(problem);
   const InterfaceForces forces = dimensional_forces(problem, solution);
 

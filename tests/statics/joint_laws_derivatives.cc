@@ -111,7 +111,7 @@ void run()
   sections();
   const Scene scene =
       scene_under_stress(random_packing(2, 1), 0.7, tensor(-1, 0, 0, -1));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const double b = problem.joints()[0].strength;
 
   check_law("elastic", ElasticJoint(problem), b, {-3., -0.2, 0.1, 5.});

@@ -64,7 +64,7 @@ void run()
 {
   const Scene scene =
       scene_under_stress(random_packing(500, 1), 1., tensor(-1., 0., 0., -1.));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   for (const double least : {1., 0.5, 0.15, 1e-3})
   {
     std::cout << "tangential coefficients from " << least << std::endl;

@@ -263,7 +263,7 @@ void compare_with_bisection(const std::string &name,
   while (high - low > 1e-9)
   {
     const double middle = 0.5 * (low + high);
-    const DiscreteProblem problem(sum(pressed, middle, deviator));
+    const DiscreteProblem problem = discretise(sum(pressed, middle, deviator));
     (Solver(least_energy).solve(problem).mechanism ? high : low) = middle;
   }
   check_error("  bisection", std::abs(found.carried - low) / low, 1e-8);

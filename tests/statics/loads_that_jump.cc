@@ -65,7 +65,7 @@ Scene block(const double strength, const std::string &settings)
 
 bool is_carried(const Scene &scene)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   return !Solver(least_energy).solve(problem).mechanism;
 }
 

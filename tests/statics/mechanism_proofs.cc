@@ -28,15 +28,15 @@ void try_proof(const std::string &what,
                const dealii::Tensor<2, 2> &G)
 {
   const auto mechanism =
-      find_mechanism(DiscreteProblem(scene), affine(scene.packing, G));
+      find_mechanism(discretise(scene), affine(scene.packing, G));
   std::cout << what << ": ";
   if (!mechanism)
   {
     std::cout << "no proof" << std::endl;
     return;
   }
-  const MechanismCertificate proof =
-      certify_mechanism(scene, mechanism->motion);
+  const MechanismCertificate proof = certify_mechanism(
+      scene, dimensional_motion(discretise(scene), *mechanism));
   std::cout << "proof, ratio ";
   if (proof.work_over_dissipation < 1e12)
     std::cout << proof.work_over_dissipation;

@@ -226,7 +226,7 @@ void compare_with_other_states(const double lift,
 {
   const double tension = 0.4;
   const Scene scene = wall_with_limits(lift, tension, crushing, kinematics);
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution least = LeastEnergy().solve(problem, {}, Terminal::silent());
   check("with limits, " + kinematics.name(),
         least.converged() && least.selection.empty());
@@ -247,7 +247,7 @@ void compare_with_other_states(const double lift,
         most > 0.999999 && (std::isinf(crushing) || most_crushed > 0.999999));
   for (const double share : {1., 0.97, 0.94})
   {
-    const DiscreteProblem tighter(
+    const DiscreteProblem tighter = discretise(
         wall_with_limits(lift, tension * share, crushing * share, kinematics));
     const Solution other = FeasibleState().solve(share < 1. ? tighter : problem,
                                                  {}, Terminal::silent());
@@ -266,8 +266,9 @@ void states_of_least_energy()
 {
   const double none = std::numeric_limits<double>::infinity();
   // Limits that nothing reaches.
-  const DiscreteProblem wide(wall_with_limits(3., 0., 1e3, translations())),
-      without(wall_with_limits(3., 0., none, translations()));
+  const DiscreteProblem wide = discretise(
+                            wall_with_limits(3., 0., 1e3, translations())),
+                        without(wall_with_limits(3., 0., none, translations()));
   const Solution found = LeastEnergy().solve(wide, {}, Terminal::silent()),
                  expected =
                      LeastEnergy().solve(without, {}, Terminal::silent());

@@ -103,7 +103,7 @@ void run()
     for (const double angle : {0., 0.3})
     {
       const Scene scene = held_wedge(taper, angle);
-      const DiscreteProblem problem(scene);
+      const DiscreteProblem problem = discretise(scene);
       std::ostringstream name;
       name << "taper " << taper << ", turned by " << angle;
       check(name.str() + ": opens", opens(problem));
@@ -123,7 +123,7 @@ void run()
 
   // A taper that the coordinates have no digits for is neither.
   const Scene far = held_wedge(1e-10, 0.3, Point<2>(1e6, 1e6));
-  const DiscreteProblem far_problem(far);
+  const DiscreteProblem far_problem = discretise(far);
   check("taper 1e-10 at 1e6: not taken for an opening",
         opening_of(far_problem).displacement.empty());
 
@@ -132,7 +132,7 @@ void run()
     for (const double origin : {0., 100., 1e6})
     {
       const Scene scene = held_wedge(0., angle, Point<2>(origin, -origin));
-      const DiscreteProblem problem(scene);
+      const DiscreteProblem problem = discretise(scene);
       std::ostringstream name;
       name << "parallel, turned by " << angle << " at " << origin;
       check(name.str() + ": no opening",
@@ -149,7 +149,7 @@ void run()
   for (const unsigned int seed : {1u, 2u, 3u})
   {
     const Scene scene = held(random_packing(200, seed), down, all_sides);
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     check("frame: no opening", opening_of(problem).displacement.empty());
     check_error("frame: self-stress", imbalance_of_self_stress(scene, problem),
                 1e-12);
@@ -158,7 +158,7 @@ void run()
   const Scene bricks = held(wall(20, 10), down, [](const auto &edge) {
     return std::abs(edge.normal[0]) > 0.5;
   });
-  const DiscreteProblem brick_problem(bricks);
+  const DiscreteProblem brick_problem = discretise(bricks);
   check("bricks: no opening", opening_of(brick_problem).displacement.empty());
   check_error("bricks: self-stress",
               imbalance_of_self_stress(bricks, brick_problem), 1e-12);
@@ -169,7 +169,7 @@ void run()
     const Scene scene =
         held(random_packing(300, seed), down,
              [](const auto &edge) { return edge.normal[1] < 0.5; });
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     check("box: one proof", opens(problem) != (imbalance_of_self_stress(
                                                    scene, problem) <= 1e-12));
   }

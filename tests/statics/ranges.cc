@@ -84,7 +84,7 @@ bool contains(const Range &range, const double value, const double error)
 /** The states that formulations select are within the ranges. */
 void contain_states(const Scene &scene, const Ranges &ranges)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution solution =
       LeastEnergy().solve(problem, SolverControls(), Terminal::silent());
   const InterfaceForces forces = dimensional_forces(problem, solution);

@@ -121,12 +121,12 @@ Scene arch(const unsigned int n, const double thickness, const bool on_line)
 /** True if carried, false if collapse is proven; an error is neither. */
 bool stands(const Scene &scene, const Method &method)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const Solution found = Solver(method).solve(problem);
   if (found.mechanism)
   {
-    const MechanismCertificate proof =
-        certify_mechanism(scene, found.mechanism->motion);
+    const MechanismCertificate proof = certify_mechanism(
+        scene, dimensional_motion(discretise(scene), *found.mechanism));
     if (!proves_collapse(proof))
       std::cout << "FAILED: no proof, closing " << proof.closing_violation
                 << std::endl;

@@ -56,7 +56,7 @@ void run()
         g[1] = -n[1] * (2. + std::sin(3. * x[0]));
         return g;
       });
-  check("no load is left", !DiscreteProblem(cancelled).is_loaded());
+  check("no load is left", !discretise(cancelled).is_loaded());
 
   // Under pressure each is balanced by itself, and no force is needed.
   const Scene scene =

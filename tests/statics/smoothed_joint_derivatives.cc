@@ -34,7 +34,7 @@ void run()
 {
   const Scene scene =
       scene_under_stress(random_packing(2, 1), 0.7, tensor(-1, 0, 0, -1));
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const auto &joint = problem.joints()[0];
 
   for (const Contact contact : {Contact::compliant, Contact::hard})

@@ -20,11 +20,12 @@ Status::Kind status_of(const Scene &scene, const Method &method)
 {
   try
   {
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     const Solution solution = Solver(method).solve(problem);
     if (solution.mechanism)
-      return proves_collapse(
-                 certify_mechanism(scene, solution.mechanism->motion))
+      return proves_collapse(certify_mechanism(
+                 scene,
+                 dimensional_motion(discretise(scene), *solution.mechanism)))
                  ? Status::Kind::collapse
                  : Status::Kind::carried_within;
     const InterfaceForces forces = dimensional_forces(problem, solution);
@@ -191,7 +192,7 @@ void run()
   // Forces that are balanced to a loose tolerance only say so.
   const Scene loose = scene_under_stress(random_packing(200, 5), 0.3,
                                          tensor(-0.6, 0., 0., -1.4));
-  const DiscreteProblem problem(loose);
+  const DiscreteProblem problem = discretise(loose);
   const InterfaceForces forces =
       dimensional_forces(problem, Solver(least_energy, 1e-2).solve(problem));
   const Certificate certificate = certify(loose, forces);

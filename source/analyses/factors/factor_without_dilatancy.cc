@@ -3,6 +3,7 @@
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,9 @@ public:
                   const CoulombState &formulation,
                   const SolverControls &controls,
                   Terminal &terminal)
-      : problem(dead.is_loaded() ? dead : live), dead(problem.loads_of(dead)),
-        live(problem.loads_of(live)), formulation(formulation),
+      : problem(dead.is_loaded() ? dead : live),
+        dead(discretise_loads(problem, dead)),
+        live(discretise_loads(problem, live)), formulation(formulation),
         controls(controls), terminal(terminal)
   {}
 
@@ -59,7 +61,7 @@ bool StatesAtFactors::has_state(const double factor)
   std::vector<double> loads = dead;
   add(loads, factor, live);
   const DiscreteProblem at_factor = problem.with_loads(loads);
-  controls.start = found ? &found->motion : nullptr;
+  controls.start = found ? &*found : nullptr;
   std::string failure;
   std::optional<Solution> state =
       formulation.find(at_factor, controls, failure, terminal);

@@ -5,6 +5,7 @@
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,8 @@ constexpr double largest_closing_of_factor = 1e-12,
 DiscreteProblem problem_of(const Scene &dead, const Scene &live)
 {
   if (dead.is_loaded())
-    return DiscreteProblem(dead);
-  const DiscreteProblem problem(live);
+    return discretise(dead);
+  const DiscreteProblem problem = discretise(live);
   const double limit = problem.largest_limit();
   return limit > 0. ? problem.in_units_of(limit) : problem;
 }
@@ -61,6 +62,7 @@ public:
 
   /** The mechanism of the dead loads, if they collapse, or else nothing. */
   Motion find_collapse_at_rest();
+  Motion motion_of(std::vector<double> u) const;
   /** Look for both proofs. */
   void find_proofs();
   /** What was found. */
@@ -102,8 +104,10 @@ FactorSearch::FactorSearch(const Scene &dead,
                            Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
       problem(problem_of(dead, live)),
-      by_rows(problem), loads{by_rows.loads(problem.loads_of(dead), true),
-                              by_rows.loads(problem.loads_of(live), false),
+      by_rows(problem), loads{by_rows.loads(discretise_loads(problem, dead),
+                                            true),
+                              by_rows.loads(discretise_loads(problem, live),
+                                            false),
                               controls.greatest ? 1. : -1.}
 {
   const double live_size = largest_component(loads.live);
@@ -112,7 +116,7 @@ FactorSearch::FactorSearch(const Scene &dead,
                      "be multiplied: 'Live loads' gives them, or 'Loads' with "
                      "'Load factor/Factor = all loads'.");
   const double dead_size =
-      largest_component(by_rows.loads(problem.loads_of(dead), false));
+      largest_component(by_rows.loads(discretise_loads(problem, dead), false));
   // Or else those of what joints bear, which are one.
   unit_of_factor = (dead_size > 0. ? dead_size : 1.) / live_size;
   for (double &load : loads.live)
@@ -155,7 +159,12 @@ Motion FactorSearch::find_collapse_at_rest()
     keep_at_rest(solution);
   }
   anchor = std::move(any.state);
-  return any.collapse.empty() ? Motion() : by_rows.motion_of(any.collapse);
+  return any.collapse.empty() ? Motion() : motion_of(any.collapse);
+}
+
+Motion FactorSearch::motion_of(std::vector<double> u) const
+{
+  return dimensional_motion(problem, by_rows.of_size_one(std::move(u)), 1.);
 }
 
 void FactorSearch::find_proofs()
@@ -247,7 +256,7 @@ void FactorSearch::look_near(const SelfDual::Point &point,
         mechanism_near(by_rows.forces(), loads, point, open, share);
     if (motion.closing > largest_closing_of_factor && open)
       motion = mechanism_near(by_rows.forces(), loads, point);
-    keep_if_bound(by_rows.motion_of(std::move(motion.u)));
+    keep_if_bound(motion_of(std::move(motion.u)));
   }
 }
 
@@ -269,10 +278,10 @@ void FactorSearch::look_farther(const SelfDual::Point &point)
   for (double share = least;
        open && !found.has_mechanism() && share <= largest_inner_share;
        share *= larger_share)
-    keep_if_bound(by_rows.motion_of(
+    keep_if_bound(motion_of(
         mechanism_near(by_rows.forces(), loads, point, open, share).u));
   if (open && !found.has_mechanism())
-    keep_if_bound(by_rows.motion_of(open->u));
+    keep_if_bound(motion_of(open->u));
 }
 
 void FactorSearch::keep_if_carried(const FactorState &near)

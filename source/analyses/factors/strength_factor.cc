@@ -3,6 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <cmath>
 #include <utility>
@@ -47,7 +48,7 @@ private:
 StrengthSearch::Verdict StrengthSearch::judge(const double divisor)
 {
   const Scene divided = with_strengths_divided(scene, divisor);
-  const DiscreteProblem problem(divided);
+  const DiscreteProblem problem = discretise(divided);
   Solution any =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   found.n_iterations += any.n_iterations;
@@ -57,11 +58,11 @@ StrengthSearch::Verdict StrengthSearch::judge(const double divisor)
                                                                : "not known"));
   if (any.mechanism)
   {
-    const MechanismCertificate proof =
-        certify_mechanism(divided, any.mechanism->motion);
+    Motion motion = dimensional_motion(problem, *any.mechanism);
+    const MechanismCertificate proof = certify_mechanism(divided, motion);
     if (!proves_collapse(proof))
       return Verdict::unknown;
-    found.mechanism = std::move(any.mechanism->motion);
+    found.mechanism = std::move(motion);
     found.bound = divisor;
     found.proof = {divisor, 0., proof.closing_violation};
     return Verdict::collapse;

@@ -4,6 +4,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/random.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
 #include <limits>
@@ -148,7 +149,7 @@ GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
   found.error_of_state = certify(scene, found.forces).error();
   const double more = bound_of_programme(c, optimum.u) - dot(c, optimum.x);
   optimum.u.resize(problem.n_dofs());
-  found.motion = problem.motion_of_cells(optimum.u, 1.);
+  found.motion = dimensional_motion(problem, optimum.u, 1.);
   found.bound = bound_of(scene, function, found.motion);
   found.bound_of_programme =
       are_inner()

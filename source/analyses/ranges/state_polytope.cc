@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/ranges/state_polytope.h>
+#include <voussoir/statics/problem/discretise.h>
 
 namespace Voussoir
 {
@@ -21,9 +22,9 @@ DiscreteProblem without_limits(const DiscreteProblem &problem)
 } // namespace
 
 StatePolytope::StatePolytope(const Scene &scene)
-    : unlimited(without_limits(DiscreteProblem(scene)))
+    : unlimited(without_limits(discretise(scene)))
 {
-  const DiscreteProblem limited(scene);
+  const DiscreteProblem limited = discretise(scene);
   for (unsigned int e = 0; e < limited.joints().size(); ++e)
   {
     const Structure::Joint &joint = limited.joints()[e];

@@ -6,6 +6,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/contact/contact_points.h>
 #include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <deal.II/base/parallel.h>
 

@@ -5,6 +5,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
 #include <limits>
@@ -168,7 +169,7 @@ Answer analyse(const Scene &scene,
 {
   timer.enter_subsection("statics");
   terminal.begin("Statics");
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   Solution solution = solve(scene, problem, formulation, controls, terminal);
   record.formulation = formulation.name();
   record.selection =
@@ -185,13 +186,13 @@ Answer analyse(const Scene &scene,
   timer.leave_subsection();
 
   if (solution.mechanism)
-    return prove(scene, std::move(solution.mechanism->motion));
+    return prove(scene, dimensional_motion(problem, *solution.mechanism));
   Carried found;
   found.forces = dimensional_forces(problem, solution);
   found.correction = solution.correction;
   found.never_pressed = std::move(solution.never_pressed);
   found.always_sliding = std::move(solution.always_sliding);
-  found.motion = std::move(solution.motion);
+  found.motion = dimensional_motion(problem, solution);
   return judge(scene, std::move(found), record, controls.tolerance, timer,
                terminal);
 }

@@ -4,6 +4,7 @@
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/find_collapse.h>
 #include <voussoir/statics/paper/analytic_centre.h>
+#include <voussoir/statics/problem/discretise.h>
 #include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
@@ -91,7 +92,7 @@ std::vector<double> mixed(const std::vector<double> &forces,
  */
 bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 {
-  const DiscreteProblem problem(scene);
+  const DiscreteProblem problem = discretise(scene);
   const auto succeeds = [&](std::vector<double> corrected) {
     Solution solution;
     solution.forces = std::move(corrected);
@@ -156,19 +157,20 @@ Motion collapse_of(const Scene &scene,
                    Terminal &terminal)
 {
   const DiscreteProblem problem =
-      DiscreteProblem(scene, moves).with_strengths_up_to(highest_strength);
+      discretise(scene, moves).with_strengths_up_to(highest_strength);
   if (problem.joints().empty() || !problem.is_loaded())
     return {};
   const auto mechanism = find_collapse(SharedProblem(problem), terminal);
   if (!mechanism)
     return {};
+  const Motion of_moving = dimensional_motion(problem, *mechanism);
   Motion motion(moves.size(), problem.kinematics());
   for (unsigned int c = 0, k = 0; c < moves.size(); ++c)
     if (moves[c])
     {
-      motion.displacement[c] = mechanism->motion.displacement[k];
+      motion.displacement[c] = of_moving.displacement[k];
       if (!motion.rotation.empty())
-        motion.rotation[c] = mechanism->motion.rotation[k];
+        motion.rotation[c] = of_moving.rotation[k];
       ++k;
     }
   return proves_collapse(certify_mechanism(scene, motion)) ? motion : Motion();
@@ -244,7 +246,7 @@ std::optional<double> carried_by_centre(const Scene &scene, Terminal &terminal)
 {
   try
   {
-    const DiscreteProblem problem(scene);
+    const DiscreteProblem problem = discretise(scene);
     SolverControls controls;
     controls.n_max_iterations = n_centre_iterations;
     const Solution solution =

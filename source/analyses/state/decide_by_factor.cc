@@ -2,6 +2,7 @@
 #include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/analyses/state/decide_by_factor.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/statics/problem/discretise.h>
 #include <voussoir/statics/problem/formulation.h>
 
 #include <utility>
@@ -60,14 +61,14 @@ std::optional<Solution> decide_by_factor(const Scene &scene,
       force /= found->carried;
     if (!carry(scene, dimensional_forces(problem, solution)))
       return {};
-    solution.motion = Motion(problem.n_cells(), problem.kinematics());
     return solution;
   }
   if (!found->has_mechanism() ||
       !proves_collapse(certify_mechanism(scene, found->mechanism)))
     return {};
   solution.stop = Stop::Reason::collapse;
-  solution.mechanism = Mechanism{std::move(found->mechanism), 1., found->bound};
+  solution.mechanism = Mechanism{
+      nondimensional_motion(problem, found->mechanism, 1.), 1., found->bound};
   return solution;
 }
 } // namespace Voussoir

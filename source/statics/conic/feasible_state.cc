@@ -108,14 +108,14 @@ void divide_by_largest(std::vector<double> &u)
 }
 } // namespace
 
-Motion RowProblem::motion_of(std::vector<double> u) const
+std::vector<double> RowProblem::of_size_one(std::vector<double> u) const
 {
   u.resize(problem.n_dofs());
   // Divided before, too, since a rigid motion may be large beside the rest.
   divide_by_largest(u);
   problem.hold_bodies(u);
   divide_by_largest(u);
-  return problem.motion_of_cells(u, 1.);
+  return u;
 }
 
 FeasibleForces find_feasible_forces(RowProblem &problem,
@@ -149,7 +149,7 @@ Solution collapse_with(const RowProblem &problem, const FeasibleForces &found)
   double dissipation = 0.;
   for (unsigned int e = 0; e < of.joints().size(); ++e)
     dissipation += of.limit(e) * std::abs(of.sliding(e, found.collapse.data()));
-  solution.mechanism = Mechanism{problem.motion_of(found.collapse),
+  solution.mechanism = Mechanism{problem.of_size_one(found.collapse),
                                  of.work(found.collapse.data()), dissipation};
   return solution;
 }
@@ -169,7 +169,6 @@ Solution find_at_once(const DiscreteProblem &problem,
   {
     solution.stop = Stop::Reason::converged;
     solution.forces = by_rows.rows().forces_of(found.state->x);
-    solution.motion = Motion(problem.n_cells(), problem.kinematics());
   }
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
   return solution;

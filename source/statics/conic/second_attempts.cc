@@ -84,7 +84,6 @@ std::vector<double> approach_minimum(const DiscreteProblem &problem,
 Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     const std::vector<JointCost> &costs,
                                     const SolverControls &controls,
-                                    const double displacement_unit,
                                     const Solution &before,
                                     Terminal &terminal)
 {
@@ -116,7 +115,7 @@ Solution minimise_by_interior_point(const DiscreteProblem &problem,
   if (!u.empty())
   {
     problem.remove_rigid_motions(u);
-    solution.motion = problem.motion_of_cells(u, displacement_unit);
+    solution.u = std::move(u);
   }
   solution.n_iterations += point.n_iterations();
   solution.n_evaluations += point.n_iterations();
@@ -150,7 +149,6 @@ find_collapse_by_load_factor(const DiscreteProblem &problem, Terminal &terminal)
 Solution try_second_attempts(const DiscreteProblem &problem,
                              const std::vector<JointCost> &costs,
                              const SolverControls &controls,
-                             const double displacement_unit,
                              Solution solution,
                              Terminal &terminal)
 {
@@ -163,8 +161,8 @@ Solution try_second_attempts(const DiscreteProblem &problem,
     if (solution.mechanism)
       solution.stop = Stop::Reason::collapse;
     else if (!costs.empty())
-      return minimise_by_interior_point(problem, costs, controls,
-                                        displacement_unit, solution, terminal);
+      return minimise_by_interior_point(problem, costs, controls, solution,
+                                        terminal);
   }
   catch (const SolverError &)
   {

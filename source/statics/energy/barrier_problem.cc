@@ -74,7 +74,7 @@ Solution minimise_barrier(const SharedProblem &problem,
       tolerance, std::min(n_max_newton_iterations, n_max_iterations),
       largest_decrement, largest_barrier_change};
   // No displacement of its own: the barrier's grows with its parameter.
-  return minimise(problem, newton, until, advance, 0., terminal);
+  return minimise(problem, newton, until, advance, terminal);
 }
 std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
                                                   Terminal &terminal)

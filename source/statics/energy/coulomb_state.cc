@@ -80,8 +80,8 @@ private:
 
 bool FixedPoint::solve(const std::vector<double> &limits)
 {
-  if (!state.motion.displacement.empty())
-    controls.start = &state.motion;
+  if (!state.u.empty())
+    controls.start = &state;
   Solution found =
       formulation.solve(problem.with_tresca(limits), controls, terminal);
   iterations += found.n_iterations;

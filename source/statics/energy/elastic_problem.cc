@@ -122,7 +122,6 @@ bool ElasticJoint::slides(const unsigned int e, const double *jumps) const
 
 Solution minimise_elastic(const SharedProblem &problem,
                           const ElasticOrder &order,
-                          const double displacement_unit,
                           std::vector<double> start,
                           Terminal &terminal)
 {
@@ -154,7 +153,7 @@ Solution minimise_elastic(const SharedProblem &problem,
   };
   Solution solution =
       minimise(problem, newton, {order.tolerance, order.n_max_iterations},
-               advance, displacement_unit, terminal);
+               advance, terminal);
   solution.n_iterations += n_of_interior_point;
   return solution;
 }

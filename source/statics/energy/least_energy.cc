@@ -21,7 +21,6 @@ constexpr unsigned int least_cells_per_process = 500;
 /** Minimise by all processes; @p whole and @p order are the root's. */
 Solution minimise_together(const DiscreteProblem *whole,
                            const ElasticOrder &order,
-                           const double displacement_unit,
                            const std::vector<double> &start,
                            const ProcessGroup &processes,
                            Terminal &terminal)
@@ -31,8 +30,7 @@ Solution minimise_together(const DiscreteProblem *whole,
     const dealii::Timer timer;
     const SharedProblem problem(whole, processes);
     const double seconds_to_share = timer.wall_time();
-    Solution solution =
-        minimise_elastic(problem, of_root, displacement_unit, start, terminal);
+    Solution solution = minimise_elastic(problem, of_root, start, terminal);
     if (processes.size() > 1)
       solution.seconds["sharing"] = seconds_to_share;
     return solution;
@@ -64,14 +62,15 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
 {
   const ElasticOrder order = {linear_solver, controls.tolerance,
                               controls.n_max_iterations};
-  const double displacement_unit =
-      problem.stress_scale() * problem.length_scale() / modulus;
   std::vector<double> start;
   if (controls.start)
-    start = problem.unknowns_of(*controls.start, displacement_unit);
+    start = controls.start->u;
+  // In the user's unit, which loads of another size do not change.
+  for (double &component : start)
+    component = controls.start->displacement_unit * component /
+                displacement_unit(problem);
   if (!problem.normal_limits().empty())
-    return minimise_yielding(problem, order, displacement_unit,
-                             std::move(start), terminal);
+    return minimise_yielding(problem, order, std::move(start), terminal);
   const bool is_shared =
       problem.n_cells() >= least_cells_per_process * controls.processes.size();
   const ProcessGroup processes =
@@ -79,17 +78,17 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
   processes.call(least_energy_task);
   if (processes.size() > 1)
     start.clear();
-  const Solution solution = minimise_together(
-      &problem, order, displacement_unit, start, processes, terminal);
+  const Solution solution =
+      minimise_together(&problem, order, start, processes, terminal);
   return try_second_attempts(problem, elastic_costs(problem), controls,
-                             displacement_unit, solution, terminal);
+                             solution, terminal);
 }
 
 void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal)
 {
   try
   {
-    minimise_together(nullptr, {}, 0., {}, processes, terminal);
+    minimise_together(nullptr, {}, {}, processes, terminal);
   }
   catch (const SolverError &)
   {

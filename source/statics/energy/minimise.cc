@@ -9,7 +9,6 @@ Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
                   const std::function<std::optional<Mechanism>()> &advance,
-                  const double displacement_unit,
                   Terminal &terminal)
 {
   Solution solution;
@@ -64,7 +63,7 @@ Solution minimise(const SharedProblem &problem,
   solution.n_iterations = newton.n_iterations();
   solution.n_evaluations = newton.n_evaluations();
   solution.seconds["linear systems"] = newton.seconds_of_systems();
-  problem.collect(best_u, best_forces, displacement_unit, solution);
+  problem.collect(best_u, best_forces, solution);
   return solution;
 }
 } // namespace Voussoir

@@ -101,7 +101,6 @@ std::optional<Solution> Attempt::minimise(const double wanted,
 
 Solution minimise_yielding(const DiscreteProblem &problem,
                            const ElasticOrder &order,
-                           const double displacement_unit,
                            std::vector<double> start,
                            Terminal &terminal)
 {
@@ -116,7 +115,7 @@ Solution minimise_yielding(const DiscreteProblem &problem,
   {
     std::vector<double> u = attempt.u();
     problem.remove_rigid_motions(u);
-    found->motion = problem.motion_of_cells(u, displacement_unit);
+    found->u = std::move(u);
   }
   else
   {

@@ -111,7 +111,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
       [&](const DiscreteProblem &at_most, const SolverControls &rest) {
         return find_centre(at_most, rest, terminal);
       });
-  return try_second_attempts(problem, {}, controls, 0., solution, terminal);
+  return try_second_attempts(problem, {}, controls, solution, terminal);
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

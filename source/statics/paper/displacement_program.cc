@@ -126,7 +126,6 @@ ProgramResult solve_program(const DiscreteProblem &problem,
 
   ProgramResult result;
   Solution &solution = result.solution;
-  solution.motion = Motion(problem.n_cells(), problem.kinematics());
   bool has_doubted = false;
   const auto look_for_collapse = [&] {
     has_doubted = true;

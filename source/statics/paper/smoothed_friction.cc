@@ -184,6 +184,7 @@ public:
   Solution solve(const IpoptControls &ipopt)
   {
     Solution solution = best_of(solve_program(problem, *this, ipopt, terminal));
+    solution.displacement_unit = 1. / law.displacement_unit();
     solution.n_iterations += of_start.n_iterations;
     solution.n_evaluations += of_start.n_evaluations;
     return solution;
@@ -214,9 +215,8 @@ private:
         costs.push_back(
             {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
     const bool was_converged = before.converged();
-    interior = try_second_attempts(problem, costs, controls,
-                                   1. / law.displacement_unit(),
-                                   std::move(before), terminal);
+    interior = try_second_attempts(problem, costs, controls, std::move(before),
+                                   terminal);
     if (contact == Contact::compliant && interior->converged() &&
         !was_converged)
       refine_compliant_contact(*interior);
@@ -249,17 +249,15 @@ private:
       refine_hard_contact(problem, law, barrier_parameter, x,
                           controls.tolerance, solution);
     problem.remove_rigid_motions(x);
-    solution.motion = problem.motion_of_cells(x, 1. / law.displacement_unit());
+    solution.u = std::move(x);
     return solution;
   }
 
   /** Take Newton's own steps from the interior point's displacement. */
   void refine_compliant_contact(Solution &solution) const
   {
-    const double unit = 1. / law.displacement_unit();
     JointSystem system(problem, LinearSolver::automatic);
-    Newton newton(problem, law, system,
-                  problem.unknowns_of(solution.motion, unit));
+    Newton newton(problem, law, system, solution.u);
     double least = newton.imbalance();
     try
     {
@@ -273,7 +271,7 @@ private:
         if (least > controls.tolerance)
           continue;
         solution.forces = newton.forces();
-        solution.motion = problem.motion_of_cells(newton.u(), unit);
+        solution.u = newton.u();
       }
     }
     catch (const SolverError &)
@@ -370,10 +368,7 @@ Solution SmoothedFriction::select(const DiscreteProblem &problem,
   }
 
   Solution solution = program.solve(ipopt);
-  for (Tensor<1, 2> &u : solution.motion.displacement)
-    u *= smoothing_length;
-  for (double &angle : solution.motion.rotation)
-    angle *= smoothing_length;
+  solution.displacement_unit *= smoothing_length;
   return solution;
 }
 } // namespace Voussoir

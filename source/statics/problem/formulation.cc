@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -25,12 +24,6 @@ double relative_change(const std::vector<double> &a,
     largest = std::max({largest, std::abs(a[k]), std::abs(b[k])});
   }
   return largest > 0. ? change / largest : 0.;
-}
-
-/** The unit of a force per unit thickness. */
-double force_scale(const DiscreteProblem &problem)
-{
-  return problem.stress_scale() * problem.length_scale();
 }
 } // namespace
 
@@ -56,12 +49,13 @@ Solution Formulation::solve(const DiscreteProblem &problem,
     }
     if (controls.equilibrate && !solution.mechanism)
       equilibrate_solution(problem, solution);
+    if (solution.displacement_unit == 0.)
+      solution.displacement_unit = displacement_unit(problem);
     return solution;
   }
 
   Solution nothing;
   nothing.forces.resize(problem.n_all_rows());
-  nothing.motion = Motion(problem.n_cells(), problem.kinematics());
   nothing.stop = Stop::Reason::nothing_to_balance;
   return nothing;
 }
@@ -95,41 +89,5 @@ void require_interior(const DiscreteProblem &problem,
       "opens all contacts would open some of them by no more than the rounding "
       "of the coordinates, or could not be found. " +
       advice);
-}
-
-InterfaceForces dimensional_forces(const DiscreteProblem &problem,
-                                   const Solution &solution)
-{
-  const double unit = force_scale(problem);
-  InterfaceForces forces;
-  if (solution.forces.empty())
-    return forces;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const unsigned int n = problem.n_contacts(e);
-    const double *f = &solution.forces[problem.first_row(e)];
-    forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
-    forces.tangential.push_back(unit * f[n]);
-    if (n == 2)
-      forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
-  }
-  return forces;
-}
-
-std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
-                                          const InterfaceForces &forces)
-{
-  const double factor = 1. / force_scale(problem);
-  std::vector<double> result;
-  for (unsigned int e = 0; e < forces.normal.size(); ++e)
-  {
-    if (forces.at_ends.empty())
-      result.push_back(factor * forces.normal[e]);
-    else
-      for (const double f : forces.at_ends[e])
-        result.push_back(factor * f);
-    result.push_back(factor * forces.tangential[e]);
-  }
-  return result;
 }
 } // namespace Voussoir

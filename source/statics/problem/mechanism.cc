@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace Voussoir
 {
@@ -173,7 +174,7 @@ std::optional<Mechanism> mechanism_of(const DiscreteProblem &problem,
         rounding_margin / remainder * size_of_terms))
     return {};
 
-  mechanism.motion = problem.motion_of_cells(v, 1.);
+  mechanism.u = std::move(v);
   return mechanism;
 }
 

@@ -249,7 +249,6 @@ SharedProblem::search(const std::vector<double> &u,
 
 void SharedProblem::collect(const std::vector<double> &u,
                             const std::vector<double> &forces,
-                            const double displacement_unit,
                             Solution &solution) const
 {
   std::vector<double> all = gather(u);
@@ -271,7 +270,7 @@ void SharedProblem::collect(const std::vector<double> &u,
     }
   }
   whole->remove_rigid_motions(all);
-  solution.motion = whole->motion_of_cells(all, displacement_unit);
+  solution.u = std::move(all);
 }
 
 /** All unknowns in the order of the whole, on the root. */

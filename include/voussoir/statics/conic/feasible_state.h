@@ -51,8 +51,8 @@ public:
    */
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;
-  /** The motion of the cells in @p u, of any size, as Mechanism::motion. */
-  Motion motion_of(std::vector<double> u) const;
+  /** The displacement of the cells in @p u, of any size, as Mechanism::u. */
+  std::vector<double> of_size_one(std::vector<double> u) const;
 
 private:
   void make_rows();

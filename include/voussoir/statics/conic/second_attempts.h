@@ -20,7 +20,6 @@ namespace Voussoir
  * @param problem has the joints.
  * @param costs of each of them.
  * @param controls say when to stop; with the iterations before.
- * @param displacement_unit of the nondimensional displacement, in the user's.
  * @param before what the other method has found.
  * @param terminal sees the iterations.
  * @return the forces and their displacement, or a mechanism, or if there is
@@ -29,7 +28,6 @@ namespace Voussoir
 Solution minimise_by_interior_point(const DiscreteProblem &problem,
                                     const std::vector<JointCost> &costs,
                                     const SolverControls &controls,
-                                    double displacement_unit,
                                     const Solution &before,
                                     Terminal &terminal);
 
@@ -71,7 +69,6 @@ find_collapse_by_load_factor(const DiscreteProblem &problem,
 Solution try_second_attempts(const DiscreteProblem &problem,
                              const std::vector<JointCost> &costs,
                              const SolverControls &controls,
-                             double displacement_unit,
                              Solution solution,
                              Terminal &terminal);
 } // namespace Voussoir

@@ -65,14 +65,12 @@ struct ElasticOrder
  *
  * @param problem shares out and collects.
  * @param order the controls.
- * @param displacement_unit see minimise().
  * @param start n_dofs() numbers to start from; empty for zero.
  * @param terminal sees the iterations.
  * @throws SolverError if a linear system cannot be solved.
  */
 Solution minimise_elastic(const SharedProblem &problem,
                           const ElasticOrder &order,
-                          double displacement_unit,
                           std::vector<double> start,
                           Terminal &terminal);
 } // namespace Voussoir

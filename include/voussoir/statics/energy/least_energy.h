@@ -38,6 +38,10 @@ public:
   void add_parameters(dealii::ParameterHandler &prm) override;
 
 private:
+  double displacement_unit(const DiscreteProblem &problem) const override
+  {
+    return problem.stress_scale() * problem.length_scale() / modulus;
+  }
   Solution select(const DiscreteProblem &problem,
                   const SolverControls &controls,
                   Terminal &terminal) const override;

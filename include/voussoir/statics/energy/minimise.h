@@ -35,8 +35,6 @@ struct NewtonControls
  * @param newton at its start.
  * @param controls say when to stop.
  * @param advance takes a step of @p newton.
- * @param displacement_unit of the nondimensional displacement, in the user's;
- *   zero to report none.
  * @param terminal sees the iterations.
  * @return the state with the least imbalance that was met, on the root; without
  *   forces on the others.
@@ -46,7 +44,6 @@ Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,
                   const std::function<std::optional<Mechanism>()> &advance,
-                  double displacement_unit,
                   Terminal &terminal);
 } // namespace Voussoir
 

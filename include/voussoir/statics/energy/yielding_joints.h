@@ -21,13 +21,11 @@ namespace Voussoir
  *
  * @param problem without coefficients of friction.
  * @param order the controls.
- * @param displacement_unit of the nondimensional displacement, in the user's.
  * @param start n_dofs() numbers to start from; empty for zero.
  * @param terminal sees the iterations.
  */
 Solution minimise_yielding(const DiscreteProblem &problem,
                            const ElasticOrder &order,
-                           double displacement_unit,
                            std::vector<double> start,
                            Terminal &terminal);
 } // namespace Voussoir

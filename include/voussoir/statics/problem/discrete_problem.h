@@ -3,7 +3,6 @@
 #define voussoir_statics_problem_discrete_problem_h
 
 #include <voussoir/algebra/structure.h>
-#include <voussoir/scene/scene.h>
 
 #include <array>
 #include <optional>
@@ -66,18 +65,27 @@ struct Opening
 class DiscreteProblem : public Structure
 {
 public:
-  /**
-   * Make the joints, in the order of Packing::interfaces(), and the bodies, in
-   * that of the cells and at last the ground, if there are supports.
-   */
-  explicit DiscreteProblem(const Scene &scene);
+  /** What a problem is made from; see discretise(). */
+  struct Data
+  {
+    /** All bodies and joints, the ground as the last body if there is one. */
+    Part part;
+    /** The result of n_cells(). */
+    unsigned int n_cells = 0;
+    /** The result of normal_limits(). */
+    std::vector<NormalLimits> limits;
+    /** The result of is_loaded(). */
+    bool is_loaded = false;
+    /** The result of length_scale(). */
+    double length_unit = 1.;
+    /** The result of stress_scale(). */
+    double stress_unit = 1.;
+    /** The result of rounding_of_coordinates(). */
+    double coordinate_rounding = 0.;
+  };
 
-  /**
-   * The same with some cells only, those that @p moves has; all others are held
-   * and belong to the ground, without the joints between them. Its mechanisms,
-   * with the others at rest, are mechanisms of the scene.
-   */
-  DiscreteProblem(const Scene &scene, const std::vector<bool> &moves);
+  /** Balance the loads, see above. */
+  explicit DiscreteProblem(Data data);
 
   /** The bodies but for the ground, which is there if there are supports. */
   unsigned int n_cells() const { return n_moving_cells; }
@@ -91,8 +99,9 @@ public:
    */
   bool is_held(const unsigned int body) const
   {
-    const bool with_ground = has_ground() && group[body] == group.back();
-    return with_ground ? body == n_cells() : body == group[body];
+    const bool with_ground =
+        has_ground() && group_of_body[body] == group_of_body.back();
+    return with_ground ? body == n_cells() : body == group_of_body[body];
   }
 
   /** Of each joint; empty where joints carry pressure alone, of any size. */
@@ -119,15 +128,6 @@ public:
   void hold_bodies(std::vector<double> &u) const;
 
   /**
-   * The motion of each of the n_cells() cells, without the ground: that of @p u
-   * (n_dofs() numbers), times @p unit, with angles per the user's length.
-   */
-  Motion motion_of_cells(const std::vector<double> &u, double unit) const;
-
-  /** The other way round; the ground is at rest. */
-  std::vector<double> unknowns_of(const Motion &motion, double unit) const;
-
-  /**
    * The same problem with Tresca's friction, |f_e^t| at most @p limits, one for
    * each joint, nondimensional.
    */
@@ -139,7 +139,7 @@ public:
    */
   DiscreteProblem with_strengths_up_to(double strength) const;
 
-  /** This problem with other loads, those of loads_of(). */
+  /** This problem with other loads, those of discretise_loads(). */
   DiscreteProblem with_loads(const std::vector<double> &loads) const;
 
   /**
@@ -154,12 +154,6 @@ public:
   /** The same problem without any load. */
   DiscreteProblem without_loads() const;
 
-  /**
-   * The loads of another scene on the same packing, in the units of this one:
-   * n_dofs() numbers, without those on the ground.
-   */
-  std::vector<double> loads_of(const Scene &scene) const;
-
   /** The unit of length, in the user's; L. */
   double length_scale() const { return length_unit; }
   /** The unit of stress, in the user's; S. One if there is no load. */
@@ -168,12 +162,6 @@ public:
   double rounding_of_coordinates() const { return coordinate_rounding; }
 
 private:
-  void find_load(const Scene &scene, unsigned int cell, double *load) const;
-  void choose_scales(const Scene &scene, const std::vector<bool> &moves);
-  void add_interface(const Scene &scene,
-                     unsigned int interface,
-                     const std::vector<unsigned int> &body,
-                     const dealii::Point<2> &centroid);
   void balance_loads();
   /** The rigid motion of a connected group. */
   struct RigidMotion
@@ -193,7 +181,7 @@ private:
   unsigned int n_moving_cells = 0;
   std::vector<NormalLimits> limits_of_joints;
   /** For each body the lowest body of its connected group. */
-  std::vector<unsigned int> group;
+  std::vector<unsigned int> group_of_body;
   friend const Opening &opening_of(const DiscreteProblem &problem);
   /** What opening_of() has found. */
   mutable std::optional<Opening> found_opening;

@@ -49,6 +49,11 @@ public:
                  Terminal &terminal) const;
 
 private:
+  /** Solution::displacement_unit; zero if it has no displacement of its own. */
+  virtual double displacement_unit(const DiscreteProblem & /*problem*/) const
+  {
+    return 0.;
+  }
   /** solve() for a problem with interfaces and a load. */
   virtual Solution select(const DiscreteProblem &problem,
                           const SolverControls &controls,
@@ -67,16 +72,6 @@ void require_interior(const DiscreteProblem &problem,
 
 /** Correct the forces of @p solution by equilibrate(), and say by how much. */
 void equilibrate_solution(const DiscreteProblem &problem, Solution &solution);
-
-/**
- * The forces of @p solution in the units of the user, S L: times length_scale()
- * and stress_scale() of @p problem.
- */
-InterfaceForces dimensional_forces(const DiscreteProblem &problem,
-                                   const Solution &solution);
-/** The other way round. */
-std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
-                                          const InterfaceForces &forces);
 } // namespace Voussoir
 
 #endif

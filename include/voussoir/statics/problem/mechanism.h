@@ -20,11 +20,11 @@ namespace Voussoir
 struct Mechanism
 {
   /**
-   * Of each of the n_cells() cells, without a common rigid motion in each
+   * The displacement, n_dofs() numbers, without a common rigid motion in each
    * connected group that does not rest on the ground, which does not move; the
-   * largest component, or the largest angle times the unit of length, is one.
+   * largest component is one. See dimensional_motion().
    */
-  Motion motion;
+  std::vector<double> u;
   /**
    * The work of the loads, nondimensional.
    *

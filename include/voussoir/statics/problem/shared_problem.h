@@ -62,14 +62,10 @@ public:
    *
    * @param u the displacement, n_dofs() numbers of structure().
    * @param forces of each row of each joint of structure().
-   * @param displacement_unit of the nondimensional displacement, in the
-   *   user's; zero to report none.
-   * @param solution takes forces, nondimensional, and displacement, in the
-   *   user's unit.
+   * @param solution takes forces and displacement.
    */
   void collect(const std::vector<double> &u,
                const std::vector<double> &forces,
-               double displacement_unit,
                Solution &solution) const;
 
 private:

@@ -35,11 +35,14 @@ struct Solution
    */
   std::optional<double> correction;
   /**
-   * In the user's unit: from the ground, or with zero mean in each connected
-   * group of cells that does not rest on it. Zero where the formulation has
-   * none of its own: blocks that carry their load do not move.
+   * The displacement, n_dofs() numbers, nondimensional: from the ground, or
+   * with zero mean in each connected group of cells that does not rest on it.
+   * Empty where the formulation has none of its own: blocks that carry their
+   * load do not move. See dimensional_motion().
    */
-  Motion motion;
+  std::vector<double> u;
+  /** The unit of that, in the user's, which the formulation chooses. */
+  double displacement_unit = 0.;
   /** @{ */
   /**
    * Joints in which every admissible and balanced state has f_e^n = 0, and

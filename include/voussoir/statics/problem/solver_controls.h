@@ -3,10 +3,11 @@
 #define voussoir_statics_problem_solver_controls_h
 
 #include <voussoir/parallel/process_group.h>
-#include <voussoir/scene/motion.h>
 
 namespace Voussoir
 {
+struct Solution;
+
 /** The controls that all formulations share. */
 struct SolverControls
 {
@@ -24,10 +25,10 @@ struct SolverControls
    */
   ProcessGroup processes = ProcessGroup();
   /**
-   * A motion near that of the solution, as a formulation returns it, or null.
-   * LeastEnergy starts from it, if it is alone.
+   * A solution whose displacement is near that of the solution, in units of its
+   * own, or null. LeastEnergy starts from it, if it is alone.
    */
-  const Motion *start = nullptr;
+  const Solution *start = nullptr;
 };
 
 /** @{ */

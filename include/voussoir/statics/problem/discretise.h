@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_problem_discretise_h
+#define voussoir_statics_problem_discretise_h
+
+#include <voussoir/scene/scene.h>
+#include <voussoir/statics/problem/discrete_problem.h>
+#include <voussoir/statics/problem/solution.h>
+
+#include <vector>
+
+namespace Voussoir
+{
+// From a scene in the user's units to the nondimensional problem, and back: of
+// statics only this knows what a scene is, and how many dimensions it has.
+
+/**
+ * The problem of a scene: joints in the order of Packing::interfaces(), and
+ * bodies in that of the cells and at last the ground, if there are supports.
+ */
+DiscreteProblem discretise(const Scene &scene);
+
+/**
+ * The same with some cells only, those that @p moves has; all others are held
+ * and belong to the ground, without the joints between them. Its mechanisms,
+ * with the others at rest, are mechanisms of the scene.
+ */
+DiscreteProblem discretise(const Scene &scene, const std::vector<bool> &moves);
+
+/**
+ * The loads of another scene on the packing of @p problem, in its units:
+ * n_dofs() numbers, without those on the ground.
+ */
+std::vector<double> discretise_loads(const DiscreteProblem &problem,
+                                     const Scene &scene);
+
+/**
+ * The motion of each of the n_cells() cells, without the ground: that of @p u
+ * (n_dofs() numbers), times @p unit, with angles per the user's length. All at
+ * rest if @p u is empty.
+ */
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const std::vector<double> &u,
+                          double unit);
+/** That of Mechanism::u, of any size. */
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const Mechanism &mechanism);
+/** That of Solution::u, in the user's unit. */
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const Solution &solution);
+
+/** The other way round; the ground is at rest. */
+std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
+                                          const Motion &motion,
+                                          double unit);
+
+/**
+ * The forces of @p solution in the units of the user, S L: times length_scale()
+ * and stress_scale() of @p problem.
+ */
+InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                   const Solution &solution);
+/** The other way round. */
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const InterfaceForces &forces);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
+#include <voussoir/contact/contact_points.h>
+#include <voussoir/statics/problem/discretise.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+Tensor<1, 3> in_space(const Tensor<1, 2> &x)
+{
+  Tensor<1, 3> result;
+  std::copy_n(x.begin_raw(), 2, result.begin_raw());
+  return result;
+}
+
+/** A joint as its two bodies see it; nondimensional. */
+struct JointFrame
+{
+  /** n_e, from c- to c+, and t_e. */
+  Tensor<1, 2> normal, tangent;
+  /** The ends of the joint, start and end along t_e, from the centre of a body.
+   */
+  std::array<Tensor<1, 2>, 2> from_minus, from_plus;
+
+  /** The row of a point, in the direction @p d. */
+  ContactRow row(const ContactPoint &point, const Tensor<1, 2> &d) const
+  {
+    const auto turn = [&](const std::array<Tensor<1, 2>, 2> &ends) {
+      return cross((1. - point.place) * ends[0] + point.place * ends[1], d);
+    };
+    return {{{d[0], d[1], 0.}}, {{turn(from_minus)}}, {{turn(from_plus)}}};
+  }
+
+  /** The same joint with the other body as c-. */
+  void exchange_bodies()
+  {
+    normal *= -1.;
+    tangent *= -1.;
+    std::swap(from_minus, from_plus);
+    std::swap(from_minus[0], from_minus[1]);
+    std::swap(from_plus[0], from_plus[1]);
+  }
+};
+
+/** Makes a problem of a scene. */
+class Discretisation
+{
+public:
+  Discretisation(const Scene &scene, const std::vector<bool> &moves);
+  DiscreteProblem::Data data;
+
+private:
+  void choose_scales(const std::vector<bool> &moves);
+  void add_interface(unsigned int interface);
+
+  const Scene &scene;
+  dealii::Point<2> centroid;
+  /** The body of each cell, and of the ground. */
+  std::vector<unsigned int> body;
+};
+
+/** Set the load of a cell, n_unknowns() numbers. */
+void find_load(const Scene &scene,
+               const unsigned int cell,
+               const double length_unit,
+               const double stress_unit,
+               double *load)
+{
+  const Tensor<1, 2> force = scene.load[cell] / (stress_unit * length_unit);
+  std::copy_n(force.begin_raw(), 2, load);
+  if (scene.turns())
+    load[2] =
+        scene.load_torque[cell] / (stress_unit * length_unit * length_unit);
+}
+
+Discretisation::Discretisation(const Scene &scene,
+                               const std::vector<bool> &moves)
+    : scene(scene), body(scene.packing.n_cells() + 1)
+{
+  choose_scales(moves);
+  const Packing &packing = scene.packing;
+  const double area = packing.area();
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    centroid += packing.area(c) / area * packing.centre(c);
+  Structure::Part &part = data.part;
+  part.kinematics = *scene.kinematics;
+  const unsigned int n = part.kinematics.n_unknowns();
+  part.centres.reserve(packing.n_cells() + 1);
+  part.loads.reserve(n * (packing.n_cells() + 1));
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (moves[c])
+    {
+      body[c] = data.n_cells++;
+      part.centres.push_back(
+          in_space((packing.centre(c) - centroid) / data.length_unit));
+      part.loads.resize(n * data.n_cells);
+      find_load(scene, c, data.length_unit, data.stress_unit,
+                &part.loads[n * body[c]]);
+    }
+  for (unsigned int c = 0; c <= packing.n_cells(); ++c)
+    if (c == packing.ground() || !moves[c])
+      body[c] = data.n_cells;
+  const std::size_t n_interfaces = packing.interfaces().size();
+  part.joints.reserve(n_interfaces,
+                      n_interfaces *
+                          (contact_points(scene.turns()).pressure.size() + 1),
+                      part.kinematics);
+  bool rests_on_ground = false;
+  for (unsigned int e = 0; e < n_interfaces; ++e)
+  {
+    add_interface(e);
+    rests_on_ground |= !part.joints.list.empty() &&
+                       part.joints.list.back().cell_plus == data.n_cells;
+  }
+  if (rests_on_ground)
+  {
+    part.centres.emplace_back();
+    part.loads.resize(part.loads.size() + n);
+  }
+}
+
+/** Joints with the ground have it as c+; those within it are none. */
+void Discretisation::add_interface(const unsigned int interface)
+{
+  const Packing::Interface &i = scene.packing.interfaces()[interface];
+  unsigned int minus = body[i.cell_minus], plus = body[i.cell_plus];
+  if (minus == data.n_cells && plus == data.n_cells)
+    return;
+  JointFrame frame = {i.normal, i.tangent(), {}, {}};
+  const std::array<dealii::Point<2>, 2> ends = {{i.start, i.end}};
+  const auto from = [&](const unsigned int cell, const unsigned int b,
+                        const unsigned int k) {
+    return b == data.n_cells
+               ? (ends[k] - centroid) / data.length_unit
+               : (ends[k] - scene.packing.centre(cell)) / data.length_unit;
+  };
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    frame.from_minus[k] = from(i.cell_minus, minus, k);
+    frame.from_plus[k] = from(i.cell_plus, plus, k);
+  }
+  if (minus == data.n_cells)
+  {
+    std::swap(minus, plus);
+    frame.exchange_bodies();
+  }
+  const ContactPoints &points = contact_points(scene.turns());
+  std::vector<ContactRow> rows;
+  for (const ContactPoint &point : points.pressure)
+    rows.push_back(frame.row(point, frame.normal));
+  rows.push_back(frame.row(points.friction, frame.tangent));
+  const double length = i.length / data.length_unit;
+  data.part.joints.add(
+      {minus, plus, length, scene.packing.distance(i) / data.length_unit,
+       scene.strength[interface] / data.stress_unit * length,
+       scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
+      rows, data.part.kinematics);
+  if (!scene.has_normal_limits())
+    return;
+  const JointLimits limits = scene.limits(interface);
+  const double force_unit = data.stress_unit * data.length_unit;
+  data.limits.push_back(
+      {limits.tension / force_unit, limits.crushing / force_unit});
+}
+
+void Discretisation::choose_scales(const std::vector<bool> &moves)
+{
+  const double area = scene.packing.area();
+  data.length_unit = std::sqrt(area / scene.packing.n_cells());
+  double largest = 0.;
+  for (const Packing::Interface &i : scene.packing.interfaces())
+    for (const dealii::Point<2> &x : {i.start, i.end})
+      largest = std::max({largest, std::abs(x[0]), std::abs(x[1])});
+  data.coordinate_rounding =
+      std::numeric_limits<double>::epsilon() * largest / data.length_unit;
+
+  // All forces on the packing over its size: of the order of the boundary
+  // traction, or of the pressure at the foot of a wall under its own weight.
+  double total = 0.;
+  for (unsigned int c = 0; c < moves.size(); ++c)
+    if (moves[c])
+      total += scene.load[c].norm() +
+               (scene.load_torque.empty()
+                    ? 0.
+                    : std::abs(scene.load_torque[c]) / data.length_unit);
+  data.is_loaded = total > 0.;
+  if (data.is_loaded)
+    data.stress_unit = total / std::sqrt(area);
+}
+
+/** The unit of a force per unit thickness. */
+double force_scale(const DiscreteProblem &problem)
+{
+  return problem.stress_scale() * problem.length_scale();
+}
+} // namespace
+
+DiscreteProblem discretise(const Scene &scene)
+{
+  return discretise(scene, std::vector<bool>(scene.packing.n_cells(), true));
+}
+
+DiscreteProblem discretise(const Scene &scene, const std::vector<bool> &moves)
+{
+  return DiscreteProblem(Discretisation(scene, moves).data);
+}
+
+std::vector<double> discretise_loads(const DiscreteProblem &problem,
+                                     const Scene &scene)
+{
+  std::vector<double> loads(problem.n_dofs());
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    find_load(scene, c, problem.length_scale(), problem.stress_scale(),
+              &loads[problem.dof(c, 0)]);
+  return loads;
+}
+
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const std::vector<double> &u,
+                          const double unit)
+{
+  Motion motion(problem.n_cells(), problem.kinematics());
+  if (u.empty())
+    return motion;
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      motion.displacement[c][i] = unit * u[problem.dof(c, i)];
+  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
+    motion.rotation[c] = unit * u[problem.dof(c, 2)] / problem.length_scale();
+  return motion;
+}
+
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const Mechanism &mechanism)
+{
+  return dimensional_motion(problem, mechanism.u, 1.);
+}
+
+Motion dimensional_motion(const DiscreteProblem &problem,
+                          const Solution &solution)
+{
+  return dimensional_motion(problem, solution.u, solution.displacement_unit);
+}
+
+std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
+                                          const Motion &motion,
+                                          const double unit)
+{
+  std::vector<double> u(problem.n_dofs(), 0.);
+  for (unsigned int c = 0; c < problem.n_cells(); ++c)
+    for (unsigned int i = 0; i < 2; ++i)
+      u[problem.dof(c, i)] = motion.displacement[c][i] / unit;
+  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
+    u[problem.dof(c, 2)] = motion.rotation[c] * problem.length_scale() / unit;
+  return u;
+}
+
+InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                   const Solution &solution)
+{
+  const double unit = force_scale(problem);
+  InterfaceForces forces;
+  if (solution.forces.empty())
+    return forces;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const unsigned int n = problem.n_contacts(e);
+    const double *f = &solution.forces[problem.first_row(e)];
+    forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
+    forces.tangential.push_back(unit * f[n]);
+    if (n == 2)
+      forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
+  }
+  return forces;
+}
+
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const InterfaceForces &forces)
+{
+  const double factor = 1. / force_scale(problem);
+  std::vector<double> result;
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    if (forces.at_ends.empty())
+      result.push_back(factor * forces.normal[e]);
+    else
+      for (const double f : forces.at_ends[e])
+        result.push_back(factor * f);
+    result.push_back(factor * forces.tangential[e]);
+  }
+  return result;
+}
+} // namespace Voussoir
