@@ -61,7 +61,7 @@ InterfaceForces from_start(const Scene &scene,
                                            newton.step(least_shift, newton.u());
                                            return {};
                                          },
-                                         0., quiet));
+                                         quiet));
 }
 
 void run()

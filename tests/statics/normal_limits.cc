@@ -266,9 +266,10 @@ void states_of_least_energy()
 {
   const double none = std::numeric_limits<double>::infinity();
   // Limits that nothing reaches.
-  const DiscreteProblem wide = discretise(
-                            wall_with_limits(3., 0., 1e3, translations())),
-                        without(wall_with_limits(3., 0., none, translations()));
+  const DiscreteProblem wide =
+      discretise(wall_with_limits(3., 0., 1e3, translations()));
+  const DiscreteProblem without =
+      discretise(wall_with_limits(3., 0., none, translations()));
   const Solution found = LeastEnergy().solve(wide, {}, Terminal::silent()),
                  expected =
                      LeastEnergy().solve(without, {}, Terminal::silent());

@@ -30,7 +30,7 @@ public:
                   const CoulombState &formulation,
                   const SolverControls &controls,
                   Terminal &terminal)
-      : problem(dead.is_loaded() ? dead : live),
+      : problem(discretise(dead.is_loaded() ? dead : live)),
         dead(discretise_loads(problem, dead)),
         live(discretise_loads(problem, live)), formulation(formulation),
         controls(controls), terminal(terminal)

@@ -38,7 +38,7 @@ double largest_displacement(const Motion &motion)
 } // namespace
 
 FeasibleSet::FeasibleSet(const Scene &scene)
-    : scene(scene), problem(scene), by_rows(problem), force(0.)
+    : scene(scene), problem(discretise(scene)), by_rows(problem), force(0.)
 {
   for (const dealii::Tensor<1, 2> &load : scene.load)
     force = std::max(force, load.norm());

@@ -13,7 +13,7 @@ std::optional<Mechanism> find_collapse(const SharedProblem &problem,
     return find_collapse_by_barrier(problem, terminal);
   try
   {
-    return minimise_elastic(problem, {}, 0., {}, terminal).mechanism;
+    return minimise_elastic(problem, {}, {}, terminal).mechanism;
   }
   catch (const SolverError &)
   {

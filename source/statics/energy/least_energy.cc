@@ -5,6 +5,7 @@
 #include <voussoir/statics/energy/elastic_problem.h>
 #include <voussoir/statics/energy/least_energy.h>
 #include <voussoir/statics/energy/yielding_joints.h>
+#include <voussoir/statics/problem/discretise.h>
 
 #include <deal.II/base/timer.h>
 
@@ -63,12 +64,10 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
   const ElasticOrder order = {linear_solver, controls.tolerance,
                               controls.n_max_iterations};
   std::vector<double> start;
-  if (controls.start)
-    start = controls.start->u;
-  // In the user's unit, which loads of another size do not change.
-  for (double &component : start)
-    component = controls.start->displacement_unit * component /
-                displacement_unit(problem);
+  if (controls.start) // whose loads, and with them the units, may be others
+    start = nondimensional_motion(problem,
+                                  dimensional_motion(problem, *controls.start),
+                                  displacement_unit(problem));
   if (!problem.normal_limits().empty())
     return minimise_yielding(problem, order, std::move(start), terminal);
   const bool is_shared =

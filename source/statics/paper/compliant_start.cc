@@ -35,8 +35,7 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
   {
     const NewtonControls of_newton = {
         controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
-    if (minimise(SharedProblem(problem), newton, of_newton, advance, 0.,
-                 terminal)
+    if (minimise(SharedProblem(problem), newton, of_newton, advance, terminal)
             .converged())
     {
       // One more step: the forces are then those of the minimum to more digits

@@ -2,6 +2,7 @@
 #ifndef voussoir_analyses_state_solver_parameters_h
 #define voussoir_analyses_state_solver_parameters_h
 
+#include <voussoir/scene/scene.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/coulomb_state.h>
 
