@@ -74,11 +74,11 @@ void ContactParameters::add_strengths(const Packing &packing,
              pair_tensile, "Pair tensile strengths"},
             strengths.warnings);
   check_tension(packing, strengths);
-  const auto is_none = [](const auto &of, const double none) {
+  const auto are_all = [](const auto &of, const double value) {
     return std::all_of(of.begin(), of.end(),
-                       [&](const double value) { return value == none; });
+                       [&](const double one) { return one == value; });
   };
-  if (is_none(strengths.tensile, 0.))
+  if (are_all(strengths.tensile, 0.))
     strengths.tensile.clear();
   if (!compressive.empty() || !pair_compressive.empty())
     strengths.compressive = means(
@@ -86,7 +86,7 @@ void ContactParameters::add_strengths(const Packing &packing,
         {"compressive strength", "Contact", compressive, "Compressive strength",
          pair_compressive, "Pair compressive strengths", true, true},
         strengths.warnings);
-  if (is_none(strengths.compressive, std::numeric_limits<double>::infinity()))
+  if (are_all(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();
 }
 } // namespace Voussoir

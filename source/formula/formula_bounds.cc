@@ -329,7 +329,7 @@ Bounds Formula::bounds(const std::vector<Bounds> &variables,
   {
     const Node &node = nodes[i];
     Bounds &here = node_bounds[i];
-    if (node.jump != none)
+    if (node.jump != invalid_index)
     {
       arguments[node.jump] = argument_bounds(node, limits[node.jump]);
       here = bounds_of_jump(node, arguments[node.jump]);

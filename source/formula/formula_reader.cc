@@ -78,7 +78,7 @@ private:
     case mu::cmLAND: return push(Kind::both);
     case mu::cmLOR: return push(Kind::any);
     case mu::cmENDIF: return push(Kind::choose);
-    case mu::cmVAL: return push(Kind::constant, none, token.Val.data2);
+    case mu::cmVAL: return push(Kind::constant, invalid_index, token.Val.data2);
     case mu::cmVAR:
     case mu::cmVARMUL:
     case mu::cmVARPOW2:
@@ -98,14 +98,14 @@ private:
     push(Kind::variable, token.Val.ptr - variables.data());
     if (token.Cmd == mu::cmVARMUL)
     {
-      push(Kind::constant, none, token.Val.data);
+      push(Kind::constant, invalid_index, token.Val.data);
       push(Kind::multiply);
-      push(Kind::constant, none, token.Val.data2);
+      push(Kind::constant, invalid_index, token.Val.data2);
       push(Kind::add);
     }
     else if (token.Cmd != mu::cmVAR)
     {
-      push(Kind::constant, none, 2. + (token.Cmd - mu::cmVARPOW2));
+      push(Kind::constant, invalid_index, 2. + (token.Cmd - mu::cmVARPOW2));
       push(Kind::power);
     }
   }
@@ -136,7 +136,7 @@ private:
     if (is(+average))
     {
       fold(Kind::add, n_arguments);
-      push(Kind::constant, none, n_arguments);
+      push(Kind::constant, invalid_index, n_arguments);
       return push(Kind::divide);
     }
     for (unsigned int i = 0; i < smooth_functions().size(); ++i)
@@ -158,12 +158,13 @@ private:
   }
 
   void push(const Kind kind,
-            const unsigned int number = none,
+            const unsigned int number = invalid_index,
             const double constant = 0.)
   {
     const unsigned int n_operands = Formula::n_operands(kind);
     const unsigned int here = formula.nodes.size();
-    Formula::Node node = {kind, {{0, 0, 0}}, constant, number, here, none};
+    Formula::Node node = {kind,   {{0, 0, 0}}, constant,
+                          number, here,        invalid_index};
     for (unsigned int k = n_operands; k-- > 0;)
     {
       node.operand[k] = stack.back();

@@ -2,7 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/packing.h>
@@ -162,7 +162,7 @@ std::vector<unsigned int> Packing::find_opposite_sides() const
   std::vector<unsigned int> opposite = find_shared_sides();
   for (const auto &[one, other] : mesh.facing)
   {
-    Assert(opposite[one] == none && opposite[other] == none,
+    Assert(opposite[one] == invalid_index && opposite[other] == invalid_index,
            dealii::ExcMessage("A side faces one other at most."));
     opposite[one] = other;
     opposite[other] = one;
@@ -182,7 +182,7 @@ std::vector<unsigned int> Packing::find_shared_sides() const
     }
   std::sort(halfedges.begin(), halfedges.end());
 
-  std::vector<unsigned int> opposite(halfedges.size(), none);
+  std::vector<unsigned int> opposite(halfedges.size(), invalid_index);
   for (std::size_t k = 0; k + 1 < halfedges.size(); ++k)
   {
     const Halfedge &one = halfedges[k], &other = halfedges[k + 1];
@@ -191,7 +191,7 @@ std::vector<unsigned int> Packing::find_shared_sides() const
     const unsigned int first = mesh.first[one.cell] + one.side;
     const unsigned int second = mesh.first[other.cell] + other.side;
     const bool same_side = mesh.loops[first] == mesh.loops[second];
-    if (opposite[first] != none || one.cell == other.cell || same_side)
+    if (opposite[first] != invalid_index || one.cell == other.cell || same_side)
       refuse(other.cell, vertex(other.cell, other.side),
              text("shares an edge with ", describe(one.cell),
                   " on the same side of it; cells must not overlap."));
@@ -209,7 +209,7 @@ void Packing::find_edges()
     std::fill_n(cell_of_side.begin() + mesh.first[c], n_sides(c), c);
 
   const unsigned int n_on_boundary =
-      std::count(opposite.begin(), opposite.end(), none);
+      std::count(opposite.begin(), opposite.end(), invalid_index);
   boundary_list.reserve(n_on_boundary);
   interface_list.reserve((opposite.size() - n_on_boundary) / 2);
   side_list.resize(mesh.loops.size());
@@ -223,7 +223,7 @@ void Packing::find_edges()
     }
     const unsigned int i = s - mesh.first[c];
     Point<2> a = vertex(c, i), b = vertex(c, i + 1);
-    if (opposite[s] != none)
+    if (opposite[s] != invalid_index)
     {
       const unsigned int other = cell_of_side[opposite[s]];
       const unsigned int j = opposite[s] - mesh.first[other];
@@ -235,7 +235,7 @@ void Packing::find_edges()
     Tensor<1, 2> normal;
     normal[0] = edge[1] / length;
     normal[1] = 0. - edge[0] / length; // not -0
-    if (opposite[s] == none)
+    if (opposite[s] == invalid_index)
     {
       side_list[s] = {true, static_cast<unsigned int>(boundary_list.size())};
       boundary_list.push_back({c, a, b, normal, length});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/packing/straight_runs.h>
 
 #include <map>
@@ -21,7 +21,7 @@ followers(const std::vector<Packing::BoundaryEdge> &edges)
   for (unsigned int k = 0; k < edges.size(); ++k)
     by_start.insert({{edges[k].start[0], edges[k].start[1]}, k});
 
-  std::vector<unsigned int> next(edges.size(), none);
+  std::vector<unsigned int> next(edges.size(), invalid_index);
   for (unsigned int k = 0; k < edges.size(); ++k)
   {
     const auto range = by_start.equal_range({edges[k].end[0], edges[k].end[1]});
@@ -40,7 +40,7 @@ straight_runs(const std::vector<Packing::BoundaryEdge> &edges)
   const std::vector<unsigned int> next = followers(edges);
   std::vector<bool> follows(edges.size(), false);
   for (const unsigned int k : next)
-    if (k != none)
+    if (k != invalid_index)
       follows[k] = true;
 
   std::vector<StraightRun> runs;
@@ -48,7 +48,8 @@ straight_runs(const std::vector<Packing::BoundaryEdge> &edges)
     if (!follows[k])
     {
       StraightRun run = {edges[k].start, {}, {}};
-      for (unsigned int member = k; member != none; member = next[member])
+      for (unsigned int member = k; member != invalid_index;
+           member = next[member])
       {
         run.edges.push_back(member);
         run.end = edges[member].end;

@@ -120,9 +120,9 @@ void add_joints(py::class_<PyResults> &of)
         name,
         [member, shape](const PyResults &self) {
           const Packing &p = self.scene().packing;
-          static const Packing::Interface none = {};
+          static const Packing::Interface nothing = {};
           const Packing::Interface &first =
-              p.interfaces().empty() ? none : p.interfaces().front();
+              p.interfaces().empty() ? nothing : p.interfaces().front();
           return of_interfaces(p, member(first), shape, self.findings);
         },
         words);

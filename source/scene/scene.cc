@@ -34,8 +34,8 @@ constexpr unsigned int n_named_groups = 5;
 template <typename What>
 void check_size(const Tensor<1, 2> &force, const What &what)
 {
-  const bool none = force[0] == 0. && force[1] == 0.;
-  if (!std::isfinite(force.norm()) || (!none && !(force.norm() > 0.)))
+  const bool is_zero = force[0] == 0. && force[1] == 0.;
+  if (!std::isfinite(force.norm()) || (!is_zero && !(force.norm() > 0.)))
     throw InputError(
         text(what(), " is (", force[0], ", ", force[1],
              "), a force whose square is beyond the computer's numbers. Choose "
@@ -206,10 +206,10 @@ void Scene::add_up_loads()
       load[c] = 0.;
   if (!turns())
     return;
-  InterfaceForces none;
-  none.normal.resize(packing.interfaces().size());
-  none.tangential.resize(packing.interfaces().size());
-  load_torque = residual_torques(*this, none);
+  InterfaceForces no_forces;
+  no_forces.normal.resize(packing.interfaces().size());
+  no_forces.tangential.resize(packing.interfaces().size());
+  load_torque = residual_torques(*this, no_forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (std::abs(load_torque[c]) <=
         cancellation_tolerance * load_size[c] * reach(packing, c))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/convex_pieces.h>
 #include <voussoir/stress/cell_pieces.h>
@@ -102,7 +102,7 @@ public:
   }
 
   /** Find the forces through the cuts, from the leaves of the tree. */
-  void find_cuts() { find_cuts_behind(0, none); }
+  void find_cuts() { find_cuts_behind(0, invalid_index); }
 
   std::vector<std::vector<SideForce>> sides;
   /** By piece and side, the integral of the body force over the triangle. */

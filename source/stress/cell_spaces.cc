@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/stress/cell_spaces.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -166,7 +166,8 @@ void CellSpaces::find_divergences(const dealii::DoFHandler<2> &dof_handler)
 void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
                                   const unsigned int n_sides)
 {
-  fluxes.assign(n_sub_cells() * element.dofs_per_cell, {none, none, 0.});
+  fluxes.assign(n_sub_cells() * element.dofs_per_cell,
+                {invalid_index, invalid_index, 0.});
   const std::vector<Point<2>> polygon = regular_polygon(n_sides);
   const double length_of_half = std::sin(dealii::numbers::PI / n_sides);
   dealii::FEFaceValues<2> on_face(
@@ -191,7 +192,7 @@ void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
       const double share = cell->face(face)->measure() / length_of_half;
       for (unsigned int f = 0; f < coefficients.size(); ++f)
         fluxes[sub_cell * element.dofs_per_cell +
-               element.face_to_cell_index(f, face)] = {none, half,
+               element.face_to_cell_index(f, face)] = {invalid_index, half,
                                                        share * coefficients[f]};
     }
 }
@@ -202,7 +203,7 @@ void CellSpaces::prescribe_fluxes(const dealii::DoFHandler<2> &dof_handler,
  */
 void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler)
 {
-  std::vector<unsigned int> unknown(dof_handler.n_dofs(), none);
+  std::vector<unsigned int> unknown(dof_handler.n_dofs(), invalid_index);
   std::vector<dealii::types::global_dof_index> indices(element.dofs_per_cell);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
@@ -211,9 +212,9 @@ void CellSpaces::number_fluxes(const dealii::DoFHandler<2> &dof_handler)
     {
       Flux &flux =
           fluxes[cell->active_cell_index() * element.dofs_per_cell + k];
-      if (flux.half != none)
+      if (flux.half != invalid_index)
         continue;
-      if (unknown[indices[k]] == none)
+      if (unknown[indices[k]] == invalid_index)
         unknown[indices[k]] = unknown_fluxes++;
       flux.unknown = unknown[indices[k]];
     }

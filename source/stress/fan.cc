@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/stress/fan.h>
 
 #include <algorithm>
@@ -46,13 +46,13 @@ void Fan::for_each_entry(const Visitor &visit) const
     for (unsigned int row = 0; row < 2; ++row)
       for (unsigned int k = 0; k < n_local; ++k)
       {
-        if (spaces.flux(s, k).unknown == none)
+        if (spaces.flux(s, k).unknown == invalid_index)
           continue;
         const unsigned int i = row * n + spaces.flux(s, k).unknown;
         const double divergence =
             spaces.divergence(s, 0, k) / spaces.integrals(s).area;
         for (unsigned int l = 0; l < n_local; ++l)
-          if (spaces.flux(s, l).unknown != none)
+          if (spaces.flux(s, l).unknown != invalid_index)
             visit(i, row * n + spaces.flux(s, l).unknown,
                   divergence * spaces.divergence(s, 0, l));
         const double moment = skew_moment(spaces, s, row, k);
@@ -88,12 +88,13 @@ bool Fan::find_fluxes()
       const double area = spaces.integrals(s).area;
       double known_divergence = body_force(s)[row] * area;
       for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
-        if (spaces.flux(s, l).unknown == none)
+        if (spaces.flux(s, l).unknown == invalid_index)
           known_divergence +=
               coefficient(row, s, l) * spaces.divergence(s, 0, l);
       double known_skew = 0.;
       for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
-        if (const unsigned int flux = spaces.flux(s, k).unknown; flux != none)
+        if (const unsigned int flux = spaces.flux(s, k).unknown;
+            flux != invalid_index)
           unknowns[row * n + flux] -=
               spaces.divergence(s, 0, k) / area * known_divergence;
         else
@@ -113,19 +114,19 @@ bool Fan::is_determined()
 {
   gram = 0.;
   std::fill(first_of_flux.begin(), first_of_flux.end(),
-            std::make_pair(none, 0.));
+            std::make_pair(invalid_index, 0.));
   for (unsigned int s = 0; s < n_sides; ++s)
     for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
       for (unsigned int row = 0; row < 2; ++row)
       {
         const unsigned int flux = spaces.flux(s, k).unknown;
-        if (flux == none)
+        if (flux == invalid_index)
           continue;
         const double moment = skew_moment(spaces, s, row, k);
         gram(s, s) += moment * moment;
         auto &[other, its_moment] =
             first_of_flux[row * spaces.n_unknown_fluxes() + flux];
-        if (other != none)
+        if (other != invalid_index)
           gram(s, other) += moment * its_moment; // s > other
         other = s;
         its_moment = moment;

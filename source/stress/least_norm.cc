@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/stress/least_norm.h>
 
 #include <algorithm>
@@ -78,11 +78,11 @@ void LeastNorm::set_known()
         unknowns[velocity(row, s, j)] -= body_force(s)[row] * integrals.mean[j];
       for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
       {
-        if (spaces.flux(s, k).unknown != none)
+        if (spaces.flux(s, k).unknown != invalid_index)
           continue;
         const double c = coefficient(row, s, k);
         for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
-          if (spaces.flux(s, l).unknown != none)
+          if (spaces.flux(s, l).unknown != invalid_index)
             unknowns[row * n_fluxes + spaces.flux(s, l).unknown] -=
                 c * integrals.flux_mass(k, l);
         for (unsigned int j = 0; j < integrals.mean.size(); ++j)
@@ -149,13 +149,13 @@ void LeastNorm::for_each_entry(const Visitor &visit) const
     const CellSpaces::Integrals &integrals = spaces.integrals(s);
     for (unsigned int k = 0; k < spaces.n_fluxes_per_sub_cell(); ++k)
     {
-      if (spaces.flux(s, k).unknown == none)
+      if (spaces.flux(s, k).unknown == invalid_index)
         continue;
       for (unsigned int row = 0; row < 2; ++row)
       {
         const unsigned int i = row * n_fluxes + spaces.flux(s, k).unknown;
         for (unsigned int l = 0; l < spaces.n_fluxes_per_sub_cell(); ++l)
-          if (spaces.flux(s, l).unknown != none)
+          if (spaces.flux(s, l).unknown != invalid_index)
             visit(i, row * n_fluxes + spaces.flux(s, l).unknown,
                   integrals.flux_mass(k, l));
         for (unsigned int j = 0; j < integrals.mean.size(); ++j)

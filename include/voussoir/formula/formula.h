@@ -2,7 +2,7 @@
 #ifndef voussoir_formula_formula_h
 #define voussoir_formula_formula_h
 
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/formula/functions.h>
 
 #include <array>

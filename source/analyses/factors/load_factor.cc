@@ -335,7 +335,7 @@ LoadFactor FactorSearch::result()
              "iterations'."));
   if (found.is_unbounded || found.width() <= controls.tolerance)
     found.stop = Stop::Reason::converged;
-  else if (found.stop == Stop::Reason::none)
+  else if (found.stop == Stop::Reason::not_stopped)
     found.stop = Stop::Reason::rounding;
   return std::move(found);
 }

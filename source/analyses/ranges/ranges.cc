@@ -343,8 +343,8 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
 
   const bool has_places =
       scene.turns() && scene.tensile_strength.empty() && !interfaces.empty();
-  const std::vector<unsigned int> none;
-  RangeSearch search(scene, functions, has_places ? interfaces : none,
+  const std::vector<unsigned int> no_interfaces;
+  RangeSearch search(scene, functions, has_places ? interfaces : no_interfaces,
                      wanted.method, terminal);
   search.find_all();
   const std::size_t n = wanted.interfaces.size();

@@ -373,7 +373,7 @@ TriangleIntegral triangle_integral(const Triangle &corners,
 std::optional<TriangleIntegral> quick_triangle_integral(
     const Triangle &corners, const Point<2> &origin, const TriangleFunction &f)
 {
-  static const Discontinuities none;
-  return TriangleIntegrator(corners, origin, f, none).quick_integral();
+  static const Discontinuities continuous;
+  return TriangleIntegrator(corners, origin, f, continuous).quick_integral();
 }
 } // namespace Voussoir

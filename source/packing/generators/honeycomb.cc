@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/honeycomb.h>
@@ -60,7 +60,8 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
   };
   CellLoops cells;
   const std::size_t n_along = 2 * n_in_line + 2;
-  std::vector<unsigned int> vertex_at(n_along * (3 * n_lines + 2), none);
+  std::vector<unsigned int> vertex_at(n_along * (3 * n_lines + 2),
+                                      invalid_index);
   for (unsigned int line = 0; line < n_lines; ++line)
     for (unsigned int k = 0; k < n_in_line; ++k)
     {
@@ -70,7 +71,7 @@ CellLoops HoneycombGenerator::generate(const std::filesystem::path &,
         const unsigned int i = 2 * k + 1 + line % 2 + corner[0];
         const unsigned int j = 3 * line + 2 + corner[1];
         unsigned int &vertex = vertex_at[j * n_along + i];
-        if (vertex == none)
+        if (vertex == invalid_index)
         {
           vertex = cells.vertices.size();
           cells.vertices.push_back(place(i, j));

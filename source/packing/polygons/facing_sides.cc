@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/packing/polygons/crossing_pairs.h>
 #include <voussoir/packing/polygons/facing_sides.h>
 #include <voussoir/packing/polygons/joint_checks.h>
@@ -118,8 +118,8 @@ private:
   CellLoops cut() const
   {
     CellLoops cells;
-    std::vector<std::array<unsigned int, 2>> side_of_joint(joints.size(),
-                                                           {{none, none}});
+    std::vector<std::array<unsigned int, 2>> side_of_joint(
+        joints.size(), {{invalid_index, invalid_index}});
     std::vector<unsigned int> loop;
     const auto add_vertex = [&](const Point<2> &p) {
       loop.push_back(cells.vertices.size());
@@ -153,7 +153,7 @@ private:
     }
     cells.add(loop);
     for (const auto &pair : side_of_joint)
-      if (pair[0] != none)
+      if (pair[0] != invalid_index)
         cells.facing.push_back(pair);
     return cells;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/base/lowest_in_sets.h>
-#include <voussoir/base/none.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/matching.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
@@ -73,14 +73,14 @@ public:
   {
     find_vertices();
     CellLoops cells;
-    std::vector<unsigned int> number(points.size(), none);
+    std::vector<unsigned int> number(points.size(), invalid_index);
     for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
     {
       std::vector<unsigned int> vertices = loop(c);
       polygons.passes([&] { check_loop(c, vertices); });
       for (unsigned int &v : vertices)
       {
-        if (number[v] == none)
+        if (number[v] == invalid_index)
         {
           number[v] = cells.vertices.size();
           cells.vertices.push_back(points[v]);

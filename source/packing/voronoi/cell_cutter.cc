@@ -17,7 +17,7 @@ void CellCutter::cut(const unsigned int cell, std::vector<Corner> &loop)
     cut_at_side(cell, side);
   remaining.swap(loop);
   Assert(std::all_of(loop.begin(), loop.end(),
-                     [](const Corner &c) { return c.vertex != none; }),
+                     [](const Corner &c) { return c.vertex != invalid_index; }),
          dealii::ExcInternalError());
 }
 
@@ -40,7 +40,7 @@ void CellCutter::cut_at_side(const unsigned int cell, const unsigned int side)
     if (from_outside == is_beyond(end))
       continue;
     Corner corner = meeting_point(cell, start, end, side);
-    corner.neighbour = from_outside ? start.neighbour : none;
+    corner.neighbour = from_outside ? start.neighbour : invalid_index;
     corner.side = from_outside ? start.side : side;
     result.push_back(corner);
   }
@@ -58,14 +58,14 @@ CellCutter::Corner CellCutter::meeting_point(const unsigned int cell,
 {
   const unsigned int n = polygon.n_sides();
   Corner corner;
-  if (start.neighbour != none)
+  if (start.neighbour != invalid_index)
     corner.vertex = crossing(cell, start.neighbour, side);
-  else if (start.side != none && (start.side + 1) % n == side)
+  else if (start.side != invalid_index && (start.side + 1) % n == side)
     corner.vertex = polygon_corner(side);
-  else if (start.side != none && (side + 1) % n == start.side)
+  else if (start.side != invalid_index && (side + 1) % n == start.side)
     corner.vertex = polygon_corner(start.side);
 
-  if (corner.vertex != none)
+  if (corner.vertex != invalid_index)
     corner.position = vertices[corner.vertex - first_vertex].position;
   else // on no edge of the result: beyond another side, clear of rounding
   {
@@ -103,7 +103,7 @@ unsigned int CellCutter::crossing(const unsigned int a,
 
 unsigned int CellCutter::polygon_corner(const unsigned int i)
 {
-  if (corners[i] == none)
+  if (corners[i] == invalid_index)
   {
     corners[i] = first_vertex + vertices.size();
     vertices.push_back({polygon.vertex(i), 2});

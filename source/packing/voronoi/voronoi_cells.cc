@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/packing/voronoi/cell_cutter.h>
 #include <voussoir/packing/voronoi/voronoi_cells.h>
 
@@ -159,7 +159,7 @@ private:
           .insert(Kernel::Point_2(
               origin[0] + guard_distance * extent * std::cos(angle),
               origin[1] + guard_distance * extent * std::sin(angle)))
-          ->info() = none;
+          ->info() = invalid_index;
     }
   }
 
@@ -230,11 +230,11 @@ private:
           sets.union_set(raw.corner(c, i), raw.corner(c, i + 1));
 
     // Of the vertices in a set, keep the one that lies on most sides.
-    std::vector<unsigned int> kept(n, none), merged_into(n);
+    std::vector<unsigned int> kept(n, invalid_index), merged_into(n);
     for (unsigned int v = 0; v < n; ++v)
     {
       unsigned int &k = kept[sets.find_set(v)];
-      if (k == none || n_sides_at[v] > n_sides_at[k])
+      if (k == invalid_index || n_sides_at[v] > n_sides_at[k])
         k = v;
     }
     for (unsigned int v = 0; v < n; ++v)
@@ -250,7 +250,7 @@ private:
     cells.vertices.reserve(raw.vertices.size());
     cells.loops.reserve(raw.loops.size());
     cells.first.reserve(raw.first.size());
-    std::vector<unsigned int> number(raw.vertices.size(), none);
+    std::vector<unsigned int> number(raw.vertices.size(), invalid_index);
     for (unsigned int c = 0; c < raw.n_cells(); ++c)
     {
       for (unsigned int i = 0; i < raw.n_sides(c); ++i)
@@ -258,7 +258,7 @@ private:
         const unsigned int v = merged_into[raw.corner(c, i)];
         if (v == merged_into[raw.corner(c, i + raw.n_sides(c) - 1)])
           continue;
-        if (number[v] == none)
+        if (number[v] == invalid_index)
         {
           number[v] = cells.vertices.size();
           cells.vertices.push_back(raw.vertices[v]);

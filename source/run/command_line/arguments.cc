@@ -116,13 +116,13 @@ Arguments arguments_of(const std::vector<std::string> &words)
 
 std::string help()
 {
-  Arguments none;
+  Arguments defaults;
   std::ostringstream text;
   text << "Usage: voussoir FILE [options]\n\n"
           "Computes the contact forces between, and the stresses inside, "
           "the rigid blocks\nof the packing that FILE describes, a file of "
           "parameters in deal.II's formats:\n.prm, .json or .xml.\n\n"
-       << visible_options(none)
+       << visible_options(defaults)
        << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
           "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
           "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
@@ -132,9 +132,9 @@ std::string help()
 
 std::vector<std::string> option_names()
 {
-  Arguments none;
+  Arguments defaults;
   std::vector<std::string> names;
-  const po::options_description options = visible_options(none);
+  const po::options_description options = visible_options(defaults);
   for (const auto &option : options.options())
     names.push_back("--" + option->long_name());
   return names;

@@ -18,7 +18,7 @@ Solution minimise(const SharedProblem &problem,
   unsigned int best = 0;
   bool has_best = false; // an imbalance may be no number
 
-  while (solution.stop == Stop::Reason::none)
+  while (solution.stop == Stop::Reason::not_stopped)
   {
     const double imbalance = newton.imbalance();
     const unsigned int n = newton.n_iterations();

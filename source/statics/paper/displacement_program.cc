@@ -139,7 +139,7 @@ ProgramResult solve_program(const DiscreteProblem &problem,
       look_for_collapse();
     if (!solution.mechanism)
       solution.stop = program.verdict(iteration);
-    return solution.mechanism || solution.stop != Stop::Reason::none;
+    return solution.mechanism || solution.stop != Stop::Reason::not_stopped;
   };
   IpoptResult found =
       solve_with_ipopt(program, std::move(start), controls, stops, terminal);

@@ -8,7 +8,7 @@ std::string Stop::words() const
 {
   switch (reason)
   {
-  case Reason::none: return "";
+  case Reason::not_stopped: return "";
   case Reason::converged: return "converged";
   case Reason::nothing_to_balance: return "nothing to balance";
   case Reason::collapse: return "stopped by a proof of collapse";

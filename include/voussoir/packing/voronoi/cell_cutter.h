@@ -2,7 +2,7 @@
 #ifndef voussoir_packing_voronoi_cell_cutter_h
 #define voussoir_packing_voronoi_cell_cutter_h
 
-#include <voussoir/base/none.h>
+#include <voussoir/base/invalid_index.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
 #include <array>
@@ -32,11 +32,11 @@ public:
     /** Its coordinates; lengths. */
     dealii::Point<2> position;
     /** The number of the vertex; none for one that is cut off later. */
-    unsigned int vertex = none;
+    unsigned int vertex = invalid_index;
     /** The cell on the other side of the edge, or none. */
-    unsigned int neighbour = none;
+    unsigned int neighbour = invalid_index;
     /** The side of the polygon on which the edge lies, or none. */
-    unsigned int side = none;
+    unsigned int side = invalid_index;
   };
 
   /** A vertex made by cutting. */
@@ -58,7 +58,7 @@ public:
              const std::vector<dealii::Point<2>> &generators,
              const unsigned int first_vertex)
       : polygon(polygon), generators(generators), first_vertex(first_vertex),
-        corners(polygon.n_sides(), none)
+        corners(polygon.n_sides(), invalid_index)
   {}
 
   /**

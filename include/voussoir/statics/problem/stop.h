@@ -13,7 +13,7 @@ struct Stop
   enum class Reason
   {
     /** It has not. */
-    none,
+    not_stopped,
     /** The tolerance is met. */
     converged,
     /** There is no interface or no load. */
@@ -37,12 +37,12 @@ struct Stop
   };
 
   /** The reason itself. */
-  Reason reason = Reason::none;
+  Reason reason = Reason::not_stopped;
   /** Ipopt's number of it, of `other` only. */
   int status = 0;
 
   /** Implicitly from a reason, so that it can stand for a Stop. */
-  Stop(const Reason reason = Reason::none, const int status = 0)
+  Stop(const Reason reason = Reason::not_stopped, const int status = 0)
       : reason(reason), status(status)
   {}
 
