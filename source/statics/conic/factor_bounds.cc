@@ -11,7 +11,7 @@ namespace Voussoir
 namespace
 {
 /** The rounds of a correction, and those that may bring nothing. */
-constexpr unsigned int n_bound_rounds = 8, n_without_gain = 2;
+constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
@@ -63,7 +63,7 @@ class Patience
 public:
   bool lasts() const
   {
-    return n < n_bound_rounds && n_in_vain < n_without_gain;
+    return n < n_bound_rounds && n_in_vain < n_rounds_without_gain;
   }
   void see(const double error, const double least)
   {
