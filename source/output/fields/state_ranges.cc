@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/fields/state_ranges.h>
 
+#include <limits>
+
 namespace Voussoir
 {
 namespace
 {
-/** A mark of interfaces whose ranges are not asked for, in grids. */
+using RangesOf = std::vector<Range> Ranges::*;
+
+/** In tables, no value of interfaces whose ranges are not asked for. */
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/** In grids, a mark of them. */
 constexpr double not_wanted = -1.;
 
-/** The force of the state of which @p of is the range. */
-double force_of(const Results &r,
-                std::vector<Range> Ranges::*const of,
-                const unsigned int e)
+/** The value in this state of what @p of is the range of. */
+double force_of(const Results &r, const RangesOf of, const unsigned int e)
 {
   return of == &Ranges::normal ? 0. - r.forces.normal[e]
          : of == &Ranges::tangential
@@ -19,53 +24,42 @@ double force_of(const Results &r,
              : r.forces.eccentricity(r.scene.packing.interfaces()[e], e);
 }
 
-/**
- * One end of a range, where it is asked for.
- *
- * @param sign -1 for pressures, which are -f_e^n.
- */
+/** One end of a range; those of -f_e^n are the other way round. */
 Field<Results> end_of_range(const std::string &name,
                             const std::string &unit,
                             const std::string &words,
-                            std::vector<Range> Ranges::*const of,
+                            const RangesOf of,
                             double Range::*const end)
 {
-  return Field<Results>(name, unit, words,
-                        [of, end](const Results &r, const unsigned int e)
-                            -> std::optional<double> {
-                          if (!r.ranges->wanted[e])
-                            return std::nullopt;
-                          const double value = ((*r.ranges).*of)[e].*end;
-                          return of == &Ranges::normal ? 0. - value : value;
-                        })
-      .instead_in_grid(
-          [of](const Results &r, const unsigned int e) {
-            return force_of(r, of, e);
-          },
-          "where there is no bound, or none is asked for, the value of this "
-          "state");
+  const auto value = [of, end](const Results &r, const unsigned int e) {
+    const double bound = ((*r.ranges).*of)[e].*end;
+    return !r.ranges->wanted[e]    ? none
+           : of == &Ranges::normal ? 0. - bound
+                                   : bound;
+  };
+  const auto force = [of](const Results &r, const unsigned int e) {
+    return force_of(r, of, e);
+  };
+  return Field<Results>(name, unit, words, value)
+      .instead_in_grid(force, "where there is no bound, or none is asked for, "
+                              "the value of this state");
 }
 
 /** By how much a range may be wider. */
-Field<Results> beyond_range(const std::string &name,
-                            std::vector<Range> Ranges::*const of)
+Field<Results> beyond_range(const std::string &name, const RangesOf of)
 {
-  return Field<Results>(
-             name, "S L",
-             "p and q of all states may be [that "
-             "much](theory.md#tension-and-crushing) less than p_min and q_min, "
-             "or more than p_max and q_max, at most",
-             [of](const Results &r,
-                  const unsigned int e) -> std::optional<double> {
-               if (!r.ranges->wanted[e])
-                 return std::nullopt;
-               return ((*r.ranges).*of)[e].beyond;
-             })
-      .instead_in_grid(
-          [of](const Results &r, const unsigned int e) {
-            return ((*r.ranges).*of)[e].beyond;
-          },
-          "");
+  const auto beyond = [of](const Results &r, const unsigned int e) {
+    return ((*r.ranges).*of)[e].beyond;
+  };
+  const auto if_wanted = [beyond](const Results &r, const unsigned int e) {
+    return r.ranges->wanted[e] ? beyond(r, e) : none;
+  };
+  return Field<Results>(name, "S L",
+                        "p and q of all states may be [that "
+                        "much](theory.md#tension-and-crushing) less than p_min "
+                        "and q_min, or more than p_max and q_max, at most",
+                        if_wanted)
+      .instead_in_grid(beyond, "");
 }
 
 /** A mark of ranges. @param is of interface e. */
@@ -73,16 +67,13 @@ Field<Results> mark_of_range(const std::string &name,
                              const std::string &words,
                              bool (Ranges::*const is)(unsigned int) const)
 {
-  return Field<Results>(name, "", words,
-                        [is](const Results &r,
-                             const unsigned int e) -> std::optional<int> {
-                          if (!r.ranges->wanted[e])
-                            return std::nullopt;
-                          return ((*r.ranges).*is)(e);
-                        })
-      .instead_in_grid(
-          [](const Results &, const unsigned int) { return not_wanted; },
-          "-1 where none is asked for");
+  const auto mark = [is](const Results &r, const unsigned int e) {
+    return r.ranges->wanted[e] ? double(((*r.ranges).*is)(e)) : none;
+  };
+  return Field<Results>(name, "", words, mark)
+      .as_integer()
+      .instead_in_grid([](const Results &, unsigned int) { return not_wanted; },
+                       "-1 where none is asked for");
 }
 
 /** A moment of the samples of a force. @param value of it, as a Field's. */

@@ -9,7 +9,7 @@ namespace
 /** A limit in tables, if the scene has it. @param words when. */
 Fields<Scene> limit_when(const std::string &words,
                          std::vector<double> Scene::*const limits,
-                         const Field<Scene> &field)
+                         Field<Scene> field)
 {
   return when<Scene>(
       {words, [limits](const Scene &s) { return !(s.*limits).empty(); }},

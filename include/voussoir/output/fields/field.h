@@ -104,9 +104,9 @@ struct Field : FieldDescription
    * @param value a function of the data and the number e of an element; or one
    *   of the data, which makes ready what all elements need, and returns a
    *   function of e, or Stored values. The type of a value says shape and type:
-   *   double, int (an integer), bool (a mark), std::optional of these where
-   *   some elements have none, std::array<double, 2> (a pair), Tensor<1, 2> or
-   *   Tensor<2, 2>.
+   *   double, int (an integer), bool (a mark), std::array<double, 2> (a pair),
+   *   Tensor<1, 2> or Tensor<2, 2>. Where an element has no value it is not a
+   *   number, a double.
    */
   template <typename Value>
   Field(const std::string &name,
@@ -139,66 +139,65 @@ struct Field : FieldDescription
   {}
 
   /** @{ */
-  /** The same with other names of its columns, or in Python. */
-  Field with_columns(const std::vector<std::string> &names) const
+  /** Give its columns, or the attribute of Python, other names. */
+  Field &with_columns(const std::vector<std::string> &names)
   {
-    Field field = *this;
-    field.columns = names;
-    return field;
+    columns = names;
+    return *this;
   }
-  Field with_attribute(const std::string &other) const
+  Field &with_attribute(const std::string &other)
   {
-    Field field = *this;
-    field.attribute = other;
-    return field;
+    attribute = other;
+    return *this;
   }
   /** @} */
-
-  /** The same in grids alone. */
-  Field only_in_grid() const { return with_columns({}); }
-  /** The same in tables alone. */
-  Field only_in_table() const { return at(Place::nowhere); }
-  /** The same elsewhere in grids. */
-  Field at(const Place place) const
+  /** Leave it to grids. */
+  Field &only_in_grid() { return with_columns({}); }
+  /** Leave it to tables. */
+  Field &only_in_table() { return at(Place::nowhere); }
+  /** Put it elsewhere in grids. */
+  Field &at(const Place place)
   {
-    Field field = *this;
-    field.in_grid = place;
-    return field;
+    in_grid = place;
+    return *this;
   }
-  /** The same with what grids need to say. */
-  Field saying_in_grid(const std::string &sentence) const
+  /** Say more of it where it is in a grid. */
+  Field &saying_in_grid(const std::string &sentence)
   {
-    Field field = *this;
-    field.words_in_grid = sentence;
-    return field;
+    words_in_grid = sentence;
+    return *this;
+  }
+  /** Write its values, which are double, as integers. */
+  Field &as_integer()
+  {
+    type = FieldType::integer;
+    return *this;
   }
 
-  /** The same, but grids have @p other(data, e) where it is not finite. */
+  /** In grids take @p other(data, e) where it is not finite. */
   template <typename Value>
-  Field instead_in_grid(const Value &other, const std::string &sentence) const
+  Field &instead_in_grid(const Value &other, const std::string &sentence)
   {
-    Field field = saying_in_grid(sentence);
-    field.bind = [bind = bind, other](const Data &data) {
+    bind = [bind = bind, other](const Data &data) {
       BoundValues values = bind(data);
       values.stand_in = values_of_each(
           [&data, other](const unsigned int e) { return other(data, e); });
       return values;
     };
-    return field;
+    return saying_in_grid(sentence);
   }
 
-  /** The same as numbers of the texts @p names(data). */
+  /** Write its values, which are int, as the texts @p names(data). */
   template <typename Names>
-  Field numbering(const Names &names) const
+  Field &numbering(const Names &names)
   {
-    Field field = *this;
-    field.type = FieldType::name;
-    field.bind = [bind = bind, names](const Data &data) {
+    type = FieldType::name;
+    bind = [bind = bind, names](const Data &data) {
       BoundValues values = bind(data);
       values.names = &names(data);
       return values;
     };
-    return field;
+    return *this;
   }
 
   /** Its values, which refer to @p data. */
@@ -218,41 +217,21 @@ struct Field : FieldDescription
   };
 
 private:
-  template <typename Object>
-  static auto bound_values(const Stored<Object> &stored)
-  {
-    return stored.bound();
-  }
-  template <typename Value>
-  static auto bound_values(const Value &value)
-  {
-    return BoundValues{values_of_each(value)};
-  }
-
-  template <typename Object>
-  void declare_value(const Stored<Object> *)
-  {
-    declare_as<Object>();
-  }
-  template <typename Value>
-  void declare_value(const Value *)
-  {
-    declare_as<std::decay_t<std::invoke_result_t<Value, unsigned int>>>();
-  }
-  template <typename Value>
-  void declare_as()
-  {
-    shape = FieldComponents::shape<Value>();
-    type = FieldComponents::type<Value>();
-  }
-
-  /** Take shape, type and values from what @p ready returns. */
+  /** Take shape, type and values from what @p ready(data) returns. */
   template <typename Ready>
   void declare(const Ready &ready)
   {
     using Values = std::decay_t<std::invoke_result_t<Ready, const Data &>>;
-    declare_value(static_cast<const Values *>(nullptr));
-    bind = [ready](const Data &data) { return bound_values(ready(data)); };
+    using Value = std::decay_t<std::invoke_result_t<Values, unsigned int>>;
+    shape = shape_of_values<Value>;
+    type = type_of_values<Value>;
+    bind = [ready](const Data &data) {
+      const Values values = ready(data);
+      if constexpr (std::is_base_of_v<FieldMemory, Values>)
+        return BoundValues{values_of_each(values), values};
+      else
+        return BoundValues{values_of_each(values)};
+    };
   }
 };
 
@@ -284,7 +263,7 @@ template <typename Data>
 Fields<Data> only_in_table(Fields<Data> fields)
 {
   for (Field<Data> &field : fields)
-    field = field.only_in_table();
+    field.only_in_table();
   return fields;
 }
 

@@ -7,8 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -68,123 +66,70 @@ struct BoundValues
   FieldValues drawn() const;
 };
 
-/** Values by the types that they are computed in. */
-namespace FieldComponents
-{
-/** @{ */
-/** Whether a type is a std::optional. */
+/** How values of a type are written: int as an integer, bool as a mark. */
 template <typename Value>
-struct IsOptional : std::false_type
-{
-};
-template <typename Value>
-struct IsOptional<std::optional<Value>> : std::true_type
-{
-};
-/** @} */
+constexpr FieldType type_of_values =
+    std::is_same_v<Value, bool> ? FieldType::mark
+    : std::is_integral_v<Value> ? FieldType::integer
+                                : FieldType::real;
 
-/** The type of a value, which may be missing. */
+/** What values of a type are of; arrays are pairs. */
 template <typename Value>
-struct Given
-{
-  using Type = Value; /**< that without std::optional */
-};
-/** The type of a value that is missing for some elements. */
-template <typename Value>
-struct Given<std::optional<Value>>
-{
-  using Type = Value; /**< that without std::optional */
-};
-
-/** Double is real, int an integer, and bool a mark. */
-template <typename Value>
-constexpr FieldType type()
-{
-  using Type = typename Given<Value>::Type;
-  return std::is_same_v<Type, bool> ? FieldType::mark
-         : std::is_integral_v<Type> ? FieldType::integer
-                                    : FieldType::real;
-}
-
-/** Arrays are pairs. */
-template <typename Value>
-constexpr FieldShape shape()
-{
-  using dealii::Tensor;
-  return std::is_arithmetic_v<typename Given<Value>::Type> ? FieldShape::number
-         : std::is_same_v<Value, std::array<double, 2>>    ? FieldShape::pair
-         : std::is_base_of_v<Tensor<2, 2>, Value>          ? FieldShape::tensor
-                                                           : FieldShape::vector;
-}
-
-/** Put the components of @p value at @p place. @return where they end. */
-template <typename Value>
-double *put(double *place, const Value &value)
-{
-  if constexpr (IsOptional<Value>::value)
-    *place++ =
-        value ? double(*value) : std::numeric_limits<double>::quiet_NaN();
-  else if constexpr (shape<Value>() == FieldShape::number)
-    *place++ = double(value);
-  else if constexpr (shape<Value>() == FieldShape::tensor)
-    for (unsigned int i = 0; i < 4; ++i)
-      *place++ = value[i / 2][i % 2];
-  else
-    for (unsigned int i = 0; i < 2; ++i)
-      *place++ = value[i];
-  return place;
-}
-} // namespace FieldComponents
+constexpr FieldShape shape_of_values =
+    std::is_arithmetic_v<Value>                      ? FieldShape::number
+    : std::is_same_v<Value, std::array<double, 2>>   ? FieldShape::pair
+    : std::is_base_of_v<dealii::Tensor<2, 2>, Value> ? FieldShape::tensor
+                                                     : FieldShape::vector;
 
 /** The values @p value(e) of the elements e, computed when they are wanted. */
-template <typename Value>
-FieldValues values_of_each(const Value &value)
+template <typename Function>
+FieldValues values_of_each(const Function &value)
 {
   return [value](std::size_t e, const std::size_t end, double *place) {
     for (; e < end; ++e)
-      place = FieldComponents::put(place, value(e));
+    {
+      const auto &v = value(e);
+      constexpr FieldShape shape = shape_of_values<std::decay_t<decltype(v)>>;
+      if constexpr (shape == FieldShape::number)
+        *place++ = v;
+      else if constexpr (shape == FieldShape::tensor)
+        for (const unsigned int i : {0, 1, 2, 3})
+          *place++ = v[i / 2][i % 2];
+      else
+        for (const unsigned int i : {0, 1})
+          *place++ = v[i];
+    }
   };
 }
 
-/** Values that lie in memory. */
-template <typename Object>
-struct Stored
+/** Values that lie in memory, which must outlive this object; real numbers. */
+template <typename Value>
+struct Stored : FieldMemory
 {
-  /** The type of a value. */
-  using Value = Object;
-
-  /** All of a vector, which must outlive what is made of this object. */
+  /** All of a vector. */
   explicit Stored(const std::vector<Value> &all)
-      : all{reinterpret_cast<const double *>(all.data()), all.size(),
-            sizeof(Value)}
+      : FieldMemory{reinterpret_cast<const double *>(all.data()), all.size(),
+                    sizeof(Value)}
   {}
-  /** A member of each object in a vector, which must live as long. */
-  template <typename Whole>
-  Stored(const std::vector<Whole> &objects, Value Whole::*const member)
-      : all{objects.empty()
-                ? nullptr
-                : reinterpret_cast<const double *>(&(objects.front().*member)),
-            objects.size(), sizeof(Whole)}
+  /** A member of each object in a vector. */
+  template <typename Object>
+  Stored(const std::vector<Object> &all, Value Object::*const member)
+      : FieldMemory{all.empty() ? nullptr
+                                : reinterpret_cast<const double *>(
+                                      &(all.front().*member)),
+                    all.size(), sizeof(Object)}
   {}
 
-  /** The place of the values, and a function that copies some. */
-  BoundValues bound() const
+  /** The value of element @p e. */
+  const Value &operator()(const std::size_t e) const
   {
-    static_assert(sizeof(Value) % sizeof(double) == 0 &&
-                  FieldComponents::type<Value>() == FieldType::real);
-    const auto value = [all = all](const std::size_t e) -> const Value & {
-      return *reinterpret_cast<const Value *>(
-          reinterpret_cast<const char *>(all.first) + e * all.stride);
-    };
-    return {values_of_each(value), all};
+    return *reinterpret_cast<const Value *>(
+        reinterpret_cast<const char *>(first) + e * stride);
   }
-
-private:
-  FieldMemory all;
 };
 /** So that the type of the member need not be named. */
-template <typename Whole, typename Value>
-Stored(const std::vector<Whole> &, Value Whole::*) -> Stored<Value>;
+template <typename Object, typename Value>
+Stored(const std::vector<Object> &, Value Object::*) -> Stored<Value>;
 } // namespace Voussoir
 
 #endif
