@@ -12,33 +12,11 @@ namespace Voussoir
 const FieldTable<Results> &interface_fields()
 {
   static const FieldTable<Results> table(
-      {"force",
-       "normal_force",
-       "tangential_force",
-       "normal_stress",
-       "tangential_stress",
-       "end_forces",
-       "eccentricity",
-       "strength",
-       "utilisation",
-       "cell_minus",
-       "cell_plus",
-       "p_min",
-       "p_max",
-       "q_min",
-       "q_max",
-       "e_min",
-       "e_max",
-       "p_beyond",
-       "q_beyond",
-       "determined",
-       "unbounded",
-       "p_mean",
-       "p_mean_error",
-       "p_deviation",
-       "q_mean",
-       "q_mean_error",
-       "q_deviation"},
+      "force normal_force tangential_force normal_stress "
+      "tangential_stress end_forces eccentricity strength utilisation "
+      "cell_minus cell_plus p_min p_max q_min q_max e_min e_max p_beyond "
+      "q_beyond determined unbounded p_mean p_mean_error p_deviation "
+      "q_mean q_mean_error q_deviation",
       interface_edges(), interface_forces(), strengths(), utilisations(),
       marks_of_all_states(), forces_at_ends(), further_limits(),
       crushing_utilisations(), state_ranges(), sample_moments(),
@@ -49,8 +27,8 @@ const FieldTable<Results> &interface_fields()
 const FieldTable<Results> &cell_fields()
 {
   static const FieldTable<Results> table(
-      {"cell", "group", "load", "stress", "principal_stress_1",
-       "principal_stress_2", "von_mises", "torque"},
+      "cell group load stress principal_stress_1 principal_stress_2 "
+      "von_mises torque",
       cell_centres(), cell_areas(), cell_loads(),
       cell_displacements(
           "displacement, from the ground or with zero mean in each "
@@ -63,14 +41,14 @@ const FieldTable<Results> &cell_fields()
 
 const FieldTable<Scene> &boundary_fields()
 {
-  static const FieldTable<Scene> table({}, boundary_edges());
+  static const FieldTable<Scene> table("", boundary_edges());
   return table;
 }
 
 const FieldTable<MovingScene> &mechanism_joint_fields()
 {
   static const FieldTable<MovingScene> table(
-      {}, only_in_table(interface_edges()), only_in_table(strengths()),
+      "", only_in_table(interface_edges()), only_in_table(strengths()),
       interface_jumps(), further_limits());
   return table;
 }
@@ -78,7 +56,7 @@ const FieldTable<MovingScene> &mechanism_joint_fields()
 const FieldTable<MovingScene> &mechanism_fields()
 {
   static const FieldTable<MovingScene> table(
-      {}, cell_centres(), only_in_table(cell_loads()),
+      "", cell_centres(), only_in_table(cell_loads()),
       cell_displacements(
           "displacement along the motion; of a mechanism the largest "
           "component is 1, where a rotation counts times the root of the mean "
@@ -89,14 +67,14 @@ const FieldTable<MovingScene> &mechanism_fields()
 
 const FieldTable<Packing> &packing_interface_fields()
 {
-  static const FieldTable<Packing> table({}, interface_edges(),
+  static const FieldTable<Packing> table("", interface_edges(),
                                          branch_vectors());
   return table;
 }
 
 const FieldTable<Packing> &packing_cell_fields()
 {
-  static const FieldTable<Packing> table({}, cell_centres(), cell_areas(),
+  static const FieldTable<Packing> table("", cell_centres(), cell_areas(),
                                          cell_groups());
   return table;
 }

@@ -22,19 +22,17 @@ public:
   /**
    * Put groups behind one another.
    *
-   * @param first_in_grid the names of the first arrays of a grid; the others
-   *   follow in the order of the groups.
+   * @param first_in_grid the names of the first arrays of a grid, with a space
+   *   between each two; the others follow in the order of the groups.
    * @param groups each of data that are a part of these, see part_of().
    */
   template <typename... Parts>
-  explicit FieldTable(const std::vector<std::string> &first_in_grid,
+  explicit FieldTable(const std::string &first_in_grid,
                       const Fields<Parts> &...groups)
   {
     (add(groups), ...);
-    const auto rank = [&](const Field<Data> *field) {
-      return std::find(first_in_grid.begin(), first_in_grid.end(),
-                       field->name) -
-             first_in_grid.begin();
+    const auto rank = [order = ' ' + first_in_grid + ' '](const auto *field) {
+      return order.find(' ' + field->name + ' '); // the largest if not there
     };
     for (const Field<Data> &field : fields)
       if (field.in_grid != FieldDescription::Place::nowhere)
