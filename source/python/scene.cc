@@ -26,21 +26,34 @@ std::string text_of(const py::handle &value)
 } // namespace
 
 PyResults::PyResults(RunResult found, std::vector<std::string> warnings)
-    : findings(std::make_shared<RunResult>(std::move(found))),
-      warnings(std::move(warnings))
+    : warnings(std::move(warnings)),
+      findings(std::make_shared<RunResult>(std::move(found)))
 {}
 
-const Results &PyResults::state(const std::string &what) const
+std::shared_ptr<const Results> PyResults::state(const std::string &what) const
 {
-  if (carried() == nullptr)
+  const Results *const carried = std::get_if<Results>(&findings->found);
+  if (carried == nullptr)
     throw py::attribute_error("the load is not carried, so that there is no '" +
                               what + "'; see 'displacement' and 'summary'");
-  return *carried();
+  return {findings, carried};
+}
+
+std::shared_ptr<const MovingScene> PyResults::moving() const
+{
+  struct Kept
+  {
+    std::shared_ptr<const RunResult> findings;
+    MovingScene moving;
+  };
+  const auto kept = std::make_shared<const Kept>(
+      Kept{findings, MovingScene(*findings->scene, motion())});
+  return {kept, &kept->moving};
 }
 
 const Motion &PyResults::motion() const
 {
-  const Results *const of = carried();
+  const Results *const of = std::get_if<Results>(&findings->found);
   if (of == nullptr)
     return std::get<Collapse>(findings->found).motion;
   const Motion *const beside = of->motion_beside();
@@ -89,10 +102,9 @@ std::string PyScene::get(const std::string &name) const
   return tree.at(place).at("value");
 }
 
-const Packing &PyScene::get_packing()
+std::shared_ptr<const Packing> PyScene::get_packing()
 {
-  packing = run.shared_packing(directory, packings);
-  return *packing;
+  return run.shared_packing(directory, packings);
 }
 
 PyResults PyScene::solve()

@@ -311,7 +311,7 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
   if (writes(ResultFiles::vtu))
   {
     files.write(mechanism_vtu, [&](std::ostream &out) {
-      write_mechanism_vtu(out, scene.packing, motion, factor);
+      write_mechanism_vtu(out, scene, motion, factor);
     });
     add(mechanism_joints_vtu, write_mechanism_joints_vtu);
   }

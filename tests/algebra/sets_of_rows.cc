@@ -246,10 +246,13 @@ Structure::Part heap(const Kinematics &kinematics, const bool all_alike)
     const unsigned int n_points = all_alike ? 1 : least + generator() % 3;
     for (unsigned int k = 0; k < n_points; ++k)
       points.push_back(middle + s[k] * t[0] + r[k] * t[1]);
+    // Above one another they cannot do without friction.
+    const bool is_bed = normal[2] > 0.5;
     const bool has_friction =
-        all_alike || kinematics.turns() || generator() % 4 > 0;
-    add_joint(part, {a, b, 1. + random(), 1. + random(), 0.03}, normal, points,
-              has_friction);
+        all_alike || kinematics.turns() || is_bed || generator() % 4 > 0;
+    const double strength = (is_bed ? 0.06 : 0.02) * (1. + random());
+    add_joint(part, {a, b, 1. + random(), 1. + random(), strength}, normal,
+              points, has_friction);
   };
   for (unsigned int b = 0; b < ground; ++b)
   {

@@ -82,13 +82,19 @@ def check_like_the_program():
                      ("x0", found.starts[:, 0]), ("y1", found.ends[:, 1]),
                      ("nx", found.normals[:, 0]), ("length", found.lengths),
                      ("cell_minus", found.cell_minus), ("cell_plus", found.cell_plus),
-                     ("strength", found.strength)):
+                     ("strength", found.strength), ("branch_y", found.branch[:, 1])):
         expect(name, np.array_equal(columns("arch/interfaces.csv", name)[0], of))
     for name, of in (("sxy", found.stress[:, 0, 1]), ("syy", found.stress[:, 1, 1]),
                      ("load_y", found.loads[:, 1]), ("area", found.areas),
                      ("x", found.centres[:, 0]), ("torque", found.torque),
+                     ("load_torque", found.load_torque),
                      ("ux", found.displacement[:, 0]), ("rotation", found.rotation)):
         expect(name, np.array_equal(columns("arch/cells.csv", name)[0], of))
+    expect("force and normal", np.allclose(
+        found.normal_force, (found.force * found.normals).sum(axis=1), atol=1e-12))
+    expect("no ranges", "with `Ranges` only" in raised(
+        AttributeError, "ranges", lambda: found.p_min))
+    expect("help", type(found).p_min.__doc__.endswith("S L."))
     expect("summary", found.summary["certificate"]["equilibrium_residual"] < 1e-9)
 
 
@@ -152,6 +158,7 @@ def check_polygons():
     expect("collapse", pushed.status == "collapse" and
            pushed.summary["mechanism"]["work_over_dissipation"] > 1)
     expect("mechanism", np.abs(pushed.displacement).max() > 0)
+    expect("jumps", np.abs(pushed.sliding).max() > 0 and pushed.dissipation.sum() > 0)
     message = raised(AttributeError, "no forces", lambda: pushed.normal_force)
     expect(message, "not carried" in message)
     scene["Analysis"] = "load factor"

@@ -2,6 +2,7 @@
 #ifndef voussoir_python_scene_h
 #define voussoir_python_scene_h
 
+#include <voussoir/output/fields/moving_scene.h>
 #include <voussoir/run/analysis_run.h>
 
 #include <filesystem>
@@ -21,28 +22,31 @@ public:
   /** @param warnings what the program would print. */
   PyResults(RunResult found, std::vector<std::string> warnings);
 
-  /** The scene. */
-  const Scene &scene() const { return *findings->scene; }
-  /** The state that carries the loads; null after a collapse. */
-  const Results *carried() const
+  /** The packing of the scene; the pointer keeps all that was found. */
+  std::shared_ptr<const Packing> packing() const
   {
-    return std::get_if<Results>(&findings->found);
+    return {findings, &findings->scene->packing};
   }
   /**
-   * The carried state, which @p what needs.
+   * The state that carries the loads, which @p what needs; the pointer keeps
+   * it.
    *
    * @throws pybind11::attribute_error if there is none.
    */
-  const Results &state(const std::string &what) const;
-  /** The displacements, or the mechanism. */
-  const Motion &motion() const;
+  std::shared_ptr<const Results> state(const std::string &what) const;
+  /** The scene with its displacements, or the mechanism, kept likewise. */
+  std::shared_ptr<const MovingScene> moving() const;
   /** summary.json, without what belongs to the files. */
   pybind11::object summary() const;
   /** "solved", "carried to within" or "collapse". */
   std::string status() const { return findings->status().word(); }
 
-  std::shared_ptr<RunResult> findings; /**< kept by the arrays */
-  std::vector<std::string> warnings;   /**< what the program would print */
+  std::vector<std::string> warnings; /**< what the program would print */
+
+private:
+  const Motion &motion() const;
+
+  std::shared_ptr<RunResult> findings;
 };
 
 /** A scene with its parameters, of which the packing is kept. */
@@ -69,7 +73,7 @@ public:
    */
   std::string get(const std::string &name) const;
   /** The packing, made anew if what it is made from has changed. */
-  const Packing &get_packing();
+  std::shared_ptr<const Packing> get_packing();
   /** Find what the parameters ask for. */
   PyResults solve();
 
@@ -79,8 +83,6 @@ private:
   AnalysisRun run;
   std::filesystem::path directory = ".";
   SharedPackings packings;
-  /** The one that was asked for last. */
-  std::shared_ptr<const Packing> packing;
 };
 } // namespace Voussoir
 

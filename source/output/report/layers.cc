@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/load_arrows.h>
-#include <voussoir/output/vtu/vtu_values.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
+#include <voussoir/stress/stress_invariants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -205,7 +205,7 @@ void draw_principal_stresses(Drawing &drawing,
   double largest = 0.;
   for (const Tensor<2, 2> &stress : stresses)
   {
-    const VtuValues::StressInvariants of(stress);
+    const StressInvariants of(stress);
     largest =
         std::max({largest, std::abs(of.principal_1), std::abs(of.principal_2)});
   }
@@ -213,7 +213,7 @@ void draw_principal_stresses(Drawing &drawing,
   for (unsigned int c = 0; c < stresses.size(); ++c)
   {
     const Tensor<2, 2> &s = stresses[c];
-    const VtuValues::StressInvariants of(s);
+    const StressInvariants of(s);
     // Of the axis of the larger principal stress, by Mohr's circle.
     const double angle = 0.5 * std::atan2(s[0][1] + s[1][0], s[0][0] - s[1][1]);
     const double size = cross_in_cells * std::sqrt(packing.area(c));

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/output/fields/tables.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/views.h>
-#include <voussoir/output/vtu/vtu_values.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
-#include <voussoir/scene/proofs/utilisation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-using dealii::Tensor;
-
 /** Pale colours of groups, which those who see few colours can tell apart. */
 constexpr std::array<const char *, 7> group_colours = {
     {"#e6d3b3", "#b8d4e8", "#c9e2c5", "#efc3a4", "#d9c7e6", "#f3e9a0",
@@ -207,35 +202,29 @@ void add_joint_view(PictureMaker &maker,
   maker.colour(maker.of_joints, id, "#joints", std::move(layer));
 }
 
-std::vector<double> for_each_joint(const Packing &packing,
-                                   const std::function<double(unsigned int)> &f)
+std::vector<double> of_joints(const std::string &name, const Results &results)
 {
-  std::vector<double> values(packing.interfaces().size());
-  for (unsigned int e = 0; e < values.size(); ++e)
-    values[e] = f(e);
-  return values;
+  return interface_fields().values(name, results,
+                                   results.scene.packing.interfaces().size());
 }
 
 void add_joint_views(PictureMaker &maker, const Results &results)
 {
-  const auto &forces = results.forces;
+  const std::vector<double> forces = of_joints("normal_force", results);
   add_joint_view(
       maker, "normal", "Normal force",
       UnitNames::labelled("normal force of the joints, negative in compression",
                           maker.names.force),
-      {ColourScale("n", forces.normal), forces.normal});
-  const Utilisation used(results.scene, forces);
+      {ColourScale("n", forces), forces});
   add_joint_view(maker, "utilisation", "Utilisation",
                  "share of the strength that is used, 1 at the limit",
-                 {ColourScale("u", 1.), for_each_joint(maker.packing, used)});
+                 {ColourScale("u", 1.), of_joints("utilisation", results)});
   if (!results.ranges)
     return;
-  const auto width = [&](const unsigned int e) {
-    const Range &p = results.ranges->normal[e];
-    return results.ranges->wanted[e] ? p.greatest - p.least
-                                     : std::numeric_limits<double>::quiet_NaN();
-  };
-  std::vector<double> widths = for_each_joint(maker.packing, width);
+  std::vector<double> widths = of_joints("p_max", results);
+  const std::vector<double> least = of_joints("p_min", results);
+  for (unsigned int e = 0; e < widths.size(); ++e)
+    widths[e] -= least[e];
   add_joint_view(
       maker, "ranges", "Ranges",
       UnitNames::labelled(
@@ -246,16 +235,16 @@ void add_joint_views(PictureMaker &maker, const Results &results)
       {ColourScale("r", widths), widths});
 }
 
-void add_stress(PictureMaker &maker, const std::vector<Tensor<2, 2>> &stresses)
+void add_stress(PictureMaker &maker, const Results &results)
 {
-  std::vector<double> largest(stresses.size());
-  for (unsigned int c = 0; c < stresses.size(); ++c)
-  {
-    const VtuValues::StressInvariants of(stresses[c]);
-    largest[c] = std::abs(of.principal_1) > std::abs(of.principal_2)
-                     ? of.principal_1
-                     : of.principal_2;
-  }
+  const auto of_blocks = [&](const std::string &name) {
+    return cell_fields().values(name, results, maker.packing.n_cells());
+  };
+  std::vector<double> largest = of_blocks("principal_stress_1");
+  const std::vector<double> smaller = of_blocks("principal_stress_2");
+  for (unsigned int c = 0; c < largest.size(); ++c)
+    if (!(std::abs(largest[c]) > std::abs(smaller[c])))
+      largest[c] = smaller[c];
   Layering layer{ColourScale("s", largest), largest};
   maker.add_view("stress", "Stress",
                  layer.scale.legend(UnitNames::labelled(
@@ -265,7 +254,8 @@ void add_stress(PictureMaker &maker, const std::vector<Tensor<2, 2>> &stresses)
                      swatch("of-cross", "principal stresses, pressure") +
                      swatch("of-tension", "tension"));
   maker.colour(maker.of_cells, "stress", "#blocks", std::move(layer));
-  draw_principal_stresses(maker.overlays, maker.packing, stresses, "in-stress");
+  draw_principal_stresses(maker.overlays, maker.packing, results.mean_stresses,
+                          "in-stress");
 }
 
 /** @param name of the motion, as in "Mechanism". */
@@ -307,7 +297,7 @@ picture_of(const Results &results, const UnitNames &names, const bool in_full)
     add_forces(maker, results.forces);
   add_joint_views(maker, results);
   if (in_full && !results.mean_stresses.empty())
-    add_stress(maker, results.mean_stresses);
+    add_stress(maker, results);
   if (results.settlement)
     add_motion(maker, results.settlement->motion, "Settlement", true);
   else if (!results.load_factor && in_full)

@@ -16,9 +16,10 @@ namespace
 constexpr unsigned int chunk_size = 4096;
 } // namespace
 
-void write_lines(std::ostream &out,
-                 const unsigned int n,
-                 const std::function<void(TextLines &, unsigned int)> &line)
+void write_pieces(
+    std::ostream &out,
+    const unsigned int n,
+    const std::function<void(TextLines &, unsigned int, unsigned int)> &lines)
 {
   const unsigned int n_chunks = (n + chunk_size - 1) / chunk_size;
   // As many at a time as keep the threads busy, so that little text waits.
@@ -32,13 +33,22 @@ void write_lines(std::ostream &out,
       {
         chunks[k].clear();
         const unsigned int start = (first + k) * chunk_size;
-        for (unsigned int i = start; i < std::min(start + chunk_size, n); ++i)
-          line(chunks[k], i);
+        lines(chunks[k], start, std::min(start + chunk_size, n));
       }
     };
     dealii::parallel::apply_to_subranges(0U, n_now, format, 1);
     for (unsigned int k = 0; k < n_now; ++k)
       out.write(chunks[k].text().data(), chunks[k].text().size());
   }
+}
+
+void write_lines(std::ostream &out,
+                 const unsigned int n,
+                 const std::function<void(TextLines &, unsigned int)> &line)
+{
+  write_pieces(out, n, [&](TextLines &lines, unsigned int i, unsigned int end) {
+    for (; i < end; ++i)
+      line(lines, i);
+  });
 }
 } // namespace Voussoir

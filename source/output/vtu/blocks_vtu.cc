@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/fields/tables.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
-#include <voussoir/output/vtu/vtu_file.h>
+#include <voussoir/output/vtu/field_arrays.h>
 #include <voussoir/output/vtu/vtu_values.h>
 
-#include <cmath>
 #include <cstdint>
-#include <string>
 
 namespace Voussoir
 {
-using VtuValues::add_cell_field;
-using VtuValues::scalar;
-using VtuValues::StressInvariants;
-using VtuValues::tensor;
 using VtuValues::vector;
 
 namespace
@@ -25,7 +20,7 @@ auto points_of(const Packing &packing)
       [&packing](const unsigned int c) { return packing.first_side(c); }};
 }
 
-/** A grid of one polygon for each cell, with what is known of any cell. */
+/** A grid of one polygon for each cell. */
 VtuFile polygons_of(const Packing &packing)
 {
   const auto fill_points = [&packing](auto begin, auto end, double *place) {
@@ -38,23 +33,16 @@ VtuFile polygons_of(const Packing &packing)
     for (; begin < end; ++begin)
       *place++ = packing.first_side(begin + 1);
   };
-  VtuFile file =
-      VtuFile::separate(VtuFile::Shape::polygon,
-                        {packing.first_side(packing.n_cells()), fill_points},
-                        {packing.n_cells(), fill_ends});
-  add_cell_field(file, "cell",
-                 [](unsigned int c) { return scalar(std::int32_t(c)); });
-  add_cell_field(file, "group", [&packing](unsigned int c) {
-    return scalar(std::int32_t(packing.group(c)));
-  });
-  return file;
+  return VtuFile::separate(VtuFile::Shape::polygon,
+                           {packing.first_side(packing.n_cells()), fill_points},
+                           {packing.n_cells(), fill_ends});
 }
 
-/** Add the displacement of the points of each cell, and how far it turns. */
-void add_motion(VtuFile &file,
-                const Packing &packing,
-                const Motion &motion,
-                const double factor)
+/** Add the displacement of the points of each cell. */
+void add_displacement(VtuFile &file,
+                      const Packing &packing,
+                      const Motion &motion,
+                      const double factor)
 {
   file.add_point_vector(
       "displacement",
@@ -65,42 +53,30 @@ void add_motion(VtuFile &file,
                                                       packing.centre(c)));
             });
       });
-  if (!motion.rotation.empty())
-    add_cell_field(file, "rotation", [&motion, factor](unsigned int c) {
-      return scalar(factor * motion.rotation[c]);
-    });
 }
 } // namespace
 
 void write_blocks_vtu(std::ostream &out, const Results &results)
 {
-  using Cell = unsigned int;
   const Packing &packing = results.scene.packing;
   VtuFile grid = polygons_of(packing);
-  const auto add = [&grid](const std::string &name, const auto &value) {
-    add_cell_field(grid, name, value);
-  };
-  const auto &stress = results.mean_stresses;
-  const auto invariants = [&](Cell c) { return StressInvariants(stress[c]); };
-  add("load", [&](Cell c) { return vector(results.scene.load[c]); });
-  add("stress", [&](Cell c) { return tensor(stress[c]); });
-  add("principal_stress_1",
-      [&](Cell c) { return scalar(invariants(c).principal_1); });
-  add("principal_stress_2",
-      [&](Cell c) { return scalar(invariants(c).principal_2); });
-  add("von_mises", [&](Cell c) { return scalar(invariants(c).von_mises); });
-  add("torque", [&](Cell c) { return scalar(results.torques[c]); });
-  add_motion(grid, packing, results.motion, 1.);
+  add_fields(grid, cell_fields().arrays(results));
+  add_displacement(grid, packing, results.motion, 1.);
   grid.write(out);
 }
 
 void write_mechanism_vtu(std::ostream &out,
-                         const Packing &packing,
+                         const Scene &scene,
                          const Motion &motion,
                          const double factor)
 {
-  VtuFile grid = polygons_of(packing);
-  add_motion(grid, packing, motion, factor);
+  Motion scaled = motion;
+  for (double &angle : scaled.rotation)
+    angle *= factor;
+  const MovingScene moving(scene, scaled);
+  VtuFile grid = polygons_of(scene.packing);
+  add_fields(grid, mechanism_fields().arrays(moving));
+  add_displacement(grid, scene.packing, motion, factor);
   grid.write(out);
 }
 } // namespace Voussoir

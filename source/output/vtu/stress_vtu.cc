@@ -2,6 +2,7 @@
 #include <voussoir/output/vtu/stress_vtu.h>
 #include <voussoir/output/vtu/vtu_file.h>
 #include <voussoir/output/vtu/vtu_values.h>
+#include <voussoir/stress/stress_invariants.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace Voussoir
 {
 using dealii::Point;
 using VtuValues::scalar;
-using VtuValues::StressInvariants;
 using VtuValues::tensor;
 using VtuValues::vector;
 

@@ -68,9 +68,17 @@ private:
 };
 
 /**
- * Write what @p line appends for 0, 1, ..., @p n - 1 in that order. It is
- * called by all threads at a time.
+ * Write what @p lines appends for the numbers from begin to end - 1, which
+ * follow on each other from 0 to @p n - 1. It is called by all threads at a
+ * time.
  */
+void write_pieces(
+    std::ostream &out,
+    unsigned int n,
+    const std::function<void(TextLines &, unsigned int begin, unsigned int end)>
+        &lines);
+
+/** The same by what @p line appends for one number. */
 void write_lines(std::ostream &out,
                  unsigned int n,
                  const std::function<void(TextLines &, unsigned int)> &line);

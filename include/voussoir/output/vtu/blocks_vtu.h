@@ -17,10 +17,7 @@ inline const std::string mechanism_vtu = "mechanism.vtu";
 
 /**
  * The blocks as a VTK unstructured grid of polygons, one for each cell, that
- * share no points. Cell data are cell, group (its number in summary.json), load
- * (the vector F_c, S L), stress (the mean stress, nine components row by row),
- * principal_stress_1 >= principal_stress_2 and von_mises of that (S), and
- * torque, the residual one about the centre (S L^2). Point data is the
+ * share no points. Cell data are cell_fields(), and point data is the
  * displacement (L).
  */
 void write_blocks_vtu(std::ostream &out, const Results &results);
@@ -28,10 +25,10 @@ void write_blocks_vtu(std::ostream &out, const Results &results);
 /**
  * The blocks where they are, as polygons, with @p motion times @p factor as
  * displacement (point data): warped by it they show the mechanism. Cell data
- * are cell and group.
+ * are mechanism_fields().
  */
 void write_mechanism_vtu(std::ostream &out,
-                         const Packing &packing,
+                         const Scene &scene,
                          const Motion &motion,
                          double factor);
 } // namespace Voussoir

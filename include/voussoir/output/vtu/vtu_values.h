@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <tuple>
@@ -36,29 +35,6 @@ inline std::array<double, 9> tensor(const dealii::Tensor<2, 2> &t)
 {
   return {{t[0][0], t[0][1], 0., t[1][0], t[1][1], 0., 0., 0., 0.}};
 }
-
-/** Quantities derived from the symmetric part of a stress, in its unit. */
-struct StressInvariants
-{
-  /** @param stress sigma_ij, of plane stress. */
-  explicit StressInvariants(const dealii::Tensor<2, 2> &stress)
-  {
-    // By Mohr's circle: the roots of the characteristic polynomial, as
-    // dealii::eigenvalues() takes them, are NaN for a nearly isotropic stress.
-    const double mean = 0.5 * (stress[0][0] + stress[1][1]);
-    const double radius = std::hypot(0.5 * (stress[0][0] - stress[1][1]),
-                                     0.5 * (stress[0][1] + stress[1][0]));
-    principal_1 = mean + radius;
-    principal_2 = mean - radius;
-    von_mises =
-        std::sqrt(principal_1 * principal_1 - principal_1 * principal_2 +
-                  principal_2 * principal_2);
-  }
-
-  double principal_1; /**< the larger principal stress */
-  double principal_2; /**< the smaller one */
-  double von_mises;   /**< of plane stress */
-};
 
 /**
  * The cell to which item @p i belongs, such as a point, where the items of cell

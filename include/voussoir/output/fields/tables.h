@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_fields_tables_h
+#define voussoir_output_fields_tables_h
+
+#include <voussoir/output/fields/field_table.h>
+#include <voussoir/output/results.h>
+
+namespace Voussoir
+{
+// All quantities that files, Python and the manual have, in explicit lists.
+
+/** Those of interfaces.csv and interfaces.vtu. */
+const FieldTable<Results> &interface_fields();
+/** Those of cells.csv and blocks.vtu. */
+const FieldTable<Results> &cell_fields();
+/** Those of boundary.csv. */
+const FieldTable<Scene> &boundary_fields();
+/** Those of mechanism_joints.csv and mechanism_joints.vtu. */
+const FieldTable<MovingScene> &mechanism_joint_fields();
+/** Those of mechanism.csv and mechanism.vtu. */
+const FieldTable<MovingScene> &mechanism_fields();
+/** Of these those of interfaces that a packing alone has. */
+const FieldTable<Packing> &packing_interface_fields();
+/** Of these those of cells that a packing alone has. */
+const FieldTable<Packing> &packing_cell_fields();
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/fields/cells.h>
+#include <voussoir/output/fields/edges.h>
+#include <voussoir/output/fields/forces.h>
+#include <voussoir/output/fields/motion.h>
+#include <voussoir/output/fields/state_ranges.h>
+#include <voussoir/output/fields/strengths.h>
+#include <voussoir/output/fields/tables.h>
+
+namespace Voussoir
+{
+const FieldTable<Results> &interface_fields()
+{
+  static const FieldTable<Results> table(
+      "force normal_force tangential_force normal_stress "
+      "tangential_stress end_forces eccentricity strength utilisation "
+      "cell_minus cell_plus p_min p_max q_min q_max e_min e_max p_beyond "
+      "q_beyond determined unbounded p_mean p_mean_error p_deviation "
+      "q_mean q_mean_error q_deviation",
+      interface_edges(), interface_forces(), strengths(), utilisations(),
+      marks_of_all_states(), forces_at_ends(), further_limits(),
+      crushing_utilisations(), state_ranges(), sample_moments(),
+      branch_vectors());
+  return table;
+}
+
+const FieldTable<Results> &cell_fields()
+{
+  static const FieldTable<Results> table(
+      "cell group load stress principal_stress_1 principal_stress_2 "
+      "von_mises torque",
+      cell_centres(), cell_areas(), cell_loads(),
+      cell_displacements(
+          "displacement, from the ground or with zero mean in each "
+          "connected group without support: in units of eps with "
+          "smoothed friction, of joints of the given modulus with "
+          "least energy, else zero"),
+      cell_stresses(), cell_groups(), cell_load_torques(), cell_rotations());
+  return table;
+}
+
+const FieldTable<Scene> &boundary_fields()
+{
+  static const FieldTable<Scene> table("", boundary_edges());
+  return table;
+}
+
+const FieldTable<MovingScene> &mechanism_joint_fields()
+{
+  static const FieldTable<MovingScene> table(
+      "", only_in_table(interface_edges()), only_in_table(strengths()),
+      interface_jumps(), further_limits());
+  return table;
+}
+
+const FieldTable<MovingScene> &mechanism_fields()
+{
+  static const FieldTable<MovingScene> table(
+      "", cell_centres(), only_in_table(cell_loads()),
+      cell_displacements(
+          "displacement along the motion; of a mechanism the largest "
+          "component is 1, where a rotation counts times the root of the mean "
+          "area of a cell"),
+      cell_groups(), cell_load_torques(), cell_rotations());
+  return table;
+}
+
+const FieldTable<Packing> &packing_interface_fields()
+{
+  static const FieldTable<Packing> table("", interface_edges(),
+                                         branch_vectors());
+  return table;
+}
+
+const FieldTable<Packing> &packing_cell_fields()
+{
+  static const FieldTable<Packing> table("", cell_centres(), cell_areas(),
+                                         cell_groups());
+  return table;
+}
+} // namespace Voussoir
