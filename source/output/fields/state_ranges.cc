@@ -10,7 +10,7 @@ namespace
 using RangesOf = std::vector<Range> Ranges::*;
 
 /** In tables, no value of interfaces whose ranges are not asked for. */
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_asked_for = std::numeric_limits<double>::quiet_NaN();
 
 /** In grids, a mark of them. */
 constexpr double not_wanted = -1.;
@@ -33,7 +33,7 @@ Field<Results> end_of_range(const std::string &name,
 {
   const auto value = [of, end](const Results &r, const unsigned int e) {
     const double bound = ((*r.ranges).*of)[e].*end;
-    return !r.ranges->wanted[e]    ? none
+    return !r.ranges->wanted[e]    ? not_asked_for
            : of == &Ranges::normal ? 0. - bound
                                    : bound;
   };
@@ -52,7 +52,7 @@ Field<Results> beyond_range(const std::string &name, const RangesOf of)
     return ((*r.ranges).*of)[e].beyond;
   };
   const auto if_wanted = [beyond](const Results &r, const unsigned int e) {
-    return r.ranges->wanted[e] ? beyond(r, e) : none;
+    return r.ranges->wanted[e] ? beyond(r, e) : not_asked_for;
   };
   return Field<Results>(name, "S L",
                         "p and q of all states may be [that "
@@ -68,7 +68,7 @@ Field<Results> mark_of_range(const std::string &name,
                              bool (Ranges::*const is)(unsigned int) const)
 {
   const auto mark = [is](const Results &r, const unsigned int e) {
-    return r.ranges->wanted[e] ? double(((*r.ranges).*is)(e)) : none;
+    return r.ranges->wanted[e] ? double(((*r.ranges).*is)(e)) : not_asked_for;
   };
   return Field<Results>(name, "", words, mark)
       .as_integer()

@@ -67,6 +67,8 @@ private:
   dealii::Point<2> centroid;
   /** The body of each cell, and of the ground. */
   std::vector<unsigned int> body;
+  /** Of one joint, where they are not allocated again for the next. */
+  std::vector<ContactRow> rows;
 };
 
 /** Set the load of a cell, n_unknowns() numbers. */
@@ -155,7 +157,7 @@ void Discretisation::add_interface(const unsigned int interface)
     frame.exchange_bodies();
   }
   const ContactPoints &points = contact_points(scene.turns());
-  std::vector<ContactRow> rows;
+  rows.clear();
   for (const ContactPoint &point : points.pressure)
     rows.push_back(frame.row(point, frame.normal));
   rows.push_back(frame.row(points.friction, frame.tangent));
