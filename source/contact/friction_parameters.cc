@@ -2,6 +2,7 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/contact/friction_parameters.h>
 #include <voussoir/contact/laws/coulomb.h>
+#include <voussoir/contact/laws/mohr_coulomb.h>
 #include <voussoir/contact/laws/tresca.h>
 
 #include <utility>
@@ -16,9 +17,10 @@ std::vector<std::unique_ptr<FrictionLaw>> all_laws()
   std::vector<std::unique_ptr<FrictionLaw>> laws;
   laws.push_back(std::make_unique<Tresca>());
   auto coulomb = std::make_unique<Coulomb>();
-  auto associated = std::make_unique<AssociatedCoulomb>(*coulomb);
+  const Coulomb &its_entries = *coulomb;
   laws.push_back(std::move(coulomb));
-  laws.push_back(std::move(associated));
+  laws.push_back(std::make_unique<AssociatedCoulomb>(its_entries));
+  laws.push_back(std::make_unique<MohrCoulomb>(its_entries));
   return laws;
 }
 } // namespace

@@ -29,10 +29,7 @@ void Coulomb::add_parameters(dealii::ParameterHandler &prm)
 Strengths Coulomb::strengths(const Packing &packing) const
 {
   Strengths result;
-  result.of_interface = means(packing,
-                              {"cohesion", "Friction", cohesion, "Cohesion",
-                               pair_cohesions, "Pair cohesions"},
-                              result.warnings);
+  result.of_interface = cohesions(packing, result.warnings);
   result.coefficient =
       means(packing,
             {"coefficient", "Friction", coefficient, "Coefficient",
@@ -40,6 +37,15 @@ Strengths Coulomb::strengths(const Packing &packing) const
             result.warnings);
   result.dilate = false;
   return result;
+}
+
+std::vector<double> Coulomb::cohesions(const Packing &packing,
+                                       std::vector<std::string> &warnings) const
+{
+  return means(packing,
+               {"cohesion", "Friction", cohesion, "Cohesion", pair_cohesions,
+                "Pair cohesions"},
+               warnings);
 }
 
 Strengths AssociatedCoulomb::strengths(const Packing &packing) const

@@ -23,6 +23,9 @@ public:
   }
   void add_parameters(dealii::ParameterHandler &prm) override;
   Strengths strengths(const Packing &packing) const override;
+  /** c_e of each interface, the mean; see means(). */
+  std::vector<double> cohesions(const Packing &packing,
+                                std::vector<std::string> &warnings) const;
 
 private:
   std::string coefficient = "0.6", pair_coefficients;
