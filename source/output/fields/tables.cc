@@ -2,6 +2,7 @@
 #include <voussoir/output/fields/cells.h>
 #include <voussoir/output/fields/edges.h>
 #include <voussoir/output/fields/forces.h>
+#include <voussoir/output/fields/mobilised_friction.h>
 #include <voussoir/output/fields/motion.h>
 #include <voussoir/output/fields/state_ranges.h>
 #include <voussoir/output/fields/strengths.h>
@@ -19,8 +20,8 @@ const FieldTable<Results> &interface_fields()
       "q_mean q_mean_error q_deviation",
       interface_edges(), interface_forces(), strengths(), utilisations(),
       marks_of_all_states(), forces_at_ends(), further_limits(),
-      crushing_utilisations(), state_ranges(), sample_moments(),
-      branch_vectors());
+      crushing_utilisations(), mobilised_friction(), state_ranges(),
+      sample_moments(), branch_vectors());
   return table;
 }
 
