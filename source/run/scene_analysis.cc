@@ -125,7 +125,7 @@ RunResult SceneAnalysis::find_state(SceneData data,
               : analyse(scene, solver.formulation_for(scene), solver.controls(),
                         record, timer, terminal);
   std::optional<Settlement> settlement =
-      try_second_attempts(answer, scene, record);
+      settlement_of(answer, scene, record);
   auto *const carried = std::get_if<Carried>(&answer);
   if (carried == nullptr)
     return {std::move(owned),
@@ -144,7 +144,7 @@ RunRecord SceneAnalysis::record_of(const Scene &scene) const
   return record;
 }
 
-std::optional<Settlement> SceneAnalysis::try_second_attempts(
+std::optional<Settlement> SceneAnalysis::settlement_of(
     Answer &answer, const Scene &scene, SolverRecord &record)
 {
   const std::vector<SupportMotion> of_supports =

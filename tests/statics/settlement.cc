@@ -37,7 +37,7 @@ std::vector<SupportMotion> motion_of(const Packing &packing,
 }
 
 /** The settlement, with checks of both proofs and that they fit each other. */
-Settlement try_second_attempts(const std::string &name,
+Settlement find_and_check(const std::string &name,
                                const Scene &scene,
                                const std::string &displacement)
 {
@@ -162,7 +162,7 @@ void spreading_arch(const double thickness)
                                    0., rotations());
   const double spread = 0.01;
   const Settlement found =
-      try_second_attempts("a spreading arch, t = " + std::to_string(thickness),
+      find_and_check("a spreading arch, t = " + std::to_string(thickness),
                           scene, "x > 0 ? 0.01 : 0; 0");
   const LinesOfThrust lines(scene);
   const double least = lines.farthest(1.);
@@ -223,7 +223,7 @@ void closing_arch(const double thickness)
   const Scene scene = under_weight(on_ground(semicircle(400, thickness)), 100.,
                                    0., rotations());
   const Settlement found =
-      try_second_attempts("a closing arch, t = " + std::to_string(thickness),
+      find_and_check("a closing arch, t = " + std::to_string(thickness),
                           scene, "if(x > 0, -0.01, 0); 0");
   const double greatest = LinesOfThrust(scene).farthest(-1.);
   check_error("  greatest thrust",
@@ -236,7 +236,7 @@ void floor_that_tilts()
   const Scene scene =
       under_weight(on_ground(wall(2, 1, 1., 1.)), 10., 0., rotations());
   const Settlement found =
-      try_second_attempts("a floor that tilts and sinks", scene,
+      find_and_check("a floor that tilts and sinks", scene,
                           "0.02 - 1e-3 * y; -0.1 + 1e-3 * (x - 0.5); 1e-3");
   double error = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
@@ -259,7 +259,7 @@ void wall_that_rises(const double strength)
   packing.support(rests);
   const Scene scene = under_weight(packing, strength, 0., translations());
   const Settlement found =
-      try_second_attempts("a wall that rises, s = " + std::to_string(strength),
+      find_and_check("a wall that rises, s = " + std::to_string(strength),
                           scene, "0; nx > 0.5 ? 0.25 : 0");
   // The wall carries the block up, or slides past it.
   const double up = strength > 1. ? 0.25 : 0.;
@@ -293,7 +293,7 @@ void floor_that_slides()
   const Scene scene =
       under_weight(on_ground(wall(3, 2, 2., 1.)), 0., 0.5, translations());
   const Settlement found =
-      try_second_attempts("a floor that slides", scene, "0.3; 0");
+      find_and_check("a floor that slides", scene, "0.3; 0");
   double error = 0.;
   for (const Tensor<1, 2> &u : found.motion.displacement)
     error = std::max(error, (u - Tensor<1, 2>({0.3, 0.})).norm());
@@ -309,7 +309,7 @@ void random_walls()
       {
         const Scene scene = under_weight(on_ground(random_packing(40, seed)),
                                          0.5, mu, *kinematics);
-        try_second_attempts("40 cells, " + kinematics->name() +
+        find_and_check("40 cells, " + kinematics->name() +
                                 (mu > 0. ? ", Coulomb" : ", Tresca"),
                             scene, "0; x > 0.5 ? -1e-3 : 0");
       }

@@ -115,7 +115,7 @@ private:
   read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
   /** The settlement, if supports move, with its forces as the answer. */
   std::optional<Settlement>
-  try_second_attempts(Answer &answer, const Scene &scene, SolverRecord &record);
+  settlement_of(Answer &answer, const Scene &scene, SolverRecord &record);
   /** The ranges of forces that are asked for, if any are. */
   std::optional<Ranges> ranges_of(const Scene &scene);
   /** The samples of all states that are asked for, if any are. */
