@@ -124,8 +124,7 @@ RunResult SceneAnalysis::find_state(SceneData data,
                       solver.controls().tolerance, timer, terminal)
               : analyse(scene, solver.formulation_for(scene), solver.controls(),
                         record, timer, terminal);
-  std::optional<Settlement> settlement =
-      settlement_of(answer, scene, record);
+  std::optional<Settlement> settlement = settlement_of(answer, scene, record);
   auto *const carried = std::get_if<Carried>(&answer);
   if (carried == nullptr)
     return {std::move(owned),
@@ -144,8 +143,9 @@ RunRecord SceneAnalysis::record_of(const Scene &scene) const
   return record;
 }
 
-std::optional<Settlement> SceneAnalysis::settlement_of(
-    Answer &answer, const Scene &scene, SolverRecord &record)
+std::optional<Settlement> SceneAnalysis::settlement_of(Answer &answer,
+                                                       const Scene &scene,
+                                                       SolverRecord &record)
 {
   const std::vector<SupportMotion> of_supports =
       of_scene.motion_of_supports(scene.packing);

@@ -38,8 +38,8 @@ std::vector<SupportMotion> motion_of(const Packing &packing,
 
 /** The settlement, with checks of both proofs and that they fit each other. */
 Settlement find_and_check(const std::string &name,
-                               const Scene &scene,
-                               const std::string &displacement)
+                          const Scene &scene,
+                          const std::string &displacement)
 {
   std::cout << name << std::endl;
   const Settlement found =
@@ -163,7 +163,7 @@ void spreading_arch(const double thickness)
   const double spread = 0.01;
   const Settlement found =
       find_and_check("a spreading arch, t = " + std::to_string(thickness),
-                          scene, "x > 0 ? 0.01 : 0; 0");
+                     scene, "x > 0 ? 0.01 : 0; 0");
   const LinesOfThrust lines(scene);
   const double least = lines.farthest(1.);
   const Point<2> haunch = lines.touched(least);
@@ -223,8 +223,8 @@ void closing_arch(const double thickness)
   const Scene scene = under_weight(on_ground(semicircle(400, thickness)), 100.,
                                    0., rotations());
   const Settlement found =
-      find_and_check("a closing arch, t = " + std::to_string(thickness),
-                          scene, "if(x > 0, -0.01, 0); 0");
+      find_and_check("a closing arch, t = " + std::to_string(thickness), scene,
+                     "if(x > 0, -0.01, 0); 0");
   const double greatest = LinesOfThrust(scene).farthest(-1.);
   check_error("  greatest thrust",
               std::abs(thrust_of(scene, found.forces) / greatest - 1.), 1e-8);
@@ -237,7 +237,7 @@ void floor_that_tilts()
       under_weight(on_ground(wall(2, 1, 1., 1.)), 10., 0., rotations());
   const Settlement found =
       find_and_check("a floor that tilts and sinks", scene,
-                          "0.02 - 1e-3 * y; -0.1 + 1e-3 * (x - 0.5); 1e-3");
+                     "0.02 - 1e-3 * y; -0.1 + 1e-3 * (x - 0.5); 1e-3");
   double error = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
   {
@@ -260,7 +260,7 @@ void wall_that_rises(const double strength)
   const Scene scene = under_weight(packing, strength, 0., translations());
   const Settlement found =
       find_and_check("a wall that rises, s = " + std::to_string(strength),
-                          scene, "0; nx > 0.5 ? 0.25 : 0");
+                     scene, "0; nx > 0.5 ? 0.25 : 0");
   // The wall carries the block up, or slides past it.
   const double up = strength > 1. ? 0.25 : 0.;
   check_error("  the block",
@@ -310,8 +310,8 @@ void random_walls()
         const Scene scene = under_weight(on_ground(random_packing(40, seed)),
                                          0.5, mu, *kinematics);
         find_and_check("40 cells, " + kinematics->name() +
-                                (mu > 0. ? ", Coulomb" : ", Tresca"),
-                            scene, "0; x > 0.5 ? -1e-3 : 0");
+                           (mu > 0. ? ", Coulomb" : ", Tresca"),
+                       scene, "0; x > 0.5 ? -1e-3 : 0");
       }
 }
 

@@ -30,8 +30,8 @@ namespace Voussoir
  * The rows of a joint come in sets, of one row, or of several whose forces
  * limit one another: a disc of friction has two. What has a number for each
  * pair of rows in a set, as second derivatives have, is ordered set by set, the
- * rows of a set's block one behind the other: n_coefficients(e) numbers of
- * joint e from first_coefficient(e) on. In the plane each set is one row.
+ * rows of a set's block one behind the other; those of joint e begin with
+ * first_coefficient(e). In the plane each set is one row.
  */
 class Structure
 {
@@ -155,8 +155,10 @@ public:
   }
   /** The load on each own unknown: F_c for the displacement. */
   const std::vector<double> &loads() const { return own.loads; }
-  /** x_c of an own body, in the plane without a third component; that of the
-   * ground is zero. */
+  /**
+   * x_c of an own body, in the plane without a third component; that of the
+   * ground is zero.
+   */
   const dealii::Tensor<1, 3> &centre(const unsigned int body) const
   {
     return own.centres[body];
@@ -312,7 +314,7 @@ public:
   }
 
 protected:
-  /** A whole structure, to be filled by a derived class. */
+  /** A whole structure, to be filled by a derived class; sets of one row. */
   explicit Structure(const Kinematics &kinematics);
 
   /** The structure itself. */
