@@ -38,7 +38,7 @@ void run()
       run({"printed.prm", "--print-parameters", "--set", "Friction/Strength=7",
            "--set", "Packing/Voronoi/Seed=8", "--set", "Title=a = b"});
   for (const char *line :
-       {"set Strength          = 7", "set Seed             = 8",
+       {"set Strength             = 7", "set Seed             = 8",
         "set Title            = a = b"})
     check(line, changed.find(line) != std::string::npos);
 
