@@ -62,12 +62,13 @@ void Structure::Joints::add(const Joint &joint,
   const unsigned int R = kinematics.n_rotations();
   for (const ContactRow &row : rows)
   {
-    direction.insert(direction.end(), row.direction.begin(),
-                     row.direction.begin() + T);
-    turn_minus.insert(turn_minus.end(), row.turn_minus.begin(),
-                      row.turn_minus.begin() + R);
-    turn_plus.insert(turn_plus.end(), row.turn_plus.begin(),
-                     row.turn_plus.begin() + R);
+    for (unsigned int i = 0; i < T; ++i)
+      direction.push_back(row.direction[i]);
+    for (unsigned int i = 0; i < R; ++i)
+    {
+      turn_minus.push_back(row.turn_minus[i]);
+      turn_plus.push_back(row.turn_plus[i]);
+    }
   }
 }
 
