@@ -3,6 +3,9 @@
 
 #include <deal.II/base/index_set.h>
 
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -18,21 +21,6 @@ Structure::Structure(const ProcessGroup &processes, Part part)
     : own(std::move(part)), group(processes),
       unknowns_per_body(own.kinematics.n_unknowns())
 {
-  if (has_blocks())
-  {
-    First next = {0, 0};
-    for (unsigned int e = 0; e < joints().size(); ++e)
-    {
-      first_of_joint.push_back(next);
-      for (unsigned int row = 0; row < n_rows(e); ++next.set)
-      {
-        const std::size_t size = own.joints.set_sizes[next.set];
-        row += size;
-        next.coefficient += size * size;
-      }
-    }
-    first_of_joint.push_back(next);
-  }
   if (processes.size() == 1)
     return;
   const unsigned int n_all_dofs =
@@ -50,12 +38,20 @@ void Structure::Joints::add(const Joint &joint,
                             const Kinematics &kinematics,
                             const std::vector<unsigned int> &sets)
 {
-  if (set_sizes.empty() && !sets.empty())
+  Assert(first_row.back() + std::uint64_t(rows.size()) <
+             std::numeric_limits<unsigned int>::max(),
+         dealii::ExcMessage("There are too many rows."));
+  const bool has_block = std::any_of(sets.begin(), sets.end(),
+                                     [](const auto size) { return size > 1; });
+  if (has_block && set_sizes.empty())
+  {
+    // So far each row has been a set with one coefficient.
     set_sizes.assign(first_row.back(), 1);
-  if (!sets.empty())
-    set_sizes.insert(set_sizes.end(), sets.begin(), sets.end());
-  else if (!set_sizes.empty())
-    set_sizes.insert(set_sizes.end(), rows.size(), 1);
+    first_set = first_coefficient = first_row;
+  }
+  if (!set_sizes.empty())
+    add_sets(sets.empty() ? std::vector<unsigned int>(rows.size(), 1) : sets,
+             rows.size());
   list.push_back(joint);
   first_row.push_back(first_row.back() + rows.size());
   const unsigned int T = kinematics.n_translations();
@@ -70,6 +66,20 @@ void Structure::Joints::add(const Joint &joint,
       turn_plus.push_back(row.turn_plus[i]);
     }
   }
+}
+
+void Structure::Joints::add_sets(const std::vector<unsigned int> &sets,
+                                 const std::size_t n_rows)
+{
+  AssertDimension(std::accumulate(sets.begin(), sets.end(), std::size_t(0)),
+                  n_rows);
+  (void)n_rows;
+  unsigned int n_coefficients = first_coefficient.back();
+  for (const unsigned int size : sets)
+    n_coefficients += size * size;
+  set_sizes.insert(set_sizes.end(), sets.begin(), sets.end());
+  first_set.push_back(set_sizes.size());
+  first_coefficient.push_back(n_coefficients);
 }
 
 void Structure::Joints::reserve(const std::size_t n_joints,

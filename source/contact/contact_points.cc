@@ -5,9 +5,9 @@ namespace Voussoir
 {
 const ContactPoints &contact_points(const bool blocks_turn)
 {
-  static const ContactPoint midpoint = {0.5, 1.};
+  static const ContactPoint midpoint = {0.5};
   static const ContactPoints of_translations = {{midpoint}, midpoint};
-  static const ContactPoints of_rotations = {{{0., 0.5}, {1., 0.5}}, midpoint};
+  static const ContactPoints of_rotations = {{{0.}, {1.}}, midpoint};
   return blocks_turn ? of_rotations : of_translations;
 }
 } // namespace Voussoir

@@ -41,4 +41,11 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
     law->add_parameters(prm);
   prm.leave_subsection();
 }
+
+Strengths FrictionParameters::strengths(const Packing &packing) const
+{
+  Strengths found = laws[chosen]->strengths(packing);
+  found.law = laws[chosen]->name();
+  return found;
+}
 } // namespace Voussoir

@@ -20,10 +20,10 @@ constexpr unsigned int lines_at_a_time = 128;
 /** Append a component of @p field; a value that is none is empty. */
 void append_value(TextLines &line, const BoundField &field, const double value)
 {
+  if (std::isnan(value))
+    return;
   if (field.about->type == FieldType::name)
     line << (*field.names)[value];
-  else if (std::isnan(value))
-    return;
   else if (field.about->type == FieldType::real)
     line << value;
   else

@@ -73,6 +73,7 @@ Scene SceneParameters::scene_of(SceneData data) const
               blocks_turn ? rotations() : translations());
   scene.coefficient = std::move(data.strengths.coefficient);
   scene.dilates = data.strengths.dilate;
+  scene.friction_law = std::move(data.strengths.law);
   scene.tensile_strength = std::move(data.strengths.tensile);
   scene.compressive_strength = std::move(data.strengths.compressive);
   return scene;

@@ -304,7 +304,7 @@ dealii::FullMatrix<double> dense(const Structure &structure,
   return matrix;
 }
 
-/** What is left of a right-hand side that is not that of a rigid motion. */
+/** What is left of a random right-hand side, with a shift, relative to it. */
 double residual_of(const Structure &structure,
                    JointSystem &system,
                    const JointStiffnesses &a)
@@ -415,65 +415,96 @@ void heap_of_blocks()
   }
 }
 
-/** A contact in the middle of two, with its share, changes nothing. */
-void contacts_in_the_plane()
+/**
+ * In the plane: what acts at the end of a block, beside its two contacts, a
+ * third one between them or a disc of two rows instead of one for sliding does
+ * not change. The disc has a row along a third direction of which the plane
+ * knows nothing, here the tangent once more.
+ */
+void rows_in_the_plane()
 {
-  for (const bool with_middle : {false, true})
+  enum Kind
+  {
+    two_contacts,
+    middle,
+    disc
+  };
+  std::vector<double> known;
+  for (const Kind kind : {two_contacts, middle, disc})
   {
     Structure::Part part;
     part.kinematics = rotations();
     part.centres = {vector(0., 0.5, 0.), Vector3()};
-    part.loads = {0.1, -1., 0.05, -0.1, 1., -0.05 + 0.05};
+    // On the block, and on the ground with the moment about the origin.
+    part.loads = {0.1, -1., 0.05, -0.1, 1., -0.05 + 0.5 * 0.1};
     std::vector<ContactRow> rows;
     for (const double x : {-0.5, 0.5})
       rows.push_back({{{0., -1., 0.}}, {{-x}}, {{-x}}});
-    if (with_middle)
+    if (kind == middle)
       rows.push_back(combination(0.5, rows[0], 0.5, rows[1]));
-    rows.push_back({{{1., 0., 0.}}, {{0.5}}, {{0.}}});
-    part.joints.add({0, 1, 1., 1., 0.2}, rows, part.kinematics);
+    const ContactRow sliding = {{{1., 0., 0.}}, {{0.5}}, {{0.}}};
+    rows.push_back(sliding);
+    std::vector<unsigned int> sets;
+    if (kind == disc)
+    {
+      rows.push_back({});
+      sets = {1, 1, 2};
+    }
+    part.joints.add({0, 1, 1., 1., 0.2}, rows, part.kinematics, sets);
     const Structure structure(ProcessGroup(), std::move(part));
-    std::vector<double> u(structure.n_dofs(), 0.);
-    u[1] = 1.;
-    check("contacts of a joint",
-          structure.n_contacts(0) == (with_middle ? 3U : 2U) &&
-              structure.opening(0, u.data()) == 1. &&
-              structure.sliding(0, u.data()) == 0.);
-    u = {0., 0., 1., 0., 0., 0.};
-    check("  the least opening of a turn",
-          structure.opening(0, u.data()) == -0.5);
+    const DiscJoint with_disc(structure);
+    const ElasticJoint elastic(structure);
+    const JointLaw &law =
+        kind == disc ? static_cast<const JointLaw &>(with_disc) : elastic;
+    JointSystem system(structure, LinearSolver::direct, 1e-8);
+    const Newton newton = solved(structure, law, system);
+    check_error("a block in the plane: balance", newton.imbalance(), 1e-12);
+    // The sums of forces and of their moments about the middle.
+    const std::vector<double> &f = newton.forces();
+    const std::vector<double> sums = {kind == middle ? f[0] + f[1] + f[2]
+                                                     : f[0] + f[1],
+                                      f[1] - f[0], f[kind == middle ? 3 : 2]};
+    if (known.empty())
+      known = sums;
+    for (unsigned int k = 0; k < 3; ++k)
+      check_error("  forces of any rows", std::abs(sums[k] - known[k]), 1e-12);
   }
+  check_error("  the pressure is the load", std::abs(known[0] + 1.), 1e-12);
+  check_error("  friction, too", std::abs(std::abs(known[2]) - 0.1), 1e-12);
 }
 
-/**
- * Bodies that turn, on joints of one contact whose rows no turn moves, have the
- * forces of bodies that do not: the rotations are idle.
- */
-void idle_rotations()
+/** Joints with discs and without, in any order: all have their places. */
+void places_of_rows()
 {
-  const DiscreteProblem problem = discretise(scene_under_stress(
-      random_packing(100, 1), 0.35, tensor(-1.3, 0.1, 0.1, -0.7)));
+  Structure::Joints joints;
+  const std::vector<ContactRow> two(2), three(3);
+  joints.add({0, 1, 1., 1., 1.}, two, in_space);
+  joints.add({0, 1, 1., 1., 1.}, two, in_space, {1, 1});
+  check("no blocks without a set of several rows", joints.set_sizes.empty());
+  joints.add({0, 1, 1., 1., 1.}, three, in_space, {1, 2});
+  joints.add({0, 1, 1., 1., 1.}, two, in_space);
+  joints.add({0, 1, 1., 1., 1.}, three, in_space, {3});
   Structure::Part part;
-  part.kinematics = rotations();
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-  {
-    part.centres.push_back(problem.centre(b));
-    for (unsigned int i = 0; i < 2; ++i)
-      part.loads.push_back(problem.loads()[problem.dof(b, i)]);
-    part.loads.push_back(0.);
-  }
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    part.joints.add(problem.joints()[e], problem.rows(e), part.kinematics);
-  const Structure turning(ProcessGroup(), std::move(part));
-  const auto forces = [](const Structure &structure) {
-    const ElasticJoint law(structure);
-    JointSystem system(structure, LinearSolver::direct);
-    return solved(structure, law, system).forces();
-  };
-  const std::vector<double> expected = forces(problem), found = forces(turning);
-  double largest = 0.;
-  for (std::size_t k = 0; k < expected.size(); ++k)
-    largest = std::max(largest, std::abs(found[k] - expected[k]));
-  check_error("idle rotations: the forces of translations", largest, 1e-9);
+  part.kinematics = in_space;
+  part.centres.resize(2);
+  part.loads.resize(6, 0.);
+  part.joints = joints;
+  const Structure structure(ProcessGroup(), std::move(part));
+  check("rows", structure.n_all_rows() == 12 && structure.first_row(3) == 7 &&
+                    structure.n_rows(4) == 3);
+  check("coefficients", structure.n_all_coefficients() == 20 &&
+                            structure.first_coefficient(2) == 4 &&
+                            structure.first_coefficient(3) == 9 &&
+                            structure.first_coefficient(4) == 11);
+  check("sets", structure.sets(0) == std::vector<unsigned int>({1, 1}) &&
+                    structure.sets(2) == std::vector<unsigned int>({1, 2}) &&
+                    structure.sets(4) == std::vector<unsigned int>({3}));
+  bool all = true;
+  for (unsigned int e = 0; e < 5; ++e)
+    for (std::size_t k = structure.first_row(e); k < structure.first_row(e + 1);
+         ++k)
+      all &= structure.joint_of_row(k) == e;
+  check("joints of rows", all);
 }
 
 void run()
@@ -482,8 +513,8 @@ void run()
   linear_systems();
   block_on_floor();
   heap_of_blocks();
-  contacts_in_the_plane();
-  idle_rotations();
+  rows_in_the_plane();
+  places_of_rows();
 }
 
 const RoomTest test("sets_of_rows", run);

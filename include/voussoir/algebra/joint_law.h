@@ -39,7 +39,8 @@ public:
   virtual void
   find_forces(unsigned int e, const double *jumps, double *forces) const = 0;
   /**
-   * Find the second derivatives; no block has a negative eigenvalue.
+   * Find the second derivatives; those of a joint are positive semidefinite
+   * together, as a form in the motions of its bodies.
    *
    * @return true if the joint is as stiff in one direction as in the other, to
    *   the last digit: the blocks of its rows, between translations, add up to a

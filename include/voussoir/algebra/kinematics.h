@@ -2,6 +2,7 @@
 #ifndef voussoir_algebra_kinematics_h
 #define voussoir_algebra_kinematics_h
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
@@ -23,7 +24,7 @@ namespace Voussoir
  */
 struct ContactRow
 {
-  /** The direction, of length one. */
+  /** The direction, of length one; of a combination() of any. */
   std::array<double, 3> direction = {};
   /** @{ */
   /** The factors of the rotations of c-, of c+. */
@@ -56,7 +57,13 @@ public:
              const unsigned int n_rotations)
       : its_name(std::move(name)), translations(n_translations),
         rotations(n_rotations)
-  {}
+  {
+    Assert(n_rotations == 0 || (n_translations == 2 && n_rotations == 1) ||
+               (n_translations == 3 && n_rotations == 3),
+           dealii::ExcInternalError());
+    Assert(n_translations == 2 || n_translations == 3,
+           dealii::ExcInternalError());
+  }
 
   /** The name. */
   const std::string &name() const { return its_name; }

@@ -73,6 +73,14 @@ public:
      * each set is one row.
      */
     std::vector<unsigned int> set_sizes;
+    /** @{ */
+    /**
+     * The numbers of the first set and of the first coefficient of each joint,
+     * and at last of all; empty where each set is one row.
+     */
+    std::vector<unsigned int> first_set;
+    std::vector<unsigned int> first_coefficient;
+    /** @} */
     /**
      * Add a joint.
      *
@@ -89,6 +97,9 @@ public:
     void reserve(std::size_t n_joints,
                  std::size_t n_rows,
                  const Kinematics &kinematics);
+
+  private:
+    void add_sets(const std::vector<unsigned int> &sets, std::size_t n_rows);
   };
 
   /** The part that one process gets of a structure that several share. */
@@ -130,7 +141,10 @@ public:
   }
   /** Kinematics::n_unknowns(). */
   unsigned int n_unknowns() const { return unknowns_per_body; }
-  /** True if the rows of joints are a list of contacts and one of sliding. */
+  /**
+   * True if bodies have two translations. Then, and without blocks, the rows of
+   * a joint are a list of contacts and one of sliding.
+   */
   bool is_plane() const { return n_translations() == 2; }
   /** The number of bodies of this process, with the ground if it has it. */
   unsigned int n_own_bodies() const
@@ -228,12 +242,12 @@ public:
   /** The number of coefficients of all joints. */
   std::size_t n_all_coefficients() const
   {
-    return has_blocks() ? first_of_joint.back().coefficient : n_all_rows();
+    return has_blocks() ? own.joints.first_coefficient.back() : n_all_rows();
   }
   /** The first coefficient of joint @p e among all. */
   std::size_t first_coefficient(const unsigned int e) const
   {
-    return has_blocks() ? first_of_joint[e].coefficient : first_row(e);
+    return has_blocks() ? own.joints.first_coefficient[e] : first_row(e);
   }
   /** The numbers of rows of the sets of joint @p e; empty without blocks. */
   std::vector<unsigned int> sets(unsigned int e) const;
@@ -314,20 +328,13 @@ public:
   }
 
 protected:
-  /** A whole structure, to be filled by a derived class; sets of one row. */
+  /** A whole structure, to be filled by a derived class. */
   explicit Structure(const Kinematics &kinematics);
 
   /** The structure itself. */
   Part own;
 
 private:
-  /** The first of a joint; only kept where there are blocks. */
-  struct First
-  {
-    unsigned int set;
-    std::size_t coefficient;
-  };
-
   template <unsigned int T, unsigned int R>
   double
   jump_in_row(std::size_t k, const double *plus, const double *minus) const;
@@ -339,7 +346,6 @@ private:
 
   ProcessGroup group;
   unsigned int unknowns_per_body;
-  std::vector<First> first_of_joint;
   /** The exchange of the unknowns of ghosts; null if there are none. */
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> exchange;
 };
@@ -356,7 +362,7 @@ void Structure::for_each_set(const unsigned int e, const F &f) const
     return;
   }
   unsigned int row = 0, coefficient = 0;
-  for (unsigned int s = first_of_joint[e].set; row < n_rows(e); ++s)
+  for (unsigned int s = own.joints.first_set[e]; row < n_rows(e); ++s)
   {
     const unsigned int size = own.joints.set_sizes[s];
     f(size, row, coefficient);

@@ -23,8 +23,7 @@ public:
    * to those against sliding.
    *
    * @throws InputError as means() does; or naming the interface whose tension
-   *   is beyond what Coulomb's friction admits; or if there are any and blocks
-   *   do not dilate.
+   *   is beyond what Coulomb's friction admits.
    */
   void add_strengths(const Packing &packing, Strengths &strengths) const;
 

@@ -11,14 +11,12 @@ struct ContactPoint
 {
   /** Zero at the start of the interface, one at its end. */
   double place;
-  /** Its share in the length and the stiffness of the interface. */
-  double share;
 };
 
 /** The points of an interface, at which its forces act. */
 struct ContactPoints
 {
-  /** Where it bears pressure. */
+  /** Where it bears pressure; they share its stiffness equally. */
   std::vector<ContactPoint> pressure;
   /** Where it slides: the tangential force acts all along the line. */
   ContactPoint friction;

@@ -22,11 +22,8 @@ public:
   /** Declare the section and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
 
-  /** FrictionLaw::strengths() of the law that was chosen. */
-  Strengths strengths(const Packing &packing) const
-  {
-    return laws[chosen]->strengths(packing);
-  }
+  /** FrictionLaw::strengths() of the law that was chosen, with its name. */
+  Strengths strengths(const Packing &packing) const;
 
 private:
   std::vector<std::unique_ptr<FrictionLaw>> laws;

@@ -16,6 +16,8 @@ struct Strengths
    * the cohesion.
    */
   std::vector<double> of_interface;
+  /** FrictionLaw::name(). */
+  std::string law = {};
   /** mu_e of each, the mean of mu over the interface; empty for Tresca. */
   std::vector<double> coefficient = {};
   /** Scene::dilates. */

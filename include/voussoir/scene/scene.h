@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -47,6 +48,8 @@ struct Scene
    * that no theorem of limit analysis holds.
    */
   bool dilates = true;
+  /** The name of the law of friction, for the user. */
+  std::string friction_law = {};
   /** f_t of each interface, not negative; S. Empty if all are zero. */
   std::vector<double> tensile_strength;
   /** f_c of each interface, positive; S. Empty if no interface crushes. */

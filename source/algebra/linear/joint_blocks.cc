@@ -112,6 +112,7 @@ void JointBlocks::find(const ContactRow &row,
                        const double a,
                        Blocks &blocks) const
 {
+  AssertDimension(unknowns, structure->n_unknowns());
   clear(blocks);
   structure->kinematics().dispatch([&](const auto T, const auto R) {
     const auto b = of_bodies<T, R>(row.direction.data(), row.turn_minus.data(),

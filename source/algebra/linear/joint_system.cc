@@ -39,7 +39,8 @@ JointSystem::JointSystem(const Structure &structure,
                          const LinearSolver kind,
                          const double residual)
     : structure(structure), kind(kind),
-      residual(structure.is_plane() && !structure.kinematics().turns() &&
+      residual(structure.is_plane() && !structure.has_blocks() &&
+                       !structure.kinematics().turns() &&
                        structure.processes().size() == 1
                    ? residual
                    : 0.)

@@ -72,7 +72,8 @@ NearComponentwise::NearComponentwise(
     : structure(structure), componentwise(std::move(componentwise)),
       residual(residual)
 {
-  Assert(structure.is_plane() && !structure.kinematics().turns(),
+  Assert(structure.is_plane() && !structure.has_blocks() &&
+             !structure.kinematics().turns(),
          dealii::ExcInternalError());
   AssertDimension(structure.processes().size(), 1);
 }

@@ -45,8 +45,7 @@ Json summary_of(const RunRecord &run, const Status &status)
   if (run.scene.turns())
     summary["rotations"] = true;
   if (!run.scene.coefficient.empty())
-    summary["friction_law"] =
-        run.scene.dilates ? "associated Coulomb" : "Coulomb";
+    summary["friction_law"] = run.scene.friction_law;
   summary["formulation"] = run.formulation;
   summary["selection"] = run.selection;
   const dealii::BoundingBox<2> box = packing.box();

@@ -20,7 +20,6 @@
 
 namespace Voussoir
 {
-using dealii::Tensor;
 
 namespace
 {
@@ -184,7 +183,7 @@ public:
   Solution solve(const IpoptControls &ipopt)
   {
     Solution solution = best_of(solve_program(problem, *this, ipopt, terminal));
-    solution.displacement_unit = 1. / law.displacement_unit();
+    solution.displacement_unit = 1. / law.unit_smoothing();
     solution.n_iterations += of_start.n_iterations;
     solution.n_evaluations += of_start.n_evaluations;
     return solution;

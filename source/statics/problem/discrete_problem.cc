@@ -17,6 +17,8 @@ DiscreteProblem::DiscreteProblem(Data data)
       has_load(data.is_loaded), coordinate_rounding(data.coordinate_rounding),
       n_moving_cells(data.n_cells), limits_of_joints(std::move(data.limits))
 {
+  // Formulations count one coefficient a row.
+  Assert(!has_blocks(), dealii::ExcNotImplemented());
   boost::disjoint_sets_with_storage<> groups(n_bodies());
   for (const Joint &joint : joints())
     groups.union_set(joint.cell_minus, joint.cell_plus);
@@ -25,9 +27,8 @@ DiscreteProblem::DiscreteProblem(Data data)
 }
 
 /**
- * Spread what rounding leaves of the loads on a group_of_body, their work along
- * each of its rigid motions, over its cells; the ground takes that of its own
- * group_of_body.
+ * Spread what rounding leaves of the loads on a group, their work along each of
+ * its rigid motions, over its cells; the ground takes that of its own group.
  */
 void DiscreteProblem::balance_loads()
 {

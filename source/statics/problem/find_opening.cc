@@ -162,10 +162,13 @@ bool is_self_stress(const DiscreteProblem &problem,
   double left = 0.;
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
   {
-    left += std::hypot(sum[problem.dof(b, 0)], sum[problem.dof(b, 1)]);
+    const double *of_body = &sum[problem.dof(b, 0)];
+    left += problem.is_plane() ? std::hypot(of_body[0], of_body[1])
+                               : std::hypot(of_body[0], of_body[1], of_body[2]);
     // The ground does not turn, and is far from some of its joints.
-    if (problem.kinematics().turns() && b < problem.n_cells())
-      left += std::abs(sum[problem.dof(b, 2)]);
+    for (unsigned int i = problem.n_translations();
+         i < problem.n_unknowns() && b < problem.n_cells(); ++i)
+      left += std::abs(of_body[i]);
   }
   return rounding > 0. && left <= rounding;
 }

@@ -15,7 +15,6 @@
 
 namespace Voussoir
 {
-using dealii::Tensor;
 using Joint = Structure::Joint;
 
 namespace
@@ -60,6 +59,7 @@ void bisect(const Structure &whole,
   bisect(whole, begin, middle, first_part, n_first, part);
   bisect(whole, middle, end, first_part + n_first, n_parts - n_first, part);
 }
+
 /** Send all that a part has by @p pass, or receive it. */
 template <typename Part, typename Pass>
 void transfer(Part &part, const Pass &pass)
@@ -82,6 +82,8 @@ void transfer(Part &part, const Pass &pass)
   pass(part.joints.turn_minus);
   pass(part.joints.turn_plus);
   pass(part.joints.set_sizes);
+  pass(part.joints.first_set);
+  pass(part.joints.first_coefficient);
   pass(part.loads);
   pass(part.centres);
 }

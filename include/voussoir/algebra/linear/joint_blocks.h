@@ -45,7 +45,7 @@ public:
   const Structure &of() const { return *structure; }
   /** The number of unknowns of a body. */
   unsigned int n() const { return unknowns; }
-  /** Find those of joint @p e for @p coefficients of all rows of all joints. */
+  /** Find those of joint @p e for the @p coefficients of all joints. */
   void find(unsigned int e, const double *coefficients, Blocks &blocks) const;
   /** Find those of one row, of any joint, with the coefficient @p a. */
   void find(const ContactRow &row, double a, Blocks &blocks) const;

@@ -38,12 +38,12 @@ enum class LinearSolver
  *     (sum_e B_e^T A_e B_e + shift) u = r,
  *
  * where B_e u are the jumps in the rows of joint e, A_e has the blocks of its
- * sets of rows, none with a negative eigenvalue, and the shift is positive, so
- * that the matrix is symmetric and positive definite. Where all joints are as
- * stiff in one direction as in the other, Componentwise takes half of the
- * matrix, and of bodies that turn RotationComplement takes the rest. Where a
- * residual is admitted NearComponentwise serves joints that are not far from
- * that.
+ * sets of rows, B_e^T A_e B_e is positive semidefinite, and the shift is
+ * positive, so that the matrix is symmetric and positive definite. Where all
+ * joints are as stiff in one direction as in the other, Componentwise takes
+ * half of the matrix, and of bodies that turn RotationComplement takes the
+ * rest. Where a residual is admitted NearComponentwise serves joints that are
+ * not far from that.
  *
  * `direct` is the sparse Cholesky factorisation of CHOLMOD; several processes
  * factorise each its own part, and the root what couples them; see

@@ -9,7 +9,10 @@ namespace Voussoir
 /** The coefficients of a system of JointSystem. */
 struct JointStiffnesses
 {
-  /** The blocks of the sets of rows of each joint; see Structure. */
+  /**
+   * The blocks of the sets of rows of each joint,
+   * Structure::n_all_coefficients() numbers.
+   */
   std::vector<double> of_rows;
   /**
    * True if in each joint they add up, between translations, to a multiple of

@@ -75,6 +75,8 @@ public:
     const auto field =
         std::find_if(fields.begin(), fields.end(),
                      [&](const auto &any) { return any.name == name; });
+    Assert(field != fields.end(),
+           dealii::ExcMessage(name + " is no quantity."));
     std::vector<double> values(n);
     field->bind(data).values(0, n, values.data());
     return values;

@@ -54,7 +54,7 @@ public:
   }
 
   /** The displacement that stands for one smoothing length of the user. */
-  double displacement_unit() const
+  double unit_smoothing() const
   {
     return contact == Contact::hard ? common_smoothing : 1.;
   }

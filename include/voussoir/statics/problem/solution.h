@@ -36,12 +36,14 @@ struct Solution
   std::optional<double> correction;
   /**
    * The displacement, n_dofs() numbers, nondimensional: from the ground, or
-   * with zero mean in each connected group of cells that does not rest on it.
-   * Empty where the formulation has none of its own: blocks that carry their
-   * load do not move. See dimensional_motion().
+   * with zero mean in each connected group of cells that does not rest on it;
+   * possibly empty. See dimensional_motion().
    */
   std::vector<double> u;
-  /** The unit of that, in the user's, which the formulation chooses. */
+  /**
+   * The unit of that, L, which the formulation chooses. Zero where it has no
+   * displacement of its own: blocks that carry their load do not move.
+   */
   double displacement_unit = 0.;
   /** @{ */
   /**
