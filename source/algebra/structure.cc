@@ -43,13 +43,13 @@ void Structure::Joints::add(const Joint &joint,
          dealii::ExcMessage("There are too many rows."));
   const bool has_block = std::any_of(sets.begin(), sets.end(),
                                      [](const auto size) { return size > 1; });
-  if (has_block && set_sizes.empty())
+  if (has_block && first_set.empty())
   {
     // So far each row has been a set with one coefficient.
     set_sizes.assign(first_row.back(), 1);
     first_set = first_coefficient = first_row;
   }
-  if (!set_sizes.empty())
+  if (!first_set.empty())
     add_sets(sets.empty() ? std::vector<unsigned int>(rows.size(), 1) : sets,
              rows.size());
   list.push_back(joint);
