@@ -45,7 +45,7 @@ std::vector<double> forces(const Structure &structure)
 
 void run()
 {
-  for (const double strength : {10., 0.35})
+  for (const double strength : {10., 0.31})
   {
     const DiscreteProblem problem = discretise(scene_under_stress(
         random_packing(100, 1), strength, tensor(-1.3, 0.1, 0.1, -0.7)));
