@@ -122,7 +122,7 @@ private:
   {
     std::vector<double> u;
     /**
-     * Those of u, but summed up from those of the steps: differences of u
+     * The jumps of u, but summed up from those of the steps: differences of u
      * itself would lose, in a stiff joint, the digits of its force.
      */
     std::vector<double> jumps;

@@ -14,16 +14,16 @@ namespace Voussoir
 unsigned int edit_distance(const std::string &a, const std::string &b);
 
 /**
- * Those of @p texts that are nearest to @p text, if they are near enough to be
- * what was meant: at most @p n_most of them.
+ * The texts among @p texts that are nearest to @p text, if they are near enough
+ * to be what was meant: at most @p n_most of them.
  */
 std::vector<std::string> nearest_texts(const std::string &text,
                                        const std::vector<std::string> &texts,
                                        std::size_t n_most = 3);
 
 /**
- * Those of @p paths, "Section/Name", whose name is nearest to @p name, if they
- * are near enough to be what was meant: at most @p n_most of them.
+ * The paths among @p paths, "Section/Name", whose name is nearest to @p name,
+ * if they are near enough to be what was meant: at most @p n_most of them.
  */
 std::vector<std::string> nearest_names(const std::string &name,
                                        const std::vector<std::string> &paths,

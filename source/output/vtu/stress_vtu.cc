@@ -68,8 +68,8 @@ struct SubCellPoints
 
 /**
  * The grid of stress.vtu: the sub-cells as quadrilaterals, with their fields.
- * Those of one cell share their points, and those of different cells do not:
- * cells are bodies of their own, which may part.
+ * Sub-cells of one cell share their points, and those of different cells do
+ * not: cells are bodies of their own, which may part.
  */
 class StressGrid
 {

@@ -41,7 +41,7 @@ struct JointFrame
     return {{{d[0], d[1], 0.}}, {{turn(from_minus)}}, {{turn(from_plus)}}};
   }
 
-  /** The same joint with the other body as c-. */
+  /** Let the other body be c-. */
   void exchange_bodies()
   {
     normal *= -1.;

@@ -46,7 +46,7 @@ public:
   Discontinuities() = default;
 
   /**
-   * Those of some formulas in x, y and further variables.
+   * The discontinuities of some formulas in x, y and further variables.
    *
    * @param formulas must outlive this object.
    * @param constants the further variables, of which the first x and y are not

@@ -92,7 +92,7 @@ auto integrate_once(const F &f, const double begin, const double end)
 }
 
 /**
- * The same to @p tolerance of abs() of it, if that can be: parts with the
+ * The integral to @p tolerance of abs() of it, if that can be: parts with the
  * largest errors are halved as long as need be.
  *
  * The function may be smooth, or have the roots of distances at its ends: then

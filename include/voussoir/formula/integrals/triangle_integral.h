@@ -59,8 +59,8 @@ TriangleIntegral triangle_integral(
     const Discontinuities &jumps);
 
 /**
- * The same by one application of the rule; nothing if the function is not even
- * enough for it. No bounds are asked for: whether a jump or a peak hides
+ * The integral by one application of the rule; nothing if the function is not
+ * even enough for it. No bounds are asked for: whether a jump or a peak hides
  * between the points, the caller may ask for many triangles at a time.
  */
 std::optional<TriangleIntegral> quick_triangle_integral(

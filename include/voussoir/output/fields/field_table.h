@@ -44,7 +44,7 @@ public:
 
   /** All quantities, in the order of a table. */
   const Fields<Data> &all() const { return fields; }
-  /** Those that a grid has, in its order. */
+  /** The quantities that a grid has, in its order. */
   const std::vector<const Field<Data> *> &in_grid() const { return grid; }
 
   /** The columns of a table of @p data, to which they refer. */

@@ -9,19 +9,19 @@ namespace Voussoir
 {
 // All quantities that files, Python and the manual have, in explicit lists.
 
-/** Those of interfaces.csv and interfaces.vtu. */
+/** The quantities of interfaces.csv and interfaces.vtu. */
 const FieldTable<Results> &interface_fields();
-/** Those of cells.csv and blocks.vtu. */
+/** The quantities of cells.csv and blocks.vtu. */
 const FieldTable<Results> &cell_fields();
-/** Those of boundary.csv. */
+/** The quantities of boundary.csv. */
 const FieldTable<Scene> &boundary_fields();
-/** Those of mechanism_joints.csv and mechanism_joints.vtu. */
+/** The quantities of mechanism_joints.csv and mechanism_joints.vtu. */
 const FieldTable<MovingScene> &mechanism_joint_fields();
-/** Those of mechanism.csv and mechanism.vtu. */
+/** The quantities of mechanism.csv and mechanism.vtu. */
 const FieldTable<MovingScene> &mechanism_fields();
-/** Of these those of interfaces that a packing alone has. */
+/** The quantities of interfaces that a packing alone has. */
 const FieldTable<Packing> &packing_interface_fields();
-/** Of these those of cells that a packing alone has. */
+/** The quantities of cells that a packing alone has. */
 const FieldTable<Packing> &packing_cell_fields();
 } // namespace Voussoir
 

@@ -78,7 +78,7 @@ void write_pieces(
     const std::function<void(TextLines &, unsigned int begin, unsigned int end)>
         &lines);
 
-/** The same by what @p line appends for one number. */
+/** Write lines by what @p line appends for one number. */
 void write_lines(std::ostream &out,
                  unsigned int n,
                  const std::function<void(TextLines &, unsigned int)> &line);

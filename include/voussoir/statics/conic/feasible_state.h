@@ -46,8 +46,8 @@ public:
   /** The loads of the rows, without those on held bodies. */
   std::vector<double> loads() const;
   /**
-   * The same with other loads on the bodies of the problem, n_dofs() numbers,
-   * and @p with_offset for those of BoundedRows::offset().
+   * The loads of the rows with other loads on the bodies of the problem,
+   * n_dofs() numbers, and @p with_offset for those of BoundedRows::offset().
    */
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;

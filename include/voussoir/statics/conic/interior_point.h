@@ -53,8 +53,8 @@ public:
     /** The forces that cost the least. */
     least_cost,
     /**
-     * The same in less than half the steps, by predictor and corrector
-     * (Mehrotra), and with some digits less in the end.
+     * Near the least cost in less than half the steps, by predictor and
+     * corrector (Mehrotra), and with some digits less in the end.
      */
     near_least_cost,
     /** The load factor; nothing has a cost. */

@@ -57,7 +57,7 @@ struct ProgramResult
   /**
    * Of each constraint, not positive.
    *
-   * That of [u]_e . n_e >= 0 is f_e^n = -p_e.
+   * The multiplier of [u]_e . n_e >= 0 is f_e^n = -p_e.
    */
   std::vector<double> multipliers;
 };

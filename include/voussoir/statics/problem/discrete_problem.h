@@ -128,13 +128,13 @@ public:
   void hold_bodies(std::vector<double> &u) const;
 
   /**
-   * The same problem with Tresca's friction, |f_e^t| at most @p limits, one for
+   * This problem with Tresca's friction, |f_e^t| at most @p limits, one for
    * each joint, nondimensional.
    */
   DiscreteProblem with_tresca(const std::vector<double> &limits) const;
 
   /**
-   * The same problem with all strengths s_e above @p strength, nondimensional,
+   * This problem with all strengths s_e above @p strength, nondimensional,
    * lowered to it.
    */
   DiscreteProblem with_strengths_up_to(double strength) const;
@@ -148,10 +148,10 @@ public:
    */
   double largest_limit() const;
 
-  /** The same problem with a unit of stress so many times as large. */
+  /** This problem with a unit of stress so many times as large. */
   DiscreteProblem in_units_of(double factor) const;
 
-  /** The same problem without any load. */
+  /** This problem without any load. */
   DiscreteProblem without_loads() const;
 
   /** The unit of length, in the user's; L. */

@@ -20,9 +20,9 @@ namespace Voussoir
 DiscreteProblem discretise(const Scene &scene);
 
 /**
- * The same with some cells only, those that @p moves has; all others are held
- * and belong to the ground, without the joints between them. Its mechanisms,
- * with the others at rest, are mechanisms of the scene.
+ * The problem of some cells only, of which @p moves is true; all others are
+ * held and belong to the ground, without the joints between them. Its
+ * mechanisms, with the others at rest, are mechanisms of the scene.
  */
 DiscreteProblem discretise(const Scene &scene, const std::vector<bool> &moves);
 
@@ -41,14 +41,14 @@ std::vector<double> discretise_loads(const DiscreteProblem &problem,
 Motion dimensional_motion(const DiscreteProblem &problem,
                           const std::vector<double> &u,
                           double unit);
-/** That of Mechanism::u, of any size. */
+/** The motion of Mechanism::u, of any size. */
 Motion dimensional_motion(const DiscreteProblem &problem,
                           const Mechanism &mechanism);
-/** That of Solution::u, in the user's unit. */
+/** The motion of Solution::u, in the user's unit. */
 Motion dimensional_motion(const DiscreteProblem &problem,
                           const Solution &solution);
 
-/** The other way round; the ground is at rest. */
+/** The displacement, n_dofs() numbers, of a motion; the ground is at rest. */
 std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
                                           const Motion &motion,
                                           double unit);
@@ -59,7 +59,7 @@ std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
  */
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution);
-/** The other way round. */
+/** Forces of each row, as in Solution::forces, of forces S L. */
 std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
                                           const InterfaceForces &forces);
 } // namespace Voussoir

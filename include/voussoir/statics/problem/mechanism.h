@@ -51,9 +51,9 @@ std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
                                         const std::vector<double> &u);
 
 /**
- * The same for a displacement that is close to a mechanism, where the load does
- * so little more work than friction dissipates that the correction would cost
- * more: joints that hardly move in it are kept from moving. It takes some
+ * Look for a mechanism where a displacement is close to one, where the load
+ * does so little more work than friction dissipates that the correction would
+ * cost more: joints that hardly move in it are kept from moving. It takes some
  * linear systems.
  */
 std::optional<Mechanism> find_mechanism_near(const DiscreteProblem &problem,
