@@ -3,7 +3,6 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/contact/contact_parameters.h>
-#include <voussoir/contact/joint_quantity.h>
 
 #include <algorithm>
 #include <limits>
@@ -38,41 +37,32 @@ void check_tension(const Packing &packing, const Strengths &strengths)
 
 void ContactParameters::add_parameters(dealii::ParameterHandler &prm)
 {
-  using dealii::Patterns::Anything;
   prm.enter_subsection("Contact");
-  prm.add_parameter("Tensile strength", tensile,
-                    "The tensile strength f_t of the interfaces, the tensile "
-                    "stress at which they open. Not negative; an expression in "
-                    "x, y and the unit normal nx, ny as for "
-                    "'Friction/Strength'. With Coulomb's friction at most "
-                    "'Cohesion' over 'Coefficient'.",
-                    Anything());
-  prm.add_parameter("Pair tensile strengths", pair_tensile,
-                    "Other tensile strengths where two groups of cells meet, "
-                    "as for 'Friction/Pair strengths'.",
-                    Anything());
-  prm.add_parameter("Compressive strength", compressive,
-                    "The compressive strength f_c of the interfaces, the "
-                    "compressive stress at which they crush: no normal force "
-                    "is larger than f_c |e|, and where blocks turn than "
-                    "f_c (|e| - 2 |e_N|) with the eccentricity e_N. Positive; "
-                    "an expression as above. Empty: interfaces do not crush.",
-                    Anything());
-  prm.add_parameter("Pair compressive strengths", pair_compressive,
-                    "Other compressive strengths where two groups of cells "
-                    "meet, as above.",
-                    Anything());
+  tensile.add_parameters(
+      prm,
+      "The tensile strength f_t of the interfaces, the tensile "
+      "stress at which they open. Not negative; an expression in "
+      "x, y and the unit normal nx, ny as for "
+      "'Friction/Strength'. With Coulomb's friction at most "
+      "'Cohesion' over 'Coefficient'.",
+      "Other tensile strengths where two groups of cells meet, "
+      "as for 'Friction/Pair strengths'.");
+  compressive.add_parameters(
+      prm,
+      "The compressive strength f_c of the interfaces, the "
+      "compressive stress at which they crush: no normal force "
+      "is larger than f_c |e|, and where blocks turn than "
+      "f_c (|e| - 2 |e_N|) with the eccentricity e_N. Positive; "
+      "an expression as above. Empty: interfaces do not crush.",
+      "Other compressive strengths where two groups of cells "
+      "meet, as above.");
   prm.leave_subsection();
 }
 
 void ContactParameters::add_strengths(const Packing &packing,
                                       Strengths &strengths) const
 {
-  strengths.tensile =
-      means(packing,
-            {"tensile strength", "Contact", tensile, "Tensile strength",
-             pair_tensile, "Pair tensile strengths"},
-            strengths.warnings);
+  strengths.tensile = means(packing, tensile, strengths.warnings);
   check_tension(packing, strengths);
   const auto are_all = [](const auto &of, const double value) {
     return std::all_of(of.begin(), of.end(),
@@ -80,12 +70,8 @@ void ContactParameters::add_strengths(const Packing &packing,
   };
   if (are_all(strengths.tensile, 0.))
     strengths.tensile.clear();
-  if (!compressive.empty() || !pair_compressive.empty())
-    strengths.compressive = means(
-        packing,
-        {"compressive strength", "Contact", compressive, "Compressive strength",
-         pair_compressive, "Pair compressive strengths", true, true},
-        strengths.warnings);
+  if (!compressive.everywhere.empty() || !compressive.of_pairs.empty())
+    strengths.compressive = means(packing, compressive, strengths.warnings);
   if (are_all(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();
 }

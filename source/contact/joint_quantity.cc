@@ -95,6 +95,16 @@ GroupPair pair_of_names(const Packing &packing,
 }
 } // namespace
 
+void JointQuantity::add_parameters(dealii::ParameterHandler &prm,
+                                   const std::string &documentation,
+                                   const std::string &documentation_of_pairs)
+{
+  using dealii::Patterns::Anything;
+  prm.add_parameter(parameter, everywhere, documentation, Anything());
+  prm.add_parameter(parameter_of_pairs, of_pairs, documentation_of_pairs,
+                    Anything());
+}
+
 std::vector<double> means(const Packing &packing,
                           const JointQuantity &quantity,
                           std::vector<std::string> &warnings)

@@ -120,7 +120,7 @@ void rows_in_the_plane()
 /** Joints with discs and without, in any order: all have their places. */
 void places_of_rows()
 {
-  Structure::Joints joints;
+  JointRows joints;
   const std::vector<ContactRow> two(2), three(3);
   joints.add({0, 1, 1., 1., 1.}, two, in_space);
   joints.add({0, 1, 1., 1., 1.}, two, in_space, {1, 1});

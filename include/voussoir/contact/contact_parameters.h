@@ -2,6 +2,7 @@
 #ifndef voussoir_contact_contact_parameters_h
 #define voussoir_contact_contact_parameters_h
 
+#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/strengths.h>
 #include <voussoir/packing/packing.h>
 
@@ -28,8 +29,12 @@ public:
   void add_strengths(const Packing &packing, Strengths &strengths) const;
 
 private:
-  std::string tensile = "0", pair_tensile;
-  std::string compressive, pair_compressive;
+  JointQuantity tensile = {
+      "tensile strength", "Contact", "0",
+      "Tensile strength", "",        "Pair tensile strengths"};
+  JointQuantity compressive = {
+      "compressive strength",       "Contact", "",  "Compressive strength", "",
+      "Pair compressive strengths", true,      true};
 };
 } // namespace Voussoir
 

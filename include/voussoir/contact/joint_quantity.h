@@ -4,6 +4,8 @@
 
 #include <voussoir/packing/packing.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <string>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace Voussoir
 /**
  * A quantity that two parameters of a section give to the interfaces: an
  * expression in x, y and the unit normal for all of them, and others for pairs
- * of groups.
+ * of groups. Their present values are the defaults.
  */
 struct JointQuantity
 {
@@ -34,6 +36,11 @@ struct JointQuantity
   bool is_positive = false;
   /** True if nothing stands for an infinite value; else it is refused. */
   bool may_be_empty = false;
+
+  /** Declare the two parameters in @p prm, which is in the section. */
+  void add_parameters(dealii::ParameterHandler &prm,
+                      const std::string &documentation,
+                      const std::string &documentation_of_pairs);
 };
 
 /**

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/laws/mohr_coulomb.h>
 
 #include <deal.II/base/numbers.h>
@@ -12,27 +11,20 @@ namespace Voussoir
 {
 void MohrCoulomb::add_parameters(dealii::ParameterHandler &prm)
 {
-  using dealii::Patterns::Anything;
-  prm.add_parameter("Friction angle", angle,
-                    "The angle of friction phi of the interfaces, in degrees, "
-                    "not negative and below 90; an expression as for "
-                    "'Strength', of which the mean over an interface counts.",
-                    Anything());
-  prm.add_parameter("Pair friction angles", pair_angles,
-                    "Other angles of friction where two groups of cells meet, "
-                    "as for 'Pair strengths'.",
-                    Anything());
+  angle.add_parameters(
+      prm,
+      "The angle of friction phi of the interfaces, in degrees, "
+      "not negative and below 90; an expression as for "
+      "'Strength', of which the mean over an interface counts.",
+      "Other angles of friction where two groups of cells meet, "
+      "as for 'Pair strengths'.");
 }
 
 Strengths MohrCoulomb::strengths(const Packing &packing) const
 {
   Strengths result;
   result.of_interface = coulomb.cohesions(packing, result.warnings);
-  result.coefficient =
-      means(packing,
-            {"friction angle", "Friction", angle, "Friction angle", pair_angles,
-             "Pair friction angles"},
-            result.warnings);
+  result.coefficient = means(packing, angle, result.warnings);
   for (unsigned int e = 0; e < result.coefficient.size(); ++e)
   {
     double &of_interface = result.coefficient[e];

@@ -1,34 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/laws/tresca.h>
 
 namespace Voussoir
 {
 void Tresca::add_parameters(dealii::ParameterHandler &prm)
 {
-  prm.add_parameter("Strength", strength,
-                    "The Tresca strength s_T of the interfaces: the shear "
-                    "stress at which they slide, whatever the normal stress. "
-                    "A stress, not negative; an expression in x, y and the "
-                    "unit normal nx, ny of the interface, whose sign is "
-                    "arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
-                    "bed joints and another for head joints.");
-  prm.add_parameter("Pair strengths", pair_strengths,
-                    "Other strengths where two groups of cells meet, \"name, "
-                    "name: expression | name, name: expression\", as in "
-                    "brick, lintel: 0.3 | brick, ground: 1 + x; one name alone "
-                    "stands for the joints within its group. What supports the "
-                    "packing is called ground.",
-                    dealii::Patterns::Anything());
+  strength.add_parameters(
+      prm,
+      "The Tresca strength s_T of the interfaces: the shear "
+      "stress at which they slide, whatever the normal stress. "
+      "A stress, not negative; an expression in x, y and the "
+      "unit normal nx, ny of the interface, whose sign is "
+      "arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
+      "bed joints and another for head joints.",
+      "Other strengths where two groups of cells meet, \"name, "
+      "name: expression | name, name: expression\", as in "
+      "brick, lintel: 0.3 | brick, ground: 1 + x; one name alone "
+      "stands for the joints within its group. What supports the "
+      "packing is called ground.");
 }
 
 Strengths Tresca::strengths(const Packing &packing) const
 {
   Strengths result;
-  result.of_interface = means(packing,
-                              {"strength", "Friction", strength, "Strength",
-                               pair_strengths, "Pair strengths"},
-                              result.warnings);
+  result.of_interface = means(packing, strength, result.warnings);
   return result;
 }
 } // namespace Voussoir

@@ -2,6 +2,7 @@
 #ifndef voussoir_contact_laws_coulomb_h
 #define voussoir_contact_laws_coulomb_h
 
+#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/laws/friction_law.h>
 
 namespace Voussoir
@@ -25,11 +26,16 @@ public:
   Strengths strengths(const Packing &packing) const override;
   /** c_e of each interface, the mean; see means(). */
   std::vector<double> cohesions(const Packing &packing,
-                                std::vector<std::string> &warnings) const;
+                                std::vector<std::string> &warnings) const
+  {
+    return means(packing, cohesion, warnings);
+  }
 
 private:
-  std::string coefficient = "0.6", pair_coefficients;
-  std::string cohesion = "0", pair_cohesions;
+  JointQuantity coefficient = {"coefficient", "Friction", "0.6",
+                               "Coefficient", "",         "Pair coefficients"};
+  JointQuantity cohesion = {"cohesion", "Friction", "0",
+                            "Cohesion", "",         "Pair cohesions"};
 };
 
 /** Coulomb's friction, where joints open by mu_e times the sliding. */

@@ -32,7 +32,8 @@ public:
 
 private:
   const Coulomb &coulomb;
-  std::string angle = "30", pair_angles;
+  JointQuantity angle = {"friction angle", "Friction", "30",
+                         "Friction angle", "",         "Pair friction angles"};
 };
 } // namespace Voussoir
 

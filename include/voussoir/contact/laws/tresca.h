@@ -2,6 +2,7 @@
 #ifndef voussoir_contact_laws_tresca_h
 #define voussoir_contact_laws_tresca_h
 
+#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/laws/friction_law.h>
 
 namespace Voussoir
@@ -20,7 +21,8 @@ public:
   Strengths strengths(const Packing &packing) const override;
 
 private:
-  std::string strength = "1", pair_strengths;
+  JointQuantity strength = {"strength", "Friction", "1",
+                            "Strength", "",         "Pair strengths"};
 };
 } // namespace Voussoir
 
