@@ -121,8 +121,17 @@ void Structure::find_all_jumps(const double *u, double *jumps) const
       const double *plus = u + (T + R) * std::size_t(joints()[e].cell_plus);
       const double *minus = u + (T + R) * std::size_t(joints()[e].cell_minus);
       for (; k < own.joints.first_row[e + 1]; ++k)
-        jumps[k] = jump_in_row<T, R>(k, plus, minus);
+        jumps[k] = static_cast<double>(jump_in_row<T, R>(k, plus, minus));
     }
+  });
+}
+
+long double Structure::exact_jump(const std::size_t k, const double *u) const
+{
+  const Joint &joint = joints()[joint_of_row(k)];
+  return own.kinematics.dispatch([&](const auto T, const auto R) {
+    return jump_in_row<T, R>(k, u + dof(joint.cell_plus, 0),
+                             u + dof(joint.cell_minus, 0));
   });
 }
 

@@ -211,6 +211,8 @@ public:
    * displacement of c+ relative to c-.
    */
   double jump(unsigned int e, unsigned int r, const double *u) const;
+  /** The jump in row @p k among all, with the digits that it is summed with. */
+  long double exact_jump(std::size_t k, const double *u) const;
   /** Find the jumps in all rows of joint @p e. */
   void find_jumps(unsigned int e, const double *u, double *jumps) const;
   /** Find the @p jumps in all rows of all joints. */
@@ -274,7 +276,7 @@ protected:
 
 private:
   template <unsigned int T, unsigned int R>
-  double
+  long double
   jump_in_row(std::size_t k, const double *plus, const double *minus) const;
   template <unsigned int T, unsigned int R>
   void add_gradient(unsigned int e,
@@ -310,9 +312,9 @@ void Structure::for_each_set(const unsigned int e, const F &f) const
 }
 
 template <unsigned int T, unsigned int R>
-inline double Structure::jump_in_row(const std::size_t k,
-                                     const double *plus,
-                                     const double *minus) const
+inline long double Structure::jump_in_row(const std::size_t k,
+                                          const double *plus,
+                                          const double *minus) const
 {
   // The products may cancel all but the last digits, and in a stiff joint
   // these are forces.
@@ -328,7 +330,7 @@ inline double Structure::jump_in_row(const std::size_t k,
                 plus[T + i] -
             static_cast<long double>(own.joints.turn_minus[R * k + i]) *
                 minus[T + i];
-  return static_cast<double>(jump);
+  return jump;
 }
 
 inline double Structure::jump(const unsigned int e,
@@ -338,7 +340,8 @@ inline double Structure::jump(const unsigned int e,
   const double *plus = u + dof(own.joints.list[e].cell_plus, 0);
   const double *minus = u + dof(own.joints.list[e].cell_minus, 0);
   return own.kinematics.dispatch([&](const auto T, const auto R) {
-    return jump_in_row<T, R>(first_row(e) + r, plus, minus);
+    return static_cast<double>(
+        jump_in_row<T, R>(first_row(e) + r, plus, minus));
   });
 }
 

@@ -83,7 +83,7 @@ private:
   const DiscreteProblem problem;
   RowProblem by_rows;
   /** The live loads are of the size of the dead ones. */
-  SelfDual::Loads loads;
+  SelfDual::Program loads;
   double unit_of_factor = 1.;
   /** A state far from the bounds, and a motion far from closing joints. */
   std::optional<FactorState> anchor;
@@ -169,20 +169,9 @@ Motion FactorSearch::motion_of(std::vector<double> u) const
 
 void FactorSearch::find_proofs()
 {
-  for (unsigned int round = 0;; ++round)
-  {
-    look_with_rows();
-    if (state == SelfDual::State::unbounded || !best)
-      return;
-    if (found.width() <= controls.tolerance || !by_rows.rows().has_strips() ||
-        round == RowProblem::n_rounds)
-      break;
-    by_rows.refine(best->u);
-    // They are of other strips.
-    anchor.reset();
-    open.reset();
-  }
-  look_farther(*best);
+  look_with_rows();
+  if (state != SelfDual::State::unbounded && best)
+    look_farther(*best);
 }
 
 void FactorSearch::look_with_rows()
@@ -192,8 +181,8 @@ void FactorSearch::look_with_rows()
   best.reset();
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
-  bool is_solved = false, is_last = false;
-  while (state == SelfDual::State::running && !is_last && !is_solved &&
+  bool is_last = false;
+  while (state == SelfDual::State::running && !is_last &&
          program.n_iterations() < controls.n_max_iterations)
   {
     // One step beyond what is wanted costs little and brings many digits.
@@ -221,8 +210,6 @@ void FactorSearch::look_with_rows()
       continue;
     last_trial = program.n_iterations();
     look_near(*best, near_enough);
-    // Strips may be far from the joint, however well their own factor is known.
-    is_solved = by_rows.rows().has_strips() && least <= controls.tolerance;
   }
   if (best)
     look_near(*best, 0.);

@@ -48,6 +48,7 @@ FeasibleSet::FeasibleSet(const Scene &scene)
 
 StateProgram FeasibleSet::program() const
 {
+  Assert(are_polyhedral(), dealii::ExcMessage("Sections have curved limits."));
   StateProgram first(by_rows);
   if (!first.find_state())
     throw SolverError("The linear programmes of all states have none to start "
@@ -83,7 +84,6 @@ bool FeasibleSet::is_proven(const GreatestValue &value) const
   return is_proven(value, largest_width);
 }
 
-/** A value is proven by the bound of its own programme. */
 bool FeasibleSet::is_proven(const GreatestValue &value,
                             const double largest_width) const
 {
@@ -91,28 +91,8 @@ bool FeasibleSet::is_proven(const GreatestValue &value,
          value.bound.closing_violation <= largest_closing &&
          value.bound.closing_violation * largest_displacement(value.motion) <=
              largest_closing_of_jumps &&
-         std::abs(value.width_of_programme()) <=
+         std::abs(value.width()) <=
              largest_width * std::max(force, std::abs(value.value));
-}
-
-/**
- * The most of c . x that @p u proves for forces within their bounds: (V2) of
- * the rows. Rows without a bound are judged as joints, ForceBound.
- */
-double FeasibleSet::bound_of_programme(const std::vector<double> &c,
-                                       const std::vector<double> &u) const
-{
-  const std::vector<double> jumps = by_rows.rows().jumps(u);
-  double bound = -dot(by_rows.loads(), u);
-  for (std::size_t k = 0; k < c.size(); ++k)
-  {
-    const BoundedRows::Bounds &limits = by_rows.rows().bounds()[k];
-    const double jump = c[k] + jumps[k];
-    const double most = jump > 0. ? limits.greatest : limits.least;
-    if (std::isfinite(most))
-      bound += most * jump;
-  }
-  return bound;
 }
 
 GreatestValue FeasibleSet::found(StateProgram &program,
@@ -139,7 +119,7 @@ GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
                         "forces that balance by themselves prove that. Set "
                         "'Ranges/Where = 0' and 'Analysis = state' to have the "
                         "state alone.");
-    return {infinity, {infinity, 0.}, infinity, 0., {}, {}};
+    return {infinity, {infinity, 0.}, 0., {}, {}};
   }
   Solution state;
   state.forces = by_rows.rows().forces_of(optimum.x);
@@ -147,14 +127,9 @@ GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
   found.forces = dimensional_forces(problem, state);
   found.value = function(found.forces);
   found.error_of_state = certify(scene, found.forces).error();
-  const double more = bound_of_programme(c, optimum.u) - dot(c, optimum.x);
   optimum.u.resize(problem.n_dofs());
   found.motion = dimensional_motion(problem, optimum.u, 1.);
   found.bound = bound_of(scene, function, found.motion);
-  found.bound_of_programme =
-      are_inner()
-          ? found.value + problem.stress_scale() * problem.length_scale() * more
-          : found.bound.bound;
   return found;
 }
 
@@ -180,7 +155,7 @@ GreatestValue FeasibleSet::greatest(StateProgram &program,
         value.error_of_state,
         " of the largest load, its motion closes joints by ",
         value.bound.closing_violation, " of its size, and they differ by ",
-        value.width_of_programme(),
+        value.width(),
         ". Set 'Ranges/Where = 0' and 'Analysis = state' to have the state "
         "alone."));
   return value;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/ranges/feasible_set.h>
 #include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/base/exceptions.h>
 #include <voussoir/scene/proofs/reactions.h>
 
 #include <deal.II/base/parallel.h>
@@ -80,7 +81,7 @@ public:
               Terminal &terminal)
       : states(scene), functions(functions), pressed(pressed),
         by_interior_point(
-            method == RangeMethod::interior_point ||
+            !states.are_polyhedral() || method == RangeMethod::interior_point ||
             (method == RangeMethod::automatic &&
              is_quicker(scene.packing.n_cells(),
                         2 * (functions.size() + pressed.size())))),
@@ -99,8 +100,6 @@ public:
   RangeProofs proofs;
   /** FeasibleSet::reference(). */
   double reference() const { return states.reference(); }
-  /** FeasibleSet::are_inner(). */
-  bool are_inner() const { return states.are_inner(); }
 
 private:
   /** Let @p find do all parts, on all threads. */
@@ -168,8 +167,6 @@ void RangeSearch::find_forces(Part &part,
     left.erase(next);
     const GreatestValue value = greatest(part, functions[k].times(sign));
     (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
-    if (are_inner())
-      found[k].beyond = std::max(found[k].beyond, value.width());
     count();
     if (value.is_bounded())
       for (std::size_t i = 0; i < left.size(); ++i)
@@ -217,12 +214,6 @@ void RangeSearch::find_places(Part &part)
     }
 }
 
-/** True if @p function is of the forces of one interface. */
-bool is_of_one(const ForceFunction &function)
-{
-  return function.terms.size() == 1;
-}
-
 StateProgram &RangeSearch::program_of(Part &part)
 {
   if (part.program)
@@ -239,8 +230,13 @@ StateProgram &RangeSearch::program_of(Part &part)
 GreatestValue RangeSearch::greatest(Part &part, const ForceFunction &function)
 {
   std::optional<GreatestValue> value;
-  if (by_interior_point && is_of_one(function))
+  if (by_interior_point)
     value = states.greatest(function, Terminal::silent());
+  if (!value && !states.are_polyhedral())
+    throw SolverError("The greatest value of a force is not proven: the load "
+                      "may be close to what the packing can carry. Set "
+                      "'Ranges/Where = 0' and 'Analysis = state' to have the "
+                      "state alone.");
   if (!value)
     value = states.greatest(program_of(part), function);
   part.proofs.add(*value);
@@ -351,7 +347,6 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   Ranges ranges;
   ranges.proofs = search.proofs;
   ranges.reference = search.reference();
-  ranges.are_inner = search.are_inner();
   ranges.wanted = wanted.interfaces;
   ranges.normal.resize(n);
   ranges.tangential.resize(n);

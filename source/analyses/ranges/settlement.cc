@@ -30,6 +30,19 @@ ForceFunction work_of_ground(const InterfaceJumps &jumps,
   return work;
 }
 
+/** The greatest work where sections crush. */
+GreatestValue by_interior_point(const FeasibleSet &states,
+                                const ForceFunction &work)
+{
+  std::optional<GreatestValue> found =
+      states.greatest(work, Terminal::silent());
+  if (!found)
+    throw SolverError("The settlement was not found: no forces and no motion "
+                      "prove its work. The load may be close to what the "
+                      "packing can carry.");
+  return std::move(*found);
+}
+
 /** A motion in another unit. */
 Motion times(Motion motion, const double factor)
 {
@@ -59,7 +72,6 @@ void choose_motion(const FeasibleSet &states,
       continue;
     chosen.motion = loose.motion;
     chosen.bound = loose.bound;
-    chosen.bound_of_programme = loose.bound_of_programme;
     if (states.is_proven(chosen))
     {
       found = chosen;
@@ -91,14 +103,18 @@ Settlement find_settlement(const Scene &scene,
       work_of_ground(jumps, scene.packing).times(1. / size);
 
   const FeasibleSet states(scene);
-  StateProgram program = states.program();
-  GreatestValue found = states.greatest(program, work);
+  std::optional<StateProgram> program;
+  if (states.are_polyhedral())
+    program.emplace(states.program());
+  GreatestValue found = program ? states.greatest(*program, work)
+                                : by_interior_point(states, work);
   if (!found.is_bounded())
     throw InputError(
         "The blocks cannot follow 'Supports/Displacement' without pressing "
         "into each other: forces of any size, which balance by themselves, "
         "resist it. Change the displacement, or let fewer edges be supports.");
-  choose_motion(states, program, work, found);
+  if (program)
+    choose_motion(states, *program, work, found);
 
   Settlement settlement;
   settlement.motion = times(std::move(found.motion), size);
@@ -106,10 +122,9 @@ Settlement find_settlement(const Scene &scene,
   settlement.forces = std::move(found.forces);
   settlement.work = size * found.value;
   settlement.width = size * found.width();
-  settlement.is_inner = states.are_inner();
   settlement.closing_violation = found.bound.closing_violation;
   settlement.largest_displacement = size;
-  settlement.n_iterations = program.n_iterations();
+  settlement.n_iterations = program ? program->n_iterations() : 0;
   return settlement;
 }
 } // namespace Voussoir

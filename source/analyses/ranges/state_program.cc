@@ -58,7 +58,7 @@ StateProgram::StateProgram(const RowProblem &problem)
     : problem(problem), clp(std::make_unique<ClpSimplex>())
 {
   const InvalidOperationsAllowed allowed;
-  const BoundedRows &rows = problem.rows();
+  const ForceRows &rows = problem.rows();
   // A body between the two halves of a joint is none of the problem's.
   const auto is_held = [&](const unsigned int b) {
     return b < problem.of().n_bodies() && problem.of().is_held(b);
@@ -84,9 +84,9 @@ StateProgram::StateProgram(const RowProblem &problem)
   for (unsigned int e = 0; e < rows.joints().size(); ++e)
     for (unsigned int r = 0; r < rows.n_rows(e); ++r)
     {
-      const BoundedRows::Joint &joint = rows.joints()[e];
+      const ForceRows::Joint &joint = rows.joints()[e];
       const ContactRow row = rows.row(e, r);
-      const BoundedRows::Bounds &limits = rows.bounds()[rows.first_row(e) + r];
+      const ForceRows::Bounds &limits = rows.bounds()[rows.first_row(e) + r];
       if (limits.least != 0. || limits.greatest != 0.)
       {
         const unsigned int T = rows.n_translations();

@@ -103,7 +103,7 @@ BalancedForces::BalancedForces(const DiscreteProblem &problem)
 void BalancedForces::set_weights(std::vector<double> of_forces)
 {
   weights = std::move(of_forces);
-  if (!by_rows.forces().prepare(weights))
+  if (!by_rows.forces().prepare_diagonal(weights))
     throw SolverError("No directions for 'Ranges/Samples' were found: forces "
                       "of very different sizes spoil the digits. Set "
                       "'Ranges/Samples = 0'.");

@@ -14,6 +14,8 @@ namespace
 constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
+/** The room of a section, over its strength, to be inside. */
+constexpr double least_room = 1e-14;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
 constexpr double rounding_of_bound = 1e-14, rounding_of_motion = 1e-14;
 /** The stopping criteria of the conjugate gradients. */
@@ -24,7 +26,7 @@ constexpr unsigned int n_bound_gradients = 15;
  * Solve S y + f_1 alpha = right, f_1 . y = work, with the matrix S that is
  * prepared; without live loads S y = right.
  */
-std::vector<double> solve(BoundedForces &forces,
+std::vector<double> solve(ConicForces &forces,
                           const std::vector<double> &live,
                           const std::vector<double> &right,
                           const double work,
@@ -44,14 +46,14 @@ std::vector<double> solve(BoundedForces &forces,
   return y;
 }
 
-std::vector<double> missing(const BoundedForces &forces,
-                            const SelfDual::Loads &loads,
+std::vector<double> missing(const ConicForces &forces,
+                            const SelfDual::Program &program,
                             const FactorState &state)
 {
   std::vector<double> left = forces.on_bodies(state.x);
-  add(left, 1., loads.dead);
-  if (!loads.live.empty())
-    add(left, state.alpha, loads.live);
+  add(left, 1., program.dead);
+  if (!program.live.empty())
+    add(left, state.alpha, program.live);
   for (double &component : left)
     component = -component;
   return left;
@@ -84,10 +86,17 @@ void towards(std::vector<double> &x,
     x[k] += share * (y[k] - x[k]);
 }
 
-/** The largest closing where a force has no limit, over the displacement. */
-double closing_of(const BoundedForces &forces, const std::vector<double> &u)
+/**
+ * The largest closing where a force has no limit, over the displacement: with a
+ * cost what closes faster than that gains.
+ */
+double closing_of(const ConicForces &forces,
+                  const SelfDual::Program &program,
+                  const std::vector<double> &u)
 {
-  const std::vector<double> jumps = forces.along(u);
+  std::vector<double> jumps = forces.along(u);
+  if (!program.cost.empty())
+    add(jumps, 1., program.cost);
   const auto &bounds = forces.bounds();
   double closing = 0.;
   for (std::size_t b = 0; b < bounds.size(); ++b)
@@ -95,30 +104,40 @@ double closing_of(const BoundedForces &forces, const std::vector<double> &u)
       ++b;
     else
       closing = std::max(closing, bounds[b].sign * jumps[bounds[b].row]);
-  return closing / largest_component(u);
+  return closing /
+         std::max(largest_component(u), largest_component(program.cost));
 }
 
-/** The distance of each force from its nearest bound; zero if it has none. */
-std::vector<double> distances(const BoundedForces &forces,
+/** The slacks of forces. */
+std::vector<double> slacks_of(const ConicForces &forces,
                               const std::vector<double> &x)
 {
-  std::vector<double> distance(x.size(), -1.);
-  for (const BoundedForces::Bound &bound : forces.bounds())
-  {
-    const double d = bound.limit - bound.sign * x[bound.row];
-    double &least = distance[bound.row];
-    least = least < 0. ? d : std::min(least, d);
-  }
-  for (double &d : distance)
-    d = std::max(d, 0.);
-  return distance;
+  std::vector<double> slack = forces.limits();
+  add(slack, -1., forces.at_slacks(x));
+  return slack;
+}
+
+/** Move the forces of a section inside, if they are not. */
+void move_inside(const ForceRows::Section &section, std::vector<double> &x)
+{
+  double *const force = &x[section.row];
+  const double middle = -0.25 * section.strength;
+  const auto is_inside = [&]() {
+    const double square = (force[0] + force[1]) * (force[0] + force[1]);
+    return std::min(-force[0], -force[1]) * 2. * section.strength >
+           square + least_room * section.strength * section.strength;
+  };
+  for (double share = least_room; !is_inside() && share <= 1.; share *= 10.)
+    for (unsigned int k = 0; k < 2; ++k)
+      force[k] += share * (middle - force[k]);
 }
 
 /** Forces strictly within their bounds, in proportion to the slacks. */
-std::vector<double> within_bounds(const BoundedForces &forces,
-                                  const std::vector<double> &slack)
+std::vector<double> within_bounds(const ConicForces &forces,
+                                  const SelfDual::Point &point)
 {
-  std::vector<double> x(forces.of().n_all_rows(), 0.);
+  std::vector<double> x = point.x;
+  const std::vector<double> &slack = point.s;
   const auto &bounds = forces.bounds();
   for (std::size_t b = 0; b < bounds.size(); ++b)
     if (b + 1 < bounds.size() && bounds[b + 1].row == bounds[b].row)
@@ -129,25 +148,79 @@ std::vector<double> within_bounds(const BoundedForces &forces,
       ++b;
     }
     else
-      x[bounds[b].row] = bounds[b].limit - slack[b];
+      x[bounds[b].row] = bounds[b].sign * (bounds[b].limit - slack[b]);
+  for (const ForceRows::Section &section : forces.of().sections())
+    move_inside(section, x);
   return x;
+}
+
+/**
+ * What keeps forces with these slacks within their bounds: of a row with two
+ * the nearer. Squares do in the first step; with an anchor there is room, and
+ * less is lost to rounding.
+ */
+ConicForces::Weights weights_of_state(const ConicForces &forces,
+                                      const std::vector<double> &slack,
+                                      const bool are_square)
+{
+  ConicForces::Weights weights;
+  const auto &bounds = forces.bounds();
+  for (std::size_t b = 0; b < bounds.size(); ++b)
+  {
+    double d = slack[b];
+    const bool is_first =
+        b + 1 < bounds.size() && bounds[b + 1].row == bounds[b].row;
+    const bool is_second = b > 0 && bounds[b - 1].row == bounds[b].row;
+    if (is_first || is_second)
+      d = std::min(d, slack[is_first ? b + 1 : b - 1]);
+    d = std::max(d, 0.);
+    // One bound of a row counts.
+    weights.of_bounds.push_back(is_second ? 0. : 1. / (are_square ? d * d : d));
+  }
+  for (std::size_t k = 0; k < forces.cones().size(); ++k)
+  {
+    weights.of_cones.push_back(
+        QuadraticCone::Scaling::of_barrier(forces.of_cone(slack, k)));
+    if (!are_square)
+    {
+      double &square = weights.of_cones.back().eta_squared;
+      square = std::sqrt(square);
+    }
+  }
+  return weights;
+}
+
+/** The inverse of the part of a step to where a slack vanishes. */
+double inverse_of_longest(const ConicForces &forces,
+                          const std::vector<double> &v,
+                          const std::vector<double> &step)
+{
+  double fastest = 0.;
+  for (std::size_t b = 0; b < forces.bounds().size(); ++b)
+    if (v[b] > 0.)
+      fastest = std::max(fastest, -step[b] / v[b]);
+  for (std::size_t k = 0; k < forces.cones().size(); ++k)
+    fastest = std::max(fastest, QuadraticCone::inverse_of_longest(
+                                    forces.of_cone(v, k),
+                                    forces.of_cone(step, k)));
+  return fastest;
 }
 } // namespace
 
-FactorState state_near(BoundedForces &forces,
-                       const SelfDual::Loads &loads,
+FactorState state_near(ConicForces &forces,
+                       const SelfDual::Program &program,
                        const SelfDual::Point &point,
                        const std::optional<FactorState> &anchor,
                        const double share)
 {
   const InvalidOperationsAllowed allowed;
-  const double dead = largest_component(loads.dead),
-               live = largest_component(loads.live);
+  const double dead = largest_component(program.dead),
+               live = largest_component(program.live);
   const auto residual = [&](const FactorState &state) {
-    return largest_component(missing(forces, loads, state)) /
+    return largest_component(missing(forces, program, state)) /
            std::max(dead, std::abs(state.alpha) * live);
   };
-  FactorState best = {within_bounds(forces, point.s), point.alpha, 0.};
+  FactorState best = {within_bounds(forces, point), point.alpha, 0.};
   if (anchor)
   {
     towards(best.x, share, anchor->x);
@@ -158,27 +231,17 @@ FactorState state_near(BoundedForces &forces,
   Patience patience;
   while (best.residual > rounding_of_bound && patience.lasts())
   {
-    const std::vector<double> distance = distances(forces, trial.x);
-    // Squares keep all forces within their bounds in the first step; with an
-    // anchor there is room, and less is lost to rounding.
-    std::vector<double> weights = distance;
-    if (!anchor)
-      for (double &d : weights)
-        d *= d;
-    if (!forces.prepare(weights))
+    const std::vector<double> slack = slacks_of(forces, trial.x);
+    if (!forces.prepare(weights_of_state(forces, slack, !anchor)))
       break;
     double alpha;
-    std::vector<double> dx = forces.along(
-        solve(forces, loads.live, missing(forces, loads, trial), 0., alpha));
-    double fastest = 0.;
-    for (std::size_t k = 0; k < dx.size(); ++k)
-      if (distance[k] > 0.)
-      {
-        dx[k] *= weights[k];
-        fastest = std::max(fastest, std::abs(dx[k]) / distance[k]);
-      }
-      else
-        dx[k] = 0.;
+    std::vector<double> dx = forces.along(solve(
+        forces, program.live, missing(forces, program, trial), 0., alpha));
+    forces.multiply(dx);
+    std::vector<double> of_slacks = forces.at_slacks(dx);
+    for (double &component : of_slacks)
+      component = -component;
+    const double fastest = inverse_of_longest(forces, slack, of_slacks);
     const double part =
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;
     add(trial.x, part, dx);
@@ -191,8 +254,8 @@ FactorState state_near(BoundedForces &forces,
   return best;
 }
 
-FactorMotion mechanism_near(BoundedForces &forces,
-                            const SelfDual::Loads &loads,
+FactorMotion mechanism_near(ConicForces &forces,
+                            const SelfDual::Program &program,
                             const SelfDual::Point &point,
                             const std::optional<FactorMotion> &anchor,
                             const double share)
@@ -204,43 +267,57 @@ FactorMotion mechanism_near(BoundedForces &forces,
     towards(best.u, share, anchor->u);
     towards(best.z, share, anchor->z);
   }
-  best.closing = closing_of(forces, best.u);
+  best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
   Patience patience;
+  const std::size_t n_bounds = forces.bounds().size();
   while (best.closing > rounding_of_motion && patience.lasts())
   {
     std::vector<double> left = forces.along(trial.u);
     add(left, 1., forces.of_rows(trial.z));
+    if (!program.cost.empty())
+      add(left, 1., program.cost);
     const double work =
-        loads.live.empty() ? 0. : loads.sense - dot(loads.live, trial.u);
-    // As with the forces.
-    std::vector<double> weights = trial.z;
-    if (!anchor)
-      for (double &weight : weights)
-        weight *= weight;
-    const std::vector<double> k = forces.inverse_sums(weights);
-    if (!forces.prepare(k))
+        program.live.empty() ? 0. : program.sense - dot(program.live, trial.u);
+    // As with the forces: W^2 of the multipliers stands for W^-2 of slacks.
+    ConicForces::Weights weights;
+    for (std::size_t b = 0; b < n_bounds; ++b)
+      weights.of_bounds.push_back(anchor ? trial.z[b]
+                                         : trial.z[b] * trial.z[b]);
+    for (std::size_t k = 0; k < forces.cones().size(); ++k)
+    {
+      weights.of_cones.push_back(
+          QuadraticCone::Scaling::of_dual_barrier(forces.of_cone(trial.z, k)));
+      if (anchor)
+      {
+        double &square = weights.of_cones.back().eta_squared;
+        square = std::sqrt(square);
+      }
+    }
+    if (!forces.prepare(weights))
       break;
-    for (std::size_t r = 0; r < left.size(); ++r)
-      left[r] *= -k[r];
+    forces.multiply(left);
+    for (double &component : left)
+      component = -component;
     double alpha;
     const std::vector<double> du =
-        solve(forces, loads.live, forces.on_bodies(left), work, alpha);
+        solve(forces, program.live, forces.on_bodies(left), work, alpha);
     std::vector<double> change = forces.along(du);
+    forces.multiply(change);
     for (std::size_t r = 0; r < left.size(); ++r)
-      change[r] = left[r] - k[r] * change[r];
-    std::vector<double> dz = forces.at_bounds(change);
-    double fastest = 0.;
-    for (std::size_t b = 0; b < dz.size(); ++b)
-    {
-      dz[b] *= weights[b];
-      fastest = std::max(fastest, -dz[b] / trial.z[b]);
-    }
+      change[r] = left[r] - change[r];
+    std::vector<double> dz = forces.at_slacks(change);
+    for (std::size_t b = 0; b < n_bounds; ++b)
+      dz[b] *= weights.of_bounds[b];
+    for (std::size_t k = 0; k < forces.cones().size(); ++k)
+      forces.set_cone(
+          dz, k, weights.of_cones[k].over_square(forces.of_cone(dz, k)));
+    const double fastest = inverse_of_longest(forces, trial.z, dz);
     const double part =
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;
     add(trial.u, part, du);
     add(trial.z, part, dz);
-    trial.closing = closing_of(forces, trial.u);
+    trial.closing = closing_of(forces, program, trial.u);
     patience.see(trial.closing, best.closing);
     if (trial.closing < best.closing)
       best = trial;

@@ -12,88 +12,47 @@ namespace Voussoir
 namespace
 {
 /** The mechanism of a ray, along which the loads do work for nothing. */
-std::vector<double> collapse_of(BoundedForces &forces,
-                                const SelfDual::Loads &loads,
+std::vector<double> collapse_of(ConicForces &forces,
+                                const SelfDual::Program &program,
                                 SelfDual::Point ray)
 {
   const double size = largest_component(ray.u);
   for (auto *const v : {&ray.u, &ray.z})
     for (double &component : *v)
       component /= size;
-  return mechanism_near(forces, loads, ray).u;
+  return mechanism_near(forces, program, ray).u;
 }
 
-/** Forces or a collapse, as find_feasible_forces(), with the present rows. */
-FeasibleForces find_with_rows(RowProblem &problem,
-                              const std::vector<double> &loads,
-                              const unsigned int n_max_iterations,
-                              Terminal &terminal)
+/** True for each body that stands for its connected group. */
+std::vector<bool> held_bodies(const DiscreteProblem &problem,
+                              const unsigned int n_bodies)
 {
-  const SelfDual::Loads fixed = {loads, {}, 1.};
-  SelfDual program(problem.forces(), fixed);
-  SelfDual::State state = SelfDual::State::running;
-  FeasibleForces found;
-  while (state == SelfDual::State::running && !found.state &&
-         program.n_iterations() < n_max_iterations)
-  {
-    state = program.step();
-    terminal.iteration("Interior point",
-                       text("iteration ", program.n_iterations(), ", error ",
-                            program.merit()));
-    if (!(program.merit() < merit_worth_correcting))
-      continue;
-    FactorState near = state_near(problem.forces(), fixed, program.point());
-    if (near.residual <= largest_residual_of_state)
-      found.state = std::move(near);
-  }
-  if (state == SelfDual::State::infeasible)
-    found.collapse = collapse_of(problem.forces(), fixed, program.point());
-  found.n_iterations = program.n_iterations();
-  return found;
+  std::vector<bool> held(n_bodies, false);
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    held[b] = problem.is_held(b);
+  return held;
 }
-
-/** The strips of joints between blocks that turn. */
-constexpr unsigned int n_strips_of_turning = 16;
 } // namespace
 
 RowProblem::RowProblem(const DiscreteProblem &problem)
-    : problem(problem),
-      strips(problem.normal_limits().size(),
-             problem.kinematics().turns() ? n_strips_of_turning : 1)
-{
-  make_rows();
-}
-
-void RowProblem::make_rows()
-{
-  present_forces.reset();
-  present_rows = std::make_unique<BoundedRows>(problem, strips);
-  std::vector<bool> held(present_rows->n_bodies(), false);
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-    held[b] = problem.is_held(b);
-  present_forces = std::make_unique<BoundedForces>(*present_rows, held);
-}
-
-void RowProblem::refine(const std::vector<double> &u)
-{
-  strips = present_rows->cuts_for(u);
-  make_rows();
-}
+    : problem(problem), of_rows(problem),
+      of_forces(of_rows, held_bodies(problem, of_rows.n_bodies()))
+{}
 
 std::vector<double> RowProblem::loads() const
 {
-  std::vector<double> own = present_rows->loads();
-  present_forces->clear_held(own);
+  std::vector<double> own = of_rows.loads();
+  of_forces.clear_held(own);
   return own;
 }
 
 std::vector<double> RowProblem::loads(std::vector<double> of_problem,
                                       const bool with_offset) const
 {
-  of_problem.resize(present_rows->n_dofs(), 0.);
+  of_problem.resize(of_rows.n_dofs(), 0.);
   if (with_offset)
-    add(of_problem, 1., present_rows->offset());
-  present_forces->clear_held(of_problem);
+    add(of_problem, 1., of_rows.offset());
+  of_forces.clear_held(of_problem);
   return of_problem;
 }
 
@@ -123,19 +82,27 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
                                     const unsigned int n_max_iterations,
                                     Terminal &terminal)
 {
+  const SelfDual::Program fixed = {loads};
+  SelfDual program(problem.forces(), fixed);
+  SelfDual::State state = SelfDual::State::running;
   FeasibleForces found;
-  for (unsigned int round = 0;; ++round)
+  while (state == SelfDual::State::running && !found.state &&
+         program.n_iterations() < n_max_iterations)
   {
-    const unsigned int n_before = found.n_iterations;
-    found = find_with_rows(problem, loads, n_max_iterations, terminal);
-    found.n_iterations += n_before;
-    // Strips carry less than the joint does: a collapse is one only when they
-    // are cut for it.
-    if (found.collapse.empty() || !problem.rows().has_strips() ||
-        round == RowProblem::n_rounds)
-      return found;
-    problem.refine(found.collapse);
+    state = program.step();
+    terminal.iteration("Interior point",
+                       text("iteration ", program.n_iterations(), ", error ",
+                            program.merit()));
+    if (!(program.merit() < merit_worth_correcting))
+      continue;
+    FactorState near = state_near(problem.forces(), fixed, program.point());
+    if (near.residual <= largest_residual_of_state)
+      found.state = std::move(near);
   }
+  if (state == SelfDual::State::infeasible)
+    found.collapse = collapse_of(problem.forces(), fixed, program.point());
+  found.n_iterations = program.n_iterations();
+  return found;
 }
 
 namespace

@@ -18,47 +18,86 @@ constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 constexpr unsigned int n_patience_of_gap = 10;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
-/** The first slack, over the root of the stiffness or the whole range. */
-constexpr double first_slack = 100.;
+/**
+ * The first slack, over the root of the stiffness or the whole range: forces
+ * far inside their bounds, so that joints need hardly open to begin with; with
+ * a quadratic cost the elastic ones.
+ */
+constexpr double first_slack = 100., first_slack_of_curved = 1.;
 /** A bound, over the loads, that hardly matters to begin with. */
 constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
 constexpr double small_factor = 1e-3;
 } // namespace
 
-SelfDual::SelfDual(BoundedForces &forces, Loads loads_in)
-    : forces(forces), loads(std::move(loads_in)),
+SelfDual::SelfDual(ConicForces &forces, Program program_in)
+    : forces(forces), program(std::move(program_in)), limits(forces.limits()),
+      n_bounds(forces.bounds().size()),
       size_of_loads(std::max(
-          {largest_component(loads.dead), largest_component(loads.live)})),
-      least_product(std::numeric_limits<double>::infinity())
+          {largest_component(program.dead), largest_component(program.live)})),
+      least_mean(std::numeric_limits<double>::infinity())
 {
-  const BoundedRows &rows = forces.of();
-  double strongest = 0.;
-  for (const BoundedForces::Bound &bound : forces.bounds())
+  start();
+  if (const double live = largest_component(program.live); live > 0.)
   {
-    // All products start from one, and forces far inside their bounds, so that
-    // joints need hardly open to begin with: the displacement, with the work
-    // one, is small beside the forces. Bounds may be farther away still.
-    const BoundedRows::Bounds &of_row = rows.bounds()[bound.row];
-    const double k =
-        first_slack *
-        std::min(
-            std::sqrt(rows.joints()[rows.joint_of_row(bound.row)].stiffness()),
-            of_row.greatest - of_row.least);
+    double strongest = 0.;
+    for (const ConicForces::Bound &bound : forces.bounds())
+      strongest = std::max(strongest, bound.limit);
+    for (const ForceRows::Section &section : forces.of().sections())
+      strongest = std::max(strongest, section.strength);
+    unit = small_factor *
+           std::max(largest_component(program.dead), strongest) / live;
+    if (!(unit > 0.))
+      unit = 1.;
+  }
+  else if (program.has_curvature)
+    unit = 0.;
+  else if (!program.cost.empty())
+    unit = size_of_loads > 0. ? size_of_loads : 1.;
+  judge();
+}
+
+/**
+ * All products start from one. The displacement, with the work one, is small
+ * beside the forces.
+ */
+void SelfDual::start()
+{
+  const ForceRows &rows = forces.of();
+  const double first =
+      program.has_curvature ? first_slack_of_curved : first_slack;
+  const auto slack = [&](const std::size_t row, const double range) {
+    return first *
+           std::min(std::sqrt(rows.joints()[rows.joint_of_row(row)].stiffness()),
+                    range);
+  };
+  for (const ConicForces::Bound &bound : forces.bounds())
+  {
+    // Bounds may be farther away still.
+    const ForceRows::Bounds &of_row = rows.bounds()[bound.row];
+    const double k = slack(bound.row, of_row.greatest - of_row.least);
     const double s = bound.limit > far_bound ? bound.limit : k;
     now.s.push_back(s);
     now.z.push_back(1. / s);
-    strongest = std::max(strongest, bound.limit);
+  }
+  now.s.resize(forces.n_slacks());
+  now.z.resize(forces.n_slacks());
+  for (std::size_t k = 0; k < forces.cones().size(); ++k)
+  {
+    // As with such a pressure at this end, and half as much at both.
+    const ConicForces::Cone &cone = forces.cones()[k];
+    const double pressure = slack(cone.row, cone.limit[0]);
+    QuadraticCone::Vector s = cone.limit;
+    s[0] += pressure;
+    s[1] += pressure;
+    forces.set_cone(now.s, k, s);
+    const double det = QuadraticCone::det(s);
+    forces.set_cone(now.z, k, {{s[0] / det, -s[1] / det, -s[2] / det}});
   }
   now.x.assign(rows.n_all_rows(), 0.);
-  now.u.assign(forces.n_unknowns(), 0.);
+  now.u.assign(rows.n_dofs(), 0.);
   now.alpha = 0.;
   now.tau = now.kappa = 1.;
-  const double live = largest_component(loads.live);
-  if (live > 0.)
-    unit_of_alpha = small_factor *
-                    std::max(largest_component(loads.dead), strongest) / live;
-  judge();
 }
 
 SelfDual::Point SelfDual::point() const
@@ -73,43 +112,71 @@ SelfDual::Point SelfDual::point() const
 
 double SelfDual::mean_product() const
 {
-  return (dot(now.s, now.z) + now.tau * now.kappa) / (now.s.size() + 1.);
+  return (dot(now.s, now.z) + now.tau * now.kappa) /
+         (n_bounds + forces.cones().size() + 1.);
+}
+
+/** x^T Q y. */
+double SelfDual::curvature_of(const std::vector<double> &x,
+                              const std::vector<double> &y) const
+{
+  double sum = 0.;
+  if (program.has_curvature)
+    for (std::size_t k = 0; k < x.size(); ++k)
+      sum += forces.curvature()[k] * x[k] * y[k];
+  return sum;
 }
 
 SelfDual::Residuals SelfDual::residuals() const
 {
   Residuals r;
   r.balance = forces.on_bodies(now.x);
-  add(r.balance, now.tau, loads.dead);
-  if (!loads.live.empty())
-    add(r.balance, now.alpha, loads.live);
-  r.bounds = forces.at_bounds(now.x);
-  double h_z = 0.;
+  add(r.balance, now.tau, program.dead);
+  if (!program.live.empty())
+    add(r.balance, now.alpha, program.live);
+  r.bounds = forces.at_slacks(now.x);
   for (std::size_t b = 0; b < r.bounds.size(); ++b)
-  {
-    const double limit = forces.bounds()[b].limit;
-    r.bounds[b] += now.s[b] - now.tau * limit;
-    h_z += limit * now.z[b];
-  }
+    r.bounds[b] += now.s[b] - now.tau * limits[b];
   r.multipliers = forces.along(now.u);
   add(r.multipliers, 1., forces.of_rows(now.z));
-  r.live_work =
-      loads.live.empty() ? 0. : dot(loads.live, now.u) - now.tau * loads.sense;
-  r.gap = now.kappa - loads.sense * now.alpha - (dot(loads.dead, now.u) - h_z);
+  if (program.has_curvature)
+    for (std::size_t k = 0; k < now.x.size(); ++k)
+      r.multipliers[k] += forces.curvature()[k] * now.x[k];
+  if (!program.cost.empty())
+    add(r.multipliers, now.tau, program.cost);
+  r.live_work = program.live.empty()
+                    ? 0.
+                    : dot(program.live, now.u) - now.tau * program.sense;
+  r.gap = now.kappa - program.sense * now.alpha - gain();
+  if (program.has_curvature)
+    r.gap += curvature_of(now.x, now.x) / now.tau;
+  if (!program.cost.empty())
+    r.gap += dot(program.cost, now.x);
   return r;
 }
 
-/** Find the residuals and what they say. */
-SelfDual::State SelfDual::judge()
+double SelfDual::gain() const
 {
-  residual = residuals();
-  const double primal = -loads.sense * now.alpha;
-  const double dual = primal - residual.gap + now.kappa;
+  return dot(program.dead, now.u) - dot(limits, now.z);
+}
+
+double SelfDual::objective() const
+{
+  double sum = -program.sense * now.alpha / now.tau;
+  if (program.has_curvature)
+    sum += 0.5 * curvature_of(now.x, now.x) / (now.tau * now.tau);
+  if (!program.cost.empty())
+    sum += dot(program.cost, now.x) / now.tau;
+  return sum;
+}
+
+double SelfDual::find_error(const double primal, const double dual) const
+{
   const auto relative = [&](const std::vector<double> &v) {
     return largest_component(v) / now.tau;
   };
   double of_multipliers = 0.;
-  const BoundedRows &rows = forces.of();
+  const ForceRows &rows = forces.of();
   for (unsigned int e = 0; e < rows.joints().size(); ++e)
   {
     const double root = std::sqrt(rows.joints()[e].stiffness());
@@ -120,39 +187,63 @@ SelfDual::State SelfDual::judge()
   double of_bounds = 0.;
   for (std::size_t b = 0; b < residual.bounds.size(); ++b)
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /
-                                        (1. + forces.bounds()[b].limit));
-  const double reference = std::max(std::abs(primal) / now.tau,
-                                    unit_of_alpha > 0. ? unit_of_alpha : 1.);
-  error = std::max({std::abs(primal - dual) / now.tau / reference,
-                    relative(residual.balance) / size_of_loads,
-                    of_bounds / now.tau, of_multipliers / now.tau,
-                    std::abs(residual.live_work) / now.tau});
+                                        (1. + std::abs(limits[b])));
+  const double reference = std::max(std::abs(primal) / now.tau, unit);
+  return std::max(
+      {std::abs(primal - dual) / now.tau /
+           std::max(reference, std::numeric_limits<double>::min()),
+       relative(residual.balance) / size_of_loads, of_bounds / now.tau,
+       of_multipliers / now.tau, std::abs(residual.live_work) / now.tau});
+}
+
+/** Whether the point is a ray that proves that there is no optimum. */
+SelfDual::State SelfDual::judge_ray(const double primal,
+                                    const double gain) const
+{
+  std::vector<double> balance = residual.balance;
+  add(balance, -now.tau, program.dead);
+  std::vector<double> multipliers = residual.multipliers;
+  if (program.has_curvature)
+    for (std::size_t k = 0; k < now.x.size(); ++k)
+      multipliers[k] -= forces.curvature()[k] * now.x[k];
+  if (!program.cost.empty())
+    add(multipliers, -now.tau, program.cost);
+  double of_ray = 0.;
+  for (std::size_t b = 0; b < residual.bounds.size(); ++b)
+    of_ray =
+        std::max(of_ray, std::abs(residual.bounds[b] + now.tau * limits[b]));
+  const double live_work = program.live.empty()
+                               ? 0.
+                               : residual.live_work + now.tau * program.sense;
+  if (gain > 0. &&
+      std::max(largest_component(multipliers), std::abs(live_work)) <
+          error_of_ray * gain / size_of_loads)
+    return State::infeasible;
+  if (primal < 0. && !program.has_curvature &&
+      largest_component(balance) < -error_of_ray * primal * size_of_loads &&
+      of_ray < -error_of_ray * primal)
+    return State::unbounded;
+  return State::running;
+}
+
+/** Find the residuals and what they say. */
+SelfDual::State SelfDual::judge()
+{
+  residual = residuals();
+  const double primal = objective() * now.tau;
+  const double dual = primal - residual.gap + now.kappa;
+  error = find_error(primal, dual);
   if (error < best_merit)
     return State::optimal;
-
   if (now.tau < small_tau * now.kappa)
-  {
-    std::vector<double> balance = residual.balance;
-    add(balance, -now.tau, loads.dead);
-    double of_ray = 0.;
-    for (std::size_t b = 0; b < residual.bounds.size(); ++b)
-      of_ray = std::max(of_ray, std::abs(residual.bounds[b] +
-                                         now.tau * forces.bounds()[b].limit));
-    const double live_work =
-        loads.live.empty() ? 0. : residual.live_work + now.tau * loads.sense;
-    if (dual > 0. &&
-        std::max(largest_component(residual.multipliers), std::abs(live_work)) <
-            error_of_ray * dual / size_of_loads)
-      return State::infeasible;
-    if (primal < 0. &&
-        largest_component(balance) < -error_of_ray * primal * size_of_loads &&
-        of_ray < -error_of_ray * primal)
-      return State::unbounded;
-  }
+    if (const State ray = judge_ray(
+            primal, program.has_curvature ? gain() : dual);
+        ray != State::running)
+      return ray;
   const double mean = mean_product();
-  if (mean < progress * least_product)
+  if (mean < progress * least_mean)
   {
-    least_product = mean;
+    least_mean = mean;
     iteration_of_least = iterations;
   }
   return iterations > iteration_of_least + n_patience_of_gap ? State::stalled

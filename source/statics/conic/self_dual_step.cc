@@ -12,8 +12,12 @@ namespace
 {
 /** The part of the way to the boundary that a step takes, and its limits. */
 constexpr double usual_fraction = 0.99, largest_fraction = 1. - 1e-7;
-/** The least product, over the mean of all. */
-constexpr double least_relative_product = 1e-3;
+/**
+ * The least product, over the mean of all: the usual one, of cones, and with a
+ * quadratic cost near its optimum.
+ */
+constexpr double least_relative_product = 1e-3, least_of_cones = 0.05,
+                 least_near_optimum = 1e-5, near_optimum = 1e-5;
 constexpr double shortening = 0.9;
 constexpr unsigned int n_shortenings = 30;
 
@@ -32,43 +36,102 @@ constexpr double reduction_of_gradients = 1e-11, share_of_residual = 1e-3;
 constexpr unsigned int n_self_dual_gradients = 12;
 /** Where the refinement of the bordered system stops. */
 constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
-constexpr unsigned int n_refined_steps = 3;
+constexpr unsigned int n_refined_steps = 3, n_refined_cones = 2;
 } // namespace
+
+/** Find the ratios of the bounds, and the scaling of the cones. */
+void SelfDual::find_scaling()
+{
+  weights.of_bounds.resize(n_bounds);
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    weights.of_bounds[b] = now.z[b] / now.s[b];
+  weights.of_cones.clear();
+  lambda.clear();
+  for (std::size_t k = 0; k < forces.cones().size(); ++k)
+  {
+    const QuadraticCone::Vector z = forces.of_cone(now.z, k);
+    weights.of_cones.push_back(
+        QuadraticCone::Scaling::of(forces.of_cone(now.s, k), z));
+    lambda.push_back(weights.of_cones.back().times(z));
+  }
+}
+
+/** W^-2 times what has a number for each slack. */
+std::vector<double> SelfDual::over_squares(const std::vector<double> &v) const
+{
+  std::vector<double> result(v.size());
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    result[b] = weights.of_bounds[b] * v[b];
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+    forces.set_cone(result, k,
+                    weights.of_cones[k].over_square(forces.of_cone(v, k)));
+  return result;
+}
+
+/**
+ * W^-2 B x of a solution of solve_bordered(). In a cone this loses the digits
+ * of what is balanced there, which its residual brings back.
+ */
+std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
+                                             const Variables &found) const
+{
+  std::vector<double> z = over_squares(forces.at_slacks(found.x));
+  if (lambda.empty())
+    return z;
+  const std::vector<double> along = forces.along(found.u);
+  for (unsigned int n = 0; n < n_refined_cones; ++n)
+  {
+    const std::vector<double> of_z = forces.of_rows(z);
+    std::vector<double> left(r1.size(), 0.);
+    for (const ForceRows::Section &section : forces.of().sections())
+      for (std::size_t k = section.row; k < section.row + 2; ++k)
+      {
+        left[k] = r1[k] - along[k] - of_z[k];
+        if (program.has_curvature)
+          left[k] -= forces.curvature()[k] * found.x[k];
+      }
+    forces.multiply(left);
+    add(z, 1., over_squares(forces.at_slacks(left)));
+  }
+  return z;
+}
 
 bool SelfDual::prepare()
 {
-  ratio.resize(now.s.size());
-  for (std::size_t b = 0; b < ratio.size(); ++b)
-    ratio[b] = now.z[b] / now.s[b];
-  stiffness = forces.inverse_sums(ratio);
-  if (!forces.prepare(stiffness))
+  find_scaling();
+  if (!forces.prepare(weights, program.has_curvature))
     return false;
-  if (!loads.live.empty())
+  if (!program.live.empty())
   {
     u_of_live = forces.solve(
-        loads.live, reduction_of_gradients * largest_component(loads.live),
+        program.live, reduction_of_gradients * largest_component(program.live),
         n_self_dual_gradients);
-    work_of_live = dot(loads.live, u_of_live);
+    work_of_live = dot(program.live, u_of_live);
   }
 
   // What a step depends on through tau, as a correction of the present point:
   // this keeps digits near the optimum.
-  std::vector<double> of_bounds(ratio.size());
-  for (std::size_t b = 0; b < ratio.size(); ++b)
-    of_bounds[b] = (2. * now.z[b] - ratio[b] * residual.bounds[b]) / now.tau;
-  std::vector<double> r1 = forces.of_rows(of_bounds);
+  const std::vector<double> of_residual = over_squares(residual.bounds);
+  std::vector<double> of_slacks(now.s.size());
+  for (std::size_t b = 0; b < of_slacks.size(); ++b)
+    of_slacks[b] = (2. * now.z[b] - of_residual[b]) / now.tau;
+  std::vector<double> r1 = forces.of_rows(of_slacks);
   add(r1, -1. / now.tau, residual.multipliers);
   std::vector<double> balance = residual.balance;
   for (double &component : balance)
     component /= -now.tau;
   solve_bordered(r1, balance, -residual.live_work / now.tau, by_tau);
-  by_tau.z = forces.at_bounds(by_tau.x);
-  double curvature = 0.;
-  for (std::size_t b = 0; b < ratio.size(); ++b)
+  by_tau.z = multipliers_of(r1, by_tau);
+  for (std::size_t b = 0; b < of_slacks.size(); ++b)
+    by_tau.z[b] += (of_residual[b] - now.z[b]) / now.tau;
+  double curvature = curvature_of(by_tau.x, by_tau.x);
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    curvature += by_tau.z[b] * by_tau.z[b] / weights.of_bounds[b];
+  for (std::size_t k = 0; k < lambda.size(); ++k)
   {
-    by_tau.z[b] = ratio[b] * by_tau.z[b] +
-                  (ratio[b] * residual.bounds[b] - now.z[b]) / now.tau;
-    curvature += by_tau.z[b] * by_tau.z[b] / ratio[b];
+    const QuadraticCone::Vector scaled =
+        weights.of_cones[k].times(forces.of_cone(by_tau.z, k));
+    curvature += QuadraticCone::product(scaled, scaled)[0];
   }
   add(by_tau.x, 1. / now.tau, now.x);
   add(by_tau.u, 1. / now.tau, now.u);
@@ -80,7 +143,7 @@ bool SelfDual::prepare()
 /**
  * Find x, u and alpha with
  *
- *     x / stiffness + A^T u = r1,  A x + alpha f_1 = balance,
+ *     K^-1 x + A^T u = r1,  A x + alpha f_1 = balance,
  *     f_1 . u = live_work.
  */
 void SelfDual::solve_bordered(const std::vector<double> &r1,
@@ -89,8 +152,7 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
                               Variables &found)
 {
   std::vector<double> k_r1 = r1;
-  for (std::size_t k = 0; k < k_r1.size(); ++k)
-    k_r1[k] *= stiffness[k];
+  forces.multiply(k_r1);
   std::vector<double> right = forces.on_bodies(k_r1);
   add(right, -1., balance);
   // What a step leaves undone is left for the next one.
@@ -102,32 +164,76 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
       std::max(reduction_of_gradients * largest_component(right), enough),
       n_self_dual_gradients);
   found.alpha = 0.;
-  if (!loads.live.empty())
+  if (!program.live.empty())
   {
-    found.alpha = (live_work - dot(loads.live, found.u)) / work_of_live;
+    found.alpha = (live_work - dot(program.live, found.u)) / work_of_live;
     add(found.u, found.alpha, u_of_live);
-    for (unsigned int n = 0; n < n_refined_steps; ++n)
-    {
-      std::vector<double> left = right;
-      add(left, found.alpha, loads.live);
-      add(left, -1., forces.product(found.u));
-      const double missing = live_work - dot(loads.live, found.u);
-      if (largest_component(left) < enough &&
-          std::abs(missing) < small_residual)
-        break;
-      const std::vector<double> du =
-          forces.solve(left, reduction_of_refinement * largest_component(left),
-                       n_self_dual_gradients);
-      const double more = (missing - dot(loads.live, du)) / work_of_live;
-      add(found.u, 1., du);
-      add(found.u, more, u_of_live);
-      found.alpha += more;
-    }
   }
-  found.x = k_r1;
-  const std::vector<double> along = forces.along(found.u);
-  for (std::size_t k = 0; k < along.size(); ++k)
-    found.x[k] -= stiffness[k] * along[k];
+  if (!lambda.empty())
+  {
+    found.x = forces.multiplied_difference(r1, found.u);
+    balance_forces(balance, live_work, enough, found);
+    return;
+  }
+  for (unsigned int n = 0; n < n_refined_steps && !program.live.empty(); ++n)
+  {
+    std::vector<double> left = right;
+    add(left, found.alpha, program.live);
+    add(left, -1., forces.product(found.u));
+    const double missing = live_work - dot(program.live, found.u);
+    if (largest_component(left) < enough && std::abs(missing) < small_residual)
+      break;
+    correct(left, missing, found);
+  }
+  found.x = forces.along(found.u);
+  forces.multiply(found.x);
+  for (std::size_t k = 0; k < found.x.size(); ++k)
+    found.x[k] = k_r1[k] - found.x[k];
+}
+
+/** Add to u and alpha what makes up for what is left; the change of u. */
+std::vector<double> SelfDual::correct(const std::vector<double> &left,
+                                      const double missing,
+                                      Variables &found)
+{
+  std::vector<double> du =
+      forces.solve(left, reduction_of_refinement * largest_component(left),
+                   n_self_dual_gradients);
+  add(found.u, 1., du);
+  if (program.live.empty())
+    return du;
+  const double more = (missing - dot(program.live, du)) / work_of_live;
+  add(found.u, more, u_of_live);
+  add(du, more, u_of_live);
+  found.alpha += more;
+  return du;
+}
+
+/**
+ * Refine a solution where K is so large that u has not the digits of x: its
+ * changes have them.
+ */
+void SelfDual::balance_forces(const std::vector<double> &balance,
+                              const double live_work,
+                              const double enough,
+                              Variables &found)
+{
+  for (unsigned int n = 0; n < n_refined_steps; ++n)
+  {
+    std::vector<double> left = forces.on_bodies(found.x);
+    add(left, -1., balance);
+    double missing = 0.;
+    if (!program.live.empty())
+    {
+      add(left, found.alpha, program.live);
+      missing = live_work - dot(program.live, found.u);
+    }
+    if (largest_component(left) < enough && std::abs(missing) < small_residual)
+      break;
+    std::vector<double> dx = forces.along(correct(left, missing, found));
+    forces.multiply(dx);
+    add(found.x, -1., dx);
+  }
 }
 
 /**
@@ -139,8 +245,19 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
                                    const double part)
 {
   std::vector<double> g(products.size());
-  for (std::size_t b = 0; b < g.size(); ++b)
+  for (std::size_t b = 0; b < n_bounds; ++b)
     g[b] = (part * now.z[b] * residual.bounds[b] - products[b]) / now.s[b];
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    const QuadraticCone::Scaling &W = weights.of_cones[k];
+    const QuadraticCone::Vector of_residual =
+        W.over_square(forces.of_cone(residual.bounds, k));
+    QuadraticCone::Vector of_cone = W.over(
+        QuadraticCone::quotient(lambda[k], forces.of_cone(products, k)));
+    for (unsigned int i = 0; i < 3; ++i)
+      of_cone[i] = part * of_residual[i] - of_cone[i];
+    forces.set_cone(g, k, of_cone);
+  }
   std::vector<double> r1 = forces.of_rows(g);
   for (std::size_t k = 0; k < r1.size(); ++k)
     r1[k] = -r1[k] - part * residual.multipliers[k];
@@ -149,24 +266,28 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
     component *= -part;
   Step step;
   solve_bordered(r1, balance, -part * residual.live_work, step);
-  step.z = forces.at_bounds(step.x);
+  step.z = multipliers_of(r1, step);
   double h_z = 0.;
   for (std::size_t b = 0; b < g.size(); ++b)
   {
-    step.z[b] = g[b] + ratio[b] * step.z[b];
-    h_z += forces.bounds()[b].limit * step.z[b];
+    step.z[b] = g[b] + step.z[b];
+    h_z += limits[b] * step.z[b];
   }
-  step.tau = (-part * residual.gap + last_product / now.tau +
-              loads.sense * step.alpha + dot(loads.dead, step.u) - h_z) /
-             slope_of_tau;
+  double to_gap = -part * residual.gap + last_product / now.tau +
+                  program.sense * step.alpha + dot(program.dead, step.u) - h_z;
+  if (program.has_curvature)
+    to_gap -= 2. / now.tau * curvature_of(now.x, step.x);
+  if (!program.cost.empty())
+    to_gap -= dot(program.cost, step.x);
+  step.tau = to_gap / slope_of_tau;
   add(step.x, step.tau, by_tau.x);
   add(step.u, step.tau, by_tau.u);
   add(step.z, step.tau, by_tau.z);
   step.alpha += step.tau * by_tau.alpha;
-  step.s = forces.at_bounds(step.x);
+  step.s = forces.at_slacks(step.x);
   for (std::size_t b = 0; b < g.size(); ++b)
-    step.s[b] = -part * residual.bounds[b] - step.s[b] +
-                step.tau * forces.bounds()[b].limit;
+    step.s[b] =
+        -part * residual.bounds[b] - step.s[b] + step.tau * limits[b];
   step.kappa = (-last_product - now.kappa * step.tau) / now.tau;
   return step;
 }
@@ -175,8 +296,17 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
 double SelfDual::longest(const Step &step) const
 {
   double fastest = std::max({1., -step.tau / now.tau, -step.kappa / now.kappa});
-  for (std::size_t b = 0; b < now.s.size(); ++b)
+  for (std::size_t b = 0; b < n_bounds; ++b)
     fastest = std::max({fastest, -step.s[b] / now.s[b], -step.z[b] / now.z[b]});
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    const QuadraticCone::Scaling &W = weights.of_cones[k];
+    fastest = std::max({fastest,
+                        QuadraticCone::inverse_of_longest(
+                            lambda[k], W.over(forces.of_cone(step.s, k))),
+                        QuadraticCone::inverse_of_longest(
+                            lambda[k], W.times(forces.of_cone(step.z, k)))});
+  }
   return 1. / fastest;
 }
 
@@ -186,29 +316,125 @@ void SelfDual::find_products(const Step &step,
                              double &last) const
 {
   products.resize(now.s.size());
-  for (std::size_t b = 0; b < now.s.size(); ++b)
+  for (std::size_t b = 0; b < n_bounds; ++b)
     products[b] =
         (now.s[b] + length * step.s[b]) * (now.z[b] + length * step.z[b]);
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    QuadraticCone::Vector s =
+        weights.of_cones[k].over(forces.of_cone(step.s, k));
+    QuadraticCone::Vector z =
+        weights.of_cones[k].times(forces.of_cone(step.z, k));
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      s[i] = lambda[k][i] + length * s[i];
+      z[i] = lambda[k][i] + length * z[i];
+    }
+    forces.set_cone(products, k, QuadraticCone::product(s, z));
+  }
   last = (now.tau + length * step.tau) * (now.kappa + length * step.kappa);
+}
+
+/** Add what the linearisation leaves out of @p step, less @p target. */
+void SelfDual::add_second_order(const Step &step,
+                                const double target,
+                                std::vector<double> &products) const
+{
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    products[b] += step.s[b] * step.z[b] - target;
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    const QuadraticCone::Vector of_step = QuadraticCone::product(
+        weights.of_cones[k].over(forces.of_cone(step.s, k)),
+        weights.of_cones[k].times(forces.of_cone(step.z, k)));
+    QuadraticCone::Vector of_cone = forces.of_cone(products, k);
+    for (unsigned int i = 0; i < 3; ++i)
+      of_cone[i] += of_step[i];
+    of_cone[0] -= target;
+    forces.set_cone(products, k, of_cone);
+  }
+}
+
+namespace
+{
+/** What brings a product that is far from the target back. */
+double correction(const double product, const double target)
+{
+  return std::max(std::clamp(product, target / outlying, target * outlying) -
+                      product,
+                  -outlying * target);
+}
+} // namespace
+
+/** Replace @p products by what brings them back to @p target. */
+void SelfDual::pull_back(const double target,
+                         std::vector<double> &products) const
+{
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    products[b] = correction(products[b], target);
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    const QuadraticCone::Vector of_cone = forces.of_cone(products, k);
+    std::array<double, 2> values = QuadraticCone::eigenvalues(of_cone);
+    for (double &value : values)
+      value = correction(value, target);
+    forces.set_cone(products, k,
+                    QuadraticCone::with_eigenvalues(of_cone, values));
+  }
+}
+
+/**
+ * The least product after a part of a step, over the mean of all and what it
+ * may be.
+ */
+double SelfDual::least_product(const Step &step, const double length) const
+{
+  const auto after = [&](const double v, const double of_step) {
+    return v + length * of_step;
+  };
+  const double last =
+      after(now.tau, step.tau) * after(now.kappa, step.kappa);
+  double sum = last, least = last, least_of_all_cones = 0.;
+  for (std::size_t b = 0; b < n_bounds; ++b)
+  {
+    const double product =
+        after(now.s[b], step.s[b]) * after(now.z[b], step.z[b]);
+    sum += product;
+    least = std::min(least, product);
+  }
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    QuadraticCone::Vector s = forces.of_cone(now.s, k),
+                          z = forces.of_cone(now.z, k);
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      s[i] = after(s[i], forces.of_cone(step.s, k)[i]);
+      z[i] = after(z[i], forces.of_cone(step.z, k)[i]);
+    }
+    if (!QuadraticCone::contains(s) || !QuadraticCone::contains(z))
+      return 0.;
+    sum += s[0] * z[0] + s[1] * z[1] + s[2] * z[2];
+    const double product =
+        std::sqrt(QuadraticCone::det(s) * QuadraticCone::det(z));
+    least_of_all_cones =
+        k == 0 ? product : std::min(least_of_all_cones, product);
+  }
+  const double mean = sum / (n_bounds + lambda.size() + 1.);
+  const double may_be = program.has_curvature && error < near_optimum
+                            ? least_near_optimum
+                            : least_relative_product;
+  const double of_bounds = least / (may_be * mean);
+  return lambda.empty() ? of_bounds
+                        : std::min(of_bounds, least_of_all_cones /
+                                                  (least_of_cones * mean));
 }
 
 /** Shorten a step until no product is far below the mean. */
 double SelfDual::keep_products_near(const Step &step, double length) const
 {
-  std::vector<double> products;
-  double last;
-  for (unsigned int n = 0; n < n_shortenings; ++n, length *= shortening)
-  {
-    find_products(step, length, products, last);
-    double sum = last, least = last;
-    for (const double product : products)
-    {
-      sum += product;
-      least = std::min(least, product);
-    }
-    if (least >= least_relative_product * sum / (products.size() + 1.))
-      break;
-  }
+  for (unsigned int n = 0;
+       n < n_shortenings && !(least_product(step, length) >= 1.); ++n)
+    length *= shortening;
   return length;
 }
 
@@ -218,24 +444,29 @@ SelfDual::State SelfDual::step()
   if (!prepare())
     return State::stalled;
   const double mean = mean_product();
-  std::vector<double> products(now.s.size()), trial;
-  for (std::size_t b = 0; b < products.size(); ++b)
+  std::vector<double> products, trial;
+  double last, trial_last;
+  products.resize(now.s.size());
+  for (std::size_t b = 0; b < n_bounds; ++b)
     products[b] = now.s[b] * now.z[b];
-  double last = now.tau * now.kappa, trial_last;
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+    forces.set_cone(products, k, QuadraticCone::product(lambda[k], lambda[k]));
+  last = now.tau * now.kappa;
   Step best = direction(products, last, 1.);
   double length = longest(best);
 
   find_products(best, length, trial, trial_last);
   double sum = trial_last;
-  for (const double product : trial)
-    sum += product;
-  const double left = sum / (trial.size() + 1.) / mean;
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    sum += trial[b];
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+    sum += forces.of_cone(trial, k)[0];
+  const double left = sum / (n_bounds + lambda.size() + 1.) / mean;
   const double centring =
       length > 0.1 ? std::pow(std::min(1., std::max(left, 1e-10)), 3.)
                    : 1. - length;
   const double target = centring * mean;
-  for (std::size_t b = 0; b < products.size(); ++b)
-    products[b] += best.s[b] * best.z[b] - target;
+  add_second_order(best, target, products);
   last += best.tau * best.kappa - target;
   best = direction(products, last, 1. - centring);
   length = longest(best);
@@ -246,14 +477,10 @@ SelfDual::State SelfDual::step()
   {
     // Bring products that a longer step would leave far from the target back.
     find_products(best, std::min(1., length + longer_trial), trial, trial_last);
-    const auto correction = [&](const double product) {
-      return std::max(
-          std::clamp(product, target / outlying, target * outlying) - product,
-          -outlying * target);
-    };
+    pull_back(target, trial);
     for (std::size_t b = 0; b < trial.size(); ++b)
-      trial[b] = products[b] - correction(trial[b]);
-    trial_last = last - correction(trial_last);
+      trial[b] = products[b] - trial[b];
+    trial_last = last - correction(trial_last, target);
     const Step other = direction(trial, trial_last, 1. - centring);
     const double other_length = longest(other);
     if (!(other_length >= length + least_gain))

@@ -18,11 +18,6 @@ struct GreatestValue
   double value;
   /** What the motion proves. */
   ForceBound bound;
-  /**
-   * What it proves of the states of the programme, FeasibleSet::are_inner(),
-   * which are fewer; S L times the unit.
-   */
-  double bound_of_programme;
   /** Certificate::error() of the forces. */
   double error_of_state;
   /** A state that attains it; empty if there is none. */
@@ -32,25 +27,15 @@ struct GreatestValue
 
   /** False if forces balance by themselves of which the function has more. */
   bool is_bounded() const { return std::isfinite(value); }
-  /** @{ */
-  /** What the bounds are more than the value; zero if there are none. */
+  /** What the bound is more than the value; zero if there is none. */
   double width() const { return is_bounded() ? bound.bound - value : 0.; }
-  double width_of_programme() const
-  {
-    return is_bounded() ? bound_of_programme - value : 0.;
-  }
-  /** @} */
 };
 
 /**
  * All admissible states of a scene, which carry its loads: what a function of
  * the forces has at most among them. Every value is attained by a state, and a
  * motion proves that no state has more; see bound_of(). Both are judged by code
- * that the simplex method does not share.
- *
- * Where joints crush between blocks that turn, the programmes have polygons
- * within their sections, BoundedRows, and so fewer states: what they find is
- * attained, and the motions prove by how much all states have more at most.
+ * that the solvers do not share.
  */
 class FeasibleSet
 {
@@ -62,9 +47,13 @@ public:
    * The programme of the states, with one to start from. Copies of it serve
    * other threads.
    *
+   * The states are_polyhedral().
+   *
    * @throws SolverError if there is no state.
    */
   StateProgram program() const;
+  /** False if some joints are sections, whose limits are curved. */
+  bool are_polyhedral() const { return by_rows.rows().sections().empty(); }
 
   /**
    * The greatest value of @p function.
@@ -82,7 +71,6 @@ public:
   /**
    * The greatest value of @p function, by greatest_force().
    *
-   * @param function of the forces of one interface.
    * @return nothing if the interior point does not come so close that there are
    *   proofs, as where states have next to no interior.
    */
@@ -93,8 +81,6 @@ public:
 
   /** The force that differences are relative to: the largest load on a cell. */
   double reference() const { return force; }
-  /** True if the programmes do not have all states. */
-  bool are_inner() const { return by_rows.rows().has_strips(); }
 
 private:
   std::vector<double> coefficients(const ForceFunction &function) const;
@@ -102,8 +88,6 @@ private:
   GreatestValue judged(StateProgram::Optimum optimum,
                        const std::vector<double> &c,
                        const ForceFunction &function) const;
-  double bound_of_programme(const std::vector<double> &c,
-                            const std::vector<double> &u) const;
   bool is_ray(const std::vector<double> &x) const;
 
   const Scene &scene;

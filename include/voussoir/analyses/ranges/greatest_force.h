@@ -10,14 +10,13 @@
 namespace Voussoir
 {
 /**
- * Maximise c . x over all admissible states x, see StateProgram, by SelfDual:
- * c . x - alpha = 0 is one more equation of balance, so that the greatest value
- * is a load factor, and its unknown turns c into jumps of the mechanism. It
- * takes about as long as a load factor, and no state to start from: of large
- * packings it is the way to few values, as the simplex method is to many.
+ * Maximise c . x over all admissible states x, see StateProgram, by SelfDual
+ * with the cost -c. It takes about as long as a load factor, and no state to
+ * start from: of large packings it is the way to few values, as the simplex
+ * method is to many, and where sections crush it is the only one.
  *
  * @param problem has the rows, and the loads.
- * @param c one number for each row; not zero between two bodies only.
+ * @param c one number for each row.
  * @param terminal sees the iterations.
  * @return the best state and motion that were found, or none.
  */

@@ -48,7 +48,7 @@ public:
     /** The forces of the rows: a vertex, or a ray that balances by itself. */
     std::vector<double> x;
     /**
-     * The multipliers of the balance, BoundedRows::n_dofs() numbers: a motion
+     * The multipliers of the balance, ForceRows::n_dofs() numbers: a motion
      * that with the jumps c opens all joints without force.
      */
     std::vector<double> u;

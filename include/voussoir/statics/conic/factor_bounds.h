@@ -31,15 +31,15 @@ struct FactorState
  * their bounds hardly move.
  *
  * @param forces of the joints.
- * @param loads on the bodies.
+ * @param program of the forces.
  * @param point close to the optimum.
  * @param anchor a state far from the bounds, if there is one. A share of it
  *   keeps those of a point at the optimum a little away from theirs, without
  *   which rounding leaves no balance.
  * @param share of the anchor, and what the factor loses by it.
  */
-FactorState state_near(BoundedForces &forces,
-                       const SelfDual::Loads &loads,
+FactorState state_near(ConicForces &forces,
+                       const SelfDual::Program &program,
                        const SelfDual::Point &point,
                        const std::optional<FactorState> &anchor = {},
                        double share = 0.);
@@ -49,7 +49,8 @@ struct FactorMotion
 {
   /** The displacement, n_dofs() numbers. */
   std::vector<double> u;
-  /** The opening or the sliding at each bound, positive. */
+  /** The multipliers of the slacks, within their cones: at a bound the opening
+   * or the sliding, positive. */
   std::vector<double> z;
   /**
    * The largest closing of what has no other limit, over the largest component
@@ -64,14 +65,14 @@ struct FactorMotion
  * the factor (the kinematic theorem): openings near zero hardly move.
  *
  * @param forces of the joints.
- * @param loads on the bodies.
+ * @param program of the forces.
  * @param point close to the optimum.
  * @param anchor a motion that opens all that it may, and does the same work, if
  *   there is one. A share of it keeps joints open that hardly are.
  * @param share of the anchor, and what the bound loses by it.
  */
-FactorMotion mechanism_near(BoundedForces &forces,
-                            const SelfDual::Loads &loads,
+FactorMotion mechanism_near(ConicForces &forces,
+                            const SelfDual::Program &program,
                             const SelfDual::Point &point,
                             const std::optional<FactorMotion> &anchor = {},
                             double share = 0.);

@@ -3,11 +3,10 @@
 #define voussoir_statics_conic_feasible_state_h
 
 #include <voussoir/base/exceptions.h>
-#include <voussoir/statics/conic/bounded_rows.h>
+#include <voussoir/statics/conic/force_rows.h>
 #include <voussoir/statics/conic/factor_bounds.h>
 #include <voussoir/statics/problem/formulation.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,25 +28,16 @@ public:
   /** The problem. */
   const DiscreteProblem &of() const { return problem; }
   /** Its rows. */
-  const BoundedRows &rows() const { return *present_rows; }
+  const ForceRows &rows() const { return of_rows; }
   /** Their forces; the ground and one cell of each group are held. */
-  BoundedForces &forces() { return *present_forces; }
+  ConicForces &forces() { return of_forces; }
   /** The forces of the rows. */
-  const BoundedForces &forces() const { return *present_forces; }
-  /**
-   * Cut joints that crush anew, see BoundedRows::cuts_for(). Then forces of
-   * before have no meaning any more; their number is the same.
-   *
-   * @param u the displacement, BoundedRows::n_dofs() numbers.
-   */
-  void refine(const std::vector<double> &u);
-  /** How often that may be worth while. */
-  static constexpr unsigned int n_rounds = 20;
+  const ConicForces &forces() const { return of_forces; }
   /** The loads of the rows, without those on held bodies. */
   std::vector<double> loads() const;
   /**
    * The loads of the rows with other loads on the bodies of the problem,
-   * n_dofs() numbers, and @p with_offset for those of BoundedRows::offset().
+   * n_dofs() numbers, and @p with_offset for those of ForceRows::offset().
    */
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;
@@ -55,12 +45,9 @@ public:
   std::vector<double> of_size_one(std::vector<double> u) const;
 
 private:
-  void make_rows();
-
   const DiscreteProblem &problem;
-  Strips strips;
-  std::unique_ptr<BoundedRows> present_rows;
-  std::unique_ptr<BoundedForces> present_forces;
+  ForceRows of_rows;
+  ConicForces of_forces;
 };
 
 /** What find_feasible_forces() found: one of the two, or neither. */
@@ -76,7 +63,7 @@ struct FeasibleForces
 
 /**
  * Find any admissible forces that balance @p loads, see RowProblem::loads(), or
- * their collapse, by SelfDual. Joints that crush may be cut anew.
+ * their collapse, by SelfDual.
  */
 FeasibleForces find_feasible_forces(RowProblem &problem,
                                     const std::vector<double> &loads,

@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_conic_self_dual_h
 #define voussoir_statics_conic_self_dual_h
 
-#include <voussoir/statics/conic/bounded_forces.h>
+#include <voussoir/statics/conic/conic_forces.h>
 
 #include <vector>
 
@@ -11,33 +11,38 @@ namespace Voussoir
 /**
  * The simplified homogeneous self-dual embedding of
  *
- *     maximise    sense alpha
- *     subject to  A x + alpha f_1 + f_0 = 0,  x within its bounds,
+ *     minimise    x^T Q x / 2 + c . x - sense alpha
+ *     subject to  A x + alpha f_1 + f_0 = 0,  s = h - B x in its cones,
  *
  * solved by an interior-point method, step by step: Xu, Hung and Ye, *Annals of
  * Operations Research* 62 (1996), 151, with the predictor and corrector of
- * Mehrotra and the corrections of Gondzio, *Computational Optimization and
- * Applications* 6 (1996), 137. A problem without an optimum has an answer, too:
- * a ray of forces that grow without bound, or a mechanism that no factor stops.
+ * Mehrotra, the corrections of Gondzio, *Computational Optimization and
+ * Applications* 6 (1996), 137, and the scaling of QuadraticCone. A problem
+ * without an optimum has an answer, too: a ray of forces that grow without
+ * bound, or a mechanism that no factor stops.
  *
- * x are the forces of BoundedForces, with slacks s >= 0 of their bounds; the
- * displacement u, with multipliers z >= 0 of the bounds, are the multipliers of
- * the balance, with the work sense of f_1: where z is the opening and the
- * sliding either way, u is a mechanism. All of them are over tau, which goes to
- * zero where there is no optimum.
+ * x are the forces of ConicForces, with their slacks s; the displacement u,
+ * with multipliers z of the slacks, are the multipliers of the balance: in the
+ * optimum Q x + c + A^T u + B^T z = 0, and f_1 has the work sense. Without a
+ * cost z is the opening and the sliding either way, and u is a mechanism. All
+ * of them are over tau, which goes to zero where there is no optimum.
  */
 class SelfDual
 {
 public:
-  /** The loads, n_dofs() numbers each, zero for held bodies. */
-  struct Loads
+  /** What is to be balanced, and at what cost. */
+  struct Program
   {
-    /** f_0. */
+    /** f_0, n_dofs() numbers, zero for held bodies. */
     std::vector<double> dead;
-    /** f_1; empty to look for any forces that balance f_0. */
-    std::vector<double> live;
+    /** f_1, the same; empty if there is no alpha. */
+    std::vector<double> live = {};
     /** 1 for the greatest alpha, -1 for the least. */
-    double sense;
+    double sense = 1.;
+    /** c, a number for each row; empty if it is zero. */
+    std::vector<double> cost = {};
+    /** True if Q counts, ConicForces::curvature(). */
+    bool has_curvature = false;
   };
 
   /** What is known. */
@@ -57,9 +62,9 @@ public:
 
   /**
    * @param forces of the joints; it must outlive this object.
-   * @param loads on the bodies.
+   * @param program what is asked of them.
    */
-  SelfDual(BoundedForces &forces, Loads loads);
+  SelfDual(ConicForces &forces, Program program);
 
   /** Take a step; what is known then. */
   State step();
@@ -72,7 +77,7 @@ public:
     /** The displacement, n_dofs() numbers. */
     std::vector<double> u;
     /** @{ */
-    /** The slacks and the multipliers, a number for each bound. */
+    /** The slacks and the multipliers. */
     std::vector<double> s, z;
     /** @} */
     /** The factor. */
@@ -87,6 +92,12 @@ public:
   double merit() const { return error; }
   /** The factor at present. */
   double alpha() const { return now.alpha / now.tau; }
+  /** What x costs at present, less what alpha is worth. */
+  double objective() const;
+  /** kappa over tau, which grows where there is no optimum. */
+  double doubt() const { return now.kappa / now.tau; }
+  /** What the loads gain along u, if there is no other balance. */
+  double gain() const;
   /** The number of steps taken. */
   unsigned int n_iterations() const { return iterations; }
 
@@ -105,40 +116,65 @@ private:
     double live_work, gap;
   };
 
+  void start();
   Residuals residuals() const;
+  double curvature_of(const std::vector<double> &x,
+                      const std::vector<double> &y) const;
   double mean_product() const;
+  double find_error(double primal, double dual) const;
   State judge();
+  State judge_ray(double primal, double gain) const;
   bool prepare();
   void solve_bordered(const std::vector<double> &r1,
                       const std::vector<double> &balance,
                       double live_work,
                       Variables &found);
+  std::vector<double>
+  correct(const std::vector<double> &left, double missing, Variables &found);
+  void balance_forces(const std::vector<double> &balance,
+                      double live_work,
+                      double enough,
+                      Variables &found);
   Step direction(const std::vector<double> &products,
                  double last_product,
                  double part);
+  std::vector<double> over_squares(const std::vector<double> &v) const;
+  std::vector<double> multipliers_of(const std::vector<double> &r1,
+                                     const Variables &found) const;
+  void find_scaling();
   double longest(const Step &step) const;
   void find_products(const Step &step,
                      double length,
                      std::vector<double> &products,
                      double &last) const;
+  void add_second_order(const Step &step,
+                        double target,
+                        std::vector<double> &products) const;
+  void pull_back(double target, std::vector<double> &products) const;
+  double least_product(const Step &step, double length) const;
   double keep_products_near(const Step &step, double length) const;
 
-  BoundedForces &forces;
-  const Loads loads;
+  ConicForces &forces;
+  const Program program;
+  /** h. */
+  const std::vector<double> limits;
+  const std::size_t n_bounds;
   /** The largest component of all loads. */
   const double size_of_loads;
-  /** The factor below which differences are absolute. */
-  double unit_of_alpha = 0.;
+  /** The objective below which differences are absolute. */
+  double unit = 1.;
   Variables now;
   Residuals residual;
   double error = 0.;
   unsigned int iterations = 0;
-  double least_product;
+  double least_mean;
   unsigned int iteration_of_least = 0;
 
   // Of a step:
-  /** z / s of each bound; the coefficient of each row. */
-  std::vector<double> ratio, stiffness;
+  /** z / s of each bound, and W of each cone. */
+  ConicForces::Weights weights;
+  /** W z of each cone. */
+  std::vector<QuadraticCone::Vector> lambda;
   /** The solution for f_1. */
   std::vector<double> u_of_live;
   double work_of_live = 0.;

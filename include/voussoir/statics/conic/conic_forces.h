@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_conic_conic_forces_h
+#define voussoir_statics_conic_conic_forces_h
+
+#include <voussoir/algebra/linear/sparse_factor.h>
+#include <voussoir/statics/conic/force_rows.h>
+#include <voussoir/statics/conic/quadratic_cone.h>
+
+#include <array>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The forces x of rows with slacks s = h - B x in a product of half-lines and
+ * second-order cones, what they add up to on the bodies, and the normal
+ * equations of that. A x is the sum of forces on the bodies, and A^T u are
+ * minus the jumps.
+ *
+ * What has a number for each slack has those of the bounds() first, and behind
+ * them three for each of the cones().
+ */
+class ConicForces
+{
+public:
+  /** A bound, sign times the force of a row at most the limit. */
+  struct Bound
+  {
+    /** The number of the row among all. */
+    unsigned int row;
+    /** 1 or -1. */
+    double sign;
+    /** The largest value, not negative: zero is within all bounds. */
+    double limit;
+  };
+  /** A cone of slacks of the two rows of one set. */
+  struct Cone
+  {
+    /** The first of the rows among all. */
+    unsigned int row;
+    /** h of the three slacks. */
+    QuadraticCone::Vector limit;
+    /** The two coefficients of B of each slack; B^T J B is not positive. */
+    std::array<std::array<double, 2>, 3> b;
+  };
+  /** What stands for the inverse of each slack's matrix in a linear system. */
+  struct Weights
+  {
+    /** A number for each bound. */
+    std::vector<double> of_bounds;
+    /** W^-2 of each cone. */
+    std::vector<QuadraticCone::Scaling> of_cones;
+  };
+
+  /**
+   * @param rows must outlive this object.
+   * @param held true for the bodies that do not move and need no balance.
+   * @param curvature Q of each row, the second derivative of its cost; empty
+   *   if that is linear.
+   */
+  ConicForces(const ForceRows &rows,
+              std::vector<bool> held,
+              std::vector<double> curvature = {});
+
+  /** The rows. */
+  const ForceRows &of() const { return rows; }
+  /** True for the bodies that do not move. */
+  const std::vector<bool> &held_bodies() const { return held; }
+  /** Q of each row, or empty. */
+  const std::vector<double> &curvature() const { return of_cost; }
+  /** All bounds, in the order of the rows, of which each has up to two. */
+  const std::vector<Bound> &bounds() const { return all_bounds; }
+  /** All cones, two of each section. */
+  const std::vector<Cone> &cones() const { return all_cones; }
+  /** The number of slacks. */
+  std::size_t n_slacks() const
+  {
+    return all_bounds.size() + 3 * all_cones.size();
+  }
+  /** The three slacks of a cone, of what has a number for each slack. */
+  QuadraticCone::Vector of_cone(const std::vector<double> &v,
+                                std::size_t cone) const;
+  /** Set these three. */
+  void set_cone(std::vector<double> &v,
+                std::size_t cone,
+                const QuadraticCone::Vector &value) const;
+
+  /** h of each slack. */
+  std::vector<double> limits() const;
+  /** A x, n_dofs() numbers; zero for held bodies. */
+  std::vector<double> on_bodies(const std::vector<double> &x) const;
+  /**
+   * A^T u, one number a row, zero where there is no force; u is zero for held
+   * bodies.
+   */
+  std::vector<double> along(const std::vector<double> &u) const;
+  /** B x. */
+  std::vector<double> at_slacks(const std::vector<double> &x) const;
+  /** B^T z. */
+  std::vector<double> of_rows(const std::vector<double> &z) const;
+  /** Set what @p loads, n_dofs() numbers, has for held bodies to zero. */
+  void clear_held(std::vector<double> &loads) const;
+
+  /** Factorise by SparseFactor::avoid_blas(); to be called before prepare(). */
+  void avoid_blas() { factor.avoid_blas(); }
+  /**
+   * Factorise A K A^T, with a relative shift of its diagonal that makes it
+   * definite, and
+   *
+   *     K = (Q + B^T W^-2 B)^-1.
+   *
+   * @param with_curvature true if Q counts.
+   * @return false if no shift helps.
+   */
+  bool prepare(const Weights &weights, bool with_curvature = false);
+  /** prepare() for a diagonal K, one number a row; there are no cones then. */
+  bool prepare_diagonal(std::vector<double> k);
+  /** K r, of what is prepared; zero for rows without a slack. */
+  void multiply(std::vector<double> &r) const;
+  /**
+   * K (r - A^T u), where the difference is large across the limits of sections
+   * and along them, where K is, next to none.
+   */
+  std::vector<double> multiplied_difference(const std::vector<double> &r,
+                                            const std::vector<double> &u) const;
+  /**
+   * Solve with that matrix without the shift, by conjugate gradients that the
+   * factors precondition.
+   *
+   * @param right n_dofs() numbers.
+   * @param enough the largest component of a residual to stop at.
+   * @param n_gradients the largest number of steps.
+   */
+  std::vector<double> solve(const std::vector<double> &right,
+                            double enough,
+                            unsigned int n_gradients);
+  /** A K A^T times @p u. */
+  std::vector<double> product(const std::vector<double> &u) const;
+
+private:
+  bool factorise();
+  void invert_sets(const Weights &weights, bool with_curvature);
+
+  const ForceRows &rows;
+  const std::vector<bool> held;
+  const std::vector<double> of_cost;
+  std::vector<Bound> all_bounds;
+  std::vector<Cone> all_cones;
+  /** Rows whose bounds are both zero. */
+  std::vector<unsigned int> without_force;
+  /** Of each row, or of each pair of a set: K. */
+  std::vector<double> coefficients;
+  SparseFactor factor;
+};
+} // namespace Voussoir
+
+#endif

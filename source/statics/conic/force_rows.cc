@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/statics/conic/force_rows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Voussoir
+{
+namespace
+{
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/** The contacts of a section. */
+constexpr unsigned int n_ends = 2;
+
+/** The integral of the negative part of what is linear from a to b. */
+double negative_part(const double a, const double b)
+{
+  const double least = std::min(a, b), greatest = std::max(a, b);
+  if (least >= 0.)
+    return 0.;
+  return greatest <= 0. ? -0.5 * (a + b)
+                        : 0.5 * least * (least / (greatest - least));
+}
+} // namespace
+
+ForceRows::ForceRows(const DiscreteProblem &problem)
+    : Structure(problem.kinematics()), problem(problem)
+{
+  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
+    own.centres.push_back(problem.centre(b));
+  own.joints.reserve(problem.joints().size(), problem.n_all_rows(),
+                     kinematics());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const Joint &joint = problem.joints()[e];
+    first.push_back(joints().size());
+    if (has_cone(e) && crushes(e))
+    {
+      // The body between them has the centre of c-.
+      own.centres.push_back(problem.centre(joint.cell_minus));
+      add_rays(e, joint.cell_minus, own.centres.size() - 1);
+      add_contacts(e);
+    }
+    else if (has_cone(e))
+      add_rays(e, joint.cell_minus, joint.cell_plus);
+    else
+      add_contacts(e);
+  }
+  own.loads = problem.loads();
+  own.loads.resize(n_unknowns() * own.centres.size(), 0.);
+  Voussoir::add(own.loads, 1., offset());
+}
+
+bool ForceRows::crushes(const unsigned int e) const
+{
+  return !problem.normal_limits().empty() &&
+         std::isfinite(problem.normal_limits()[e].crushing);
+}
+
+void ForceRows::add_rays(const unsigned int e,
+                         const unsigned int minus,
+                         const unsigned int plus)
+{
+  Joint joint = problem.joints()[e];
+  const bool is_whole = plus == joint.cell_plus;
+  joint.cell_minus = minus;
+  joint.cell_plus = plus;
+  std::vector<ContactRow> rows;
+  const unsigned int n = problem.n_contacts(e);
+  for (unsigned int r = 0; r < n; ++r)
+    for (const double slope : {joint.coefficient, -joint.coefficient})
+    {
+      rows.push_back(
+          combination(1., problem.row(e, r), slope, problem.row(e, n)));
+      of_rows.push_back({-infinity, 0.});
+    }
+  rows.push_back(problem.row(e, n));
+  if (!is_whole)
+    for (ContactRow &row : rows)
+      row.turn_plus = row.turn_minus;
+  const double tangential =
+      std::max(problem.limit(e) - joint.coefficient * problem.tension(e), 0.);
+  of_rows.push_back({-tangential, tangential});
+  own.joints.add(joint, rows, kinematics());
+}
+
+void ForceRows::add_contacts(const unsigned int e)
+{
+  Joint joint = problem.joints()[e];
+  const unsigned int n = problem.n_contacts(e);
+  double tangential = problem.limit(e);
+  std::vector<unsigned int> sets;
+  if (!crushes(e))
+    of_rows.insert(of_rows.end(), n, {-infinity, 0.});
+  else
+  {
+    const NormalLimits &limits = problem.normal_limits()[e];
+    const double strength = limits.tension + limits.crushing;
+    if (n == n_ends)
+    {
+      all_sections.push_back(
+          {static_cast<unsigned int>(of_rows.size()), strength});
+      of_rows.insert(of_rows.end(), n, {-infinity, infinity});
+      sets = {n_ends, 1};
+    }
+    else
+      of_rows.insert(of_rows.end(), n, {-strength, 0.});
+    if (has_cone(e))
+    {
+      joint.cell_minus = own.centres.size() - 1;
+      tangential += joint.coefficient * limits.crushing;
+    }
+  }
+  of_rows.push_back({-tangential, tangential});
+  own.joints.add(joint, problem.rows(e), kinematics(), sets);
+}
+
+std::vector<double> ForceRows::forces_of(const std::vector<double> &x) const
+{
+  std::vector<double> forces;
+  forces.reserve(problem.n_all_rows());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const unsigned int n = problem.n_contacts(e);
+    const double *of = &x[first_row(first[e])];
+    double ends[] = {0., 0.}, tangential = of[n_contacts(first[e])];
+    if (has_cone(e))
+      for (unsigned int k = 0; k < n; ++k)
+      {
+        ends[k] = of[2 * k] + of[2 * k + 1];
+        tangential +=
+            problem.joints()[e].coefficient * (of[2 * k] - of[2 * k + 1]);
+      }
+    else
+      std::copy_n(of, n, ends);
+    for (unsigned int k = 0; k < n; ++k)
+      forces.push_back(ends[k] + problem.tension(e) / n);
+    forces.push_back(tangential);
+  }
+  return forces;
+}
+
+void ForceRows::add_force(const unsigned int e,
+                          const unsigned int r,
+                          const double factor,
+                          std::vector<double> &c) const
+{
+  const unsigned int n = problem.n_contacts(e);
+  double *of = &c[first_row(first[e])];
+  const double mu = problem.joints()[e].coefficient;
+  if (r == n)
+  {
+    of[n_contacts(first[e])] += factor;
+    for (unsigned int k = 0; has_cone(e) && k < 2 * n; ++k)
+      of[k] += k % 2 == 0 ? factor * mu : -factor * mu;
+  }
+  else if (has_cone(e))
+    for (unsigned int k : {2 * r, 2 * r + 1})
+      of[k] += factor;
+  else
+    of[r] += factor;
+}
+
+std::vector<double> ForceRows::offset() const
+{
+  std::vector<double> sum(n_dofs());
+  std::vector<double> tension(problem.n_all_rows(), 0.);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    for (unsigned int k = 0; k < problem.n_contacts(e); ++k)
+      tension[problem.first_row(e) + k] =
+          problem.tension(e) / problem.n_contacts(e);
+  problem.add_jump_gradients(-1., tension, sum);
+  return sum;
+}
+
+double
+ForceRows::dissipation_of_jumps(const std::vector<double> &jump) const
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < jump.size(); ++k)
+  {
+    const double most = jump[k] > 0. ? of_rows[k].greatest : of_rows[k].least;
+    if (std::isfinite(most))
+      sum += most * jump[k];
+  }
+  for (const Section &section : all_sections)
+    sum += section.strength *
+           negative_part(jump[section.row], jump[section.row + 1]);
+  return sum;
+}
+} // namespace Voussoir
