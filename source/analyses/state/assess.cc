@@ -2,7 +2,6 @@
 #include <voussoir/analyses/state/assess.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/statics/conic/feasible_state.h>
-#include <voussoir/statics/energy/find_collapse.h>
 #include <voussoir/statics/paper/analytic_centre.h>
 #include <voussoir/statics/problem/discretise.h>
 #include <voussoir/statics/problem/equilibrate.h>
@@ -160,7 +159,7 @@ Motion collapse_of(const Scene &scene,
       discretise(scene, moves).with_strengths_up_to(highest_strength);
   if (problem.joints().empty() || !problem.is_loaded())
     return {};
-  const auto mechanism = find_collapse(SharedProblem(problem), terminal);
+  const auto mechanism = find_collapse(problem, terminal);
   if (!mechanism)
     return {};
   const Motion of_moving = dimensional_motion(problem, *mechanism);

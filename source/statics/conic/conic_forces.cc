@@ -31,6 +31,14 @@ ConicForces::Cone cone_of(const ForceRows::Section &section,
   return cone;
 }
 
+/** The cone of an arc. */
+ConicForces::Cone cone_of(const ForceRows::Arc &arc)
+{
+  return {arc.row,
+          {{arc.strength, 0., 0.}},
+          {{{{0., 0.}}, {{-1., 0.}}, {{0., -1.}}}}};
+}
+
 /**
  * A positive sum of squares c (g . x)^2 of two rows, and its inverse, to all
  * digits however different the c are.
@@ -82,7 +90,10 @@ std::array<double, 2> transposed(const ConicForces::Cone &cone,
   return sum;
 }
 
-/** Add B^T W^-2 B of one cone: 2 w w^T - J, of which B^T J B is a square. */
+/**
+ * Add B^T W^-2 B of one cone: 2 w w^T - J. Of -B^T J B the head is nothing in
+ * an arc, and in a section what the first of the tail is.
+ */
 void add_cone(const ConicForces::Cone &cone,
               const QuadraticCone::Scaling &scaling,
               SumOfSquares &sum)
@@ -91,6 +102,8 @@ void add_cone(const ConicForces::Cone &cone,
   sum.add(2. / scaling.eta_squared,
           transposed(cone, {{w[0], -w[1], -w[2]}}));
   sum.add(1. / scaling.eta_squared, cone.b[2]);
+  if (cone.b[0] != cone.b[1])
+    sum.add(1. / scaling.eta_squared, cone.b[1]);
 }
 } // namespace
 
@@ -116,6 +129,12 @@ ConicForces::ConicForces(const ForceRows &rows,
   for (const ForceRows::Section &section : rows.sections())
     for (unsigned int end = 0; end < 2; ++end)
       all_cones.push_back(cone_of(section, end));
+  for (const ForceRows::Arc &arc : rows.arcs())
+    all_cones.push_back(cone_of(arc));
+  // In the order of the rows, as sets are gone through.
+  std::stable_sort(
+      all_cones.begin(), all_cones.end(),
+      [](const Cone &a, const Cone &b) { return a.row < b.row; });
 }
 
 void ConicForces::clear_held(std::vector<double> &loads) const
@@ -280,11 +299,13 @@ ConicForces::multiplied_difference(const std::vector<double> &r,
   for (std::size_t k = 0; k < x.size(); ++k)
     x[k] = r[k] - x[k];
   multiply(x);
-  for (const ForceRows::Section &section : rows.sections())
+  for (const Cone &cone : all_cones)
   {
-    const std::size_t k = section.row;
+    const std::size_t k = cone.row;
     const unsigned int e = rows.joint_of_row(k);
-    const double *const K = &coefficients[rows.first_coefficient(e)];
+    // All sets before it in its joint are of one row.
+    const double *const K = &coefficients[rows.first_coefficient(e) +
+                                          (k - rows.first_row(e))];
     const long double start = r[k] + rows.exact_jump(k, u.data()),
                       end = r[k + 1] + rows.exact_jump(k + 1, u.data());
     x[k] = static_cast<double>(K[0] * start + K[1] * end);

@@ -155,6 +155,14 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
       });
 }
 
+std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+                                       Terminal &terminal)
+{
+  return find_state_or_collapse(problem, SolverControls().n_max_iterations,
+                                terminal)
+      .mechanism;
+}
+
 Solution FeasibleState::select(const DiscreteProblem &problem,
                                const SolverControls &controls,
                                Terminal &terminal) const

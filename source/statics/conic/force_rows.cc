@@ -14,6 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /** The contacts of a section. */
 constexpr unsigned int n_ends = 2;
+/** The rows of an arc. */
+constexpr unsigned int n_of_arc = 2;
 
 /** The integral of the negative part of what is linear from a to b. */
 double negative_part(const double a, const double b)
@@ -26,7 +28,7 @@ double negative_part(const double a, const double b)
 }
 } // namespace
 
-ForceRows::ForceRows(const DiscreteProblem &problem)
+ForceRows::ForceRows(const DiscreteProblem &problem, const Friction friction)
     : Structure(problem.kinematics()), problem(problem)
 {
   for (unsigned int b = 0; b < problem.n_bodies(); ++b)
@@ -42,12 +44,12 @@ ForceRows::ForceRows(const DiscreteProblem &problem)
       // The body between them has the centre of c-.
       own.centres.push_back(problem.centre(joint.cell_minus));
       add_rays(e, joint.cell_minus, own.centres.size() - 1);
-      add_contacts(e);
+      add_contacts(e, friction);
     }
     else if (has_cone(e))
       add_rays(e, joint.cell_minus, joint.cell_plus);
     else
-      add_contacts(e);
+      add_contacts(e, friction);
   }
   own.loads = problem.loads();
   own.loads.resize(n_unknowns() * own.centres.size(), 0.);
@@ -87,7 +89,7 @@ void ForceRows::add_rays(const unsigned int e,
   own.joints.add(joint, rows, kinematics());
 }
 
-void ForceRows::add_contacts(const unsigned int e)
+void ForceRows::add_contacts(const unsigned int e, const Friction friction)
 {
   Joint joint = problem.joints()[e];
   const unsigned int n = problem.n_contacts(e);
@@ -114,8 +116,22 @@ void ForceRows::add_contacts(const unsigned int e)
       tangential += joint.coefficient * limits.crushing;
     }
   }
-  of_rows.push_back({-tangential, tangential});
-  own.joints.add(joint, problem.rows(e), kinematics(), sets);
+  std::vector<ContactRow> rows = problem.rows(e);
+  if (friction == Friction::in_arcs && tangential > 0.)
+  {
+    if (sets.empty())
+      sets.assign(n, 1);
+    else
+      sets.pop_back();
+    sets.push_back(n_of_arc);
+    all_arcs.push_back(
+        {static_cast<unsigned int>(of_rows.size()), tangential});
+    of_rows.insert(of_rows.end(), n_of_arc, {-infinity, infinity});
+    rows.push_back({});
+  }
+  else
+    of_rows.push_back({-tangential, tangential});
+  own.joints.add(joint, rows, kinematics(), sets);
 }
 
 std::vector<double> ForceRows::forces_of(const std::vector<double> &x) const
@@ -126,7 +142,7 @@ std::vector<double> ForceRows::forces_of(const std::vector<double> &x) const
   {
     const unsigned int n = problem.n_contacts(e);
     const double *of = &x[first_row(first[e])];
-    double ends[] = {0., 0.}, tangential = of[n_contacts(first[e])];
+    double ends[] = {0., 0.}, tangential = of[has_cone(e) ? 2 * n : n];
     if (has_cone(e))
       for (unsigned int k = 0; k < n; ++k)
       {
@@ -153,7 +169,7 @@ void ForceRows::add_force(const unsigned int e,
   const double mu = problem.joints()[e].coefficient;
   if (r == n)
   {
-    of[n_contacts(first[e])] += factor;
+    of[has_cone(e) ? 2 * n : n] += factor;
     for (unsigned int k = 0; has_cone(e) && k < 2 * n; ++k)
       of[k] += k % 2 == 0 ? factor * mu : -factor * mu;
   }

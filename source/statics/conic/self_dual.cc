@@ -20,10 +20,10 @@ constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
 /**
  * The first slack, over the root of the stiffness or the whole range: forces
- * far inside their bounds, so that joints need hardly open to begin with; with
- * a quadratic cost the elastic ones.
+ * far inside their bounds, so that joints need hardly open to begin with. With
+ * a quadratic cost it is that root, of elastic forces.
  */
-constexpr double first_slack = 100., first_slack_of_curved = 1.;
+constexpr double first_slack = 100.;
 /** A bound, over the loads, that hardly matters to begin with. */
 constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
@@ -64,12 +64,10 @@ SelfDual::SelfDual(ConicForces &forces, Program program_in)
 void SelfDual::start()
 {
   const ForceRows &rows = forces.of();
-  const double first =
-      program.has_curvature ? first_slack_of_curved : first_slack;
   const auto slack = [&](const std::size_t row, const double range) {
-    return first *
-           std::min(std::sqrt(rows.joints()[rows.joint_of_row(row)].stiffness()),
-                    range);
+    const double root =
+        std::sqrt(rows.joints()[rows.joint_of_row(row)].stiffness());
+    return program.has_curvature ? root : first_slack * std::min(root, range);
   };
   for (const ConicForces::Bound &bound : forces.bounds())
   {
@@ -84,12 +82,15 @@ void SelfDual::start()
   now.z.resize(forces.n_slacks());
   for (std::size_t k = 0; k < forces.cones().size(); ++k)
   {
-    // As with such a pressure at this end, and half as much at both.
     const ConicForces::Cone &cone = forces.cones()[k];
-    const double pressure = slack(cone.row, cone.limit[0]);
     QuadraticCone::Vector s = cone.limit;
-    s[0] += pressure;
-    s[1] += pressure;
+    if (!QuadraticCone::contains(s))
+    {
+      // As with such a pressure at this end.
+      const double pressure = slack(cone.row, cone.limit[0]);
+      s[0] += pressure;
+      s[1] += pressure;
+    }
     forces.set_cone(now.s, k, s);
     const double det = QuadraticCone::det(s);
     forces.set_cone(now.z, k, {{s[0] / det, -s[1] / det, -s[2] / det}});

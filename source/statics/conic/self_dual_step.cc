@@ -83,8 +83,8 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
   {
     const std::vector<double> of_z = forces.of_rows(z);
     std::vector<double> left(r1.size(), 0.);
-    for (const ForceRows::Section &section : forces.of().sections())
-      for (std::size_t k = section.row; k < section.row + 2; ++k)
+    for (const ConicForces::Cone &cone : forces.cones())
+      for (std::size_t k = cone.row; k < cone.row + 2; ++k)
       {
         left[k] = r1[k] - along[k] - of_z[k];
         if (program.has_curvature)

@@ -76,20 +76,4 @@ Solution minimise_barrier(const SharedProblem &problem,
   // No displacement of its own: the barrier's grows with its parameter.
   return minimise(problem, newton, until, advance, terminal);
 }
-std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
-                                                  Terminal &terminal)
-{
-  const BarrierJoint law(problem.structure(), BarrierWeights::equal);
-  JointSystem system(problem.structure(), LinearSolver::automatic);
-  try
-  {
-    return minimise_barrier(problem, law, system, SolverControls().tolerance,
-                            n_max_newton_iterations, terminal)
-        .mechanism;
-  }
-  catch (const SolverError &)
-  {
-    return {};
-  }
-}
 } // namespace Voussoir

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/statics/conic/second_attempts.h>
-#include <voussoir/statics/energy/barrier_problem.h>
 #include <voussoir/statics/energy/elastic_problem.h>
+#include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/energy/minimise.h>
 #include <voussoir/statics/energy/proximal_steps.h>
 
@@ -18,15 +17,16 @@ namespace
 {
 
 /**
- * The iterations after which the load may be one that is not carried; then the
- * barrier problem, whose iterates close no joint, finds the mechanism sooner.
- * If there is none, an interior point goes the rest of the way: near the limit
- * Newton's steps walk from hinge to hinge, or from one joint that slides to the
- * next (measured, random packings: up to 300 steps). And the imbalance below
- * which the method converges.
+ * The iterations after which the load may be near its limit, or beyond; then an
+ * EnergyProgram goes the rest of the way, or proves a collapse: there Newton's
+ * steps walk from hinge to hinge, or from one joint that slides to the next
+ * (measured, random packings: up to 300 steps). The imbalance below which the
+ * method converges. And the error of the program from which Newton's method
+ * takes one to seven steps.
  */
-constexpr unsigned int n_elastic_before_doubt = 20;
+constexpr unsigned int n_elastic_before_doubt = 8;
 constexpr double imbalance_without_doubt = 1e-4;
+constexpr double error_to_start_from = 1e-8;
 
 /** The part of the joints that slide after the first step that is much. */
 constexpr double many_slide = 0.25;
@@ -132,20 +132,28 @@ Solution minimise_elastic(const SharedProblem &problem,
   Newton newton(structure, law, system, std::move(start));
   std::optional<ProximalSteps> proximal(newton);
   SecantShare secant(structure, law);
-  unsigned int n_of_interior_point = 0;
+  // On the root.
+  EnergyProgram program;
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
     if (newton.n_iterations() == n_elastic_before_doubt &&
         newton.imbalance() > imbalance_without_doubt)
     {
-      if (problem.has_opening())
-        mechanism = find_collapse_by_barrier(problem, terminal);
+      std::vector<double> u =
+          problem.displacement([&](const DiscreteProblem &whole) {
+            program = solve_energy_program(whole, elastic_costs(whole),
+                                           error_to_start_from, terminal);
+            program.u.resize(whole.n_dofs(), 0.);
+            return program.u;
+          });
+      mechanism = problem.search(
+          u, [&](const DiscreteProblem & /*whole*/,
+                 const std::vector<double> & /*u*/) {
+            return program.mechanism;
+          });
       if (mechanism)
         return mechanism;
-      newton.restart(problem.displacement([&](const DiscreteProblem &whole) {
-        return approach_minimum(whole, elastic_costs(whole), order.tolerance,
-                                n_of_interior_point, terminal);
-      }));
+      newton.restart(std::move(u));
       proximal.emplace(newton);
     }
     secant.adapt(newton, proximal->advance());
@@ -154,7 +162,7 @@ Solution minimise_elastic(const SharedProblem &problem,
   Solution solution =
       minimise(problem, newton, {order.tolerance, order.n_max_iterations},
                advance, terminal);
-  solution.n_iterations += n_of_interior_point;
+  solution.n_iterations += program.n_iterations;
   return solution;
 }
 } // namespace Voussoir

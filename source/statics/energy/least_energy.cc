@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/statics/conic/second_attempts.h>
 #include <voussoir/statics/energy/elastic_problem.h>
+#include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/energy/least_energy.h>
 #include <voussoir/statics/energy/yielding_joints.h>
 #include <voussoir/statics/problem/discretise.h>
@@ -79,8 +79,8 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
     start.clear();
   const Solution solution =
       minimise_together(&problem, order, start, processes, terminal);
-  return try_second_attempts(problem, elastic_costs(problem), controls,
-                             solution, terminal);
+  return second_attempt(problem, elastic_costs(problem), controls, solution,
+                        terminal);
 }
 
 void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal)

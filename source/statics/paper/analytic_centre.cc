@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/newton.h>
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/statics/conic/second_attempts.h>
+#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/barrier_problem.h>
 #include <voussoir/statics/paper/analytic_centre.h>
 #include <voussoir/statics/problem/sufficient_strengths.h>
@@ -106,12 +106,15 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
                                 Terminal &terminal) const
 {
   require_interior(problem, name());
-  const Solution solution = solve_with_sufficient_strengths(
+  Solution solution = solve_with_sufficient_strengths(
       problem, controls,
       [&](const DiscreteProblem &at_most, const SolverControls &rest) {
         return find_centre(at_most, rest, terminal);
       });
-  return try_second_attempts(problem, {}, controls, solution, terminal);
+  if (!solution.converged() && !solution.mechanism)
+    if ((solution.mechanism = find_collapse(problem, terminal)))
+      solution.stop = Stop::Reason::collapse;
+  return solution;
 }
 
 Solution AnalyticCentre::find_centre(const DiscreteProblem &problem,

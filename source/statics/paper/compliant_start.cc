@@ -14,9 +14,56 @@ namespace
 {
 /** The residual of the linear systems, as good as a step of Newton's is. */
 constexpr double residual_of_systems = 1e-2;
-/** Close to the limit of the load more are needed than Ipopt would. */
-constexpr unsigned int n_steps = 15;
+/** Close to the limit of the load they are not enough. */
+constexpr unsigned int n_steps = 8;
+/** The error of the energy program that Newton's method starts from. */
+constexpr double error_to_start_newton = 1e-8;
+
+/** Take Newton's steps from a displacement, and keep it if they converge. */
+bool converge(const DiscreteProblem &problem,
+              const SmoothedJoint &law,
+              JointSystem &system,
+              const SolverControls &controls,
+              Terminal &terminal,
+              CompliantStart &start)
+{
+  Newton newton(problem, law, system, start.displacement);
+  const auto advance = [&newton]() {
+    newton.step(least_shift, newton.u());
+    return std::optional<Mechanism>();
+  };
+  const NewtonControls of_newton = {
+      controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
+  const bool converged =
+      minimise(SharedProblem(problem), newton, of_newton, advance, terminal)
+          .converged();
+  if (converged)
+  {
+    // One more step: the forces are then those of the minimum to more digits
+    // than their balance asks for.
+    start.displacement = newton.u();
+    newton.full_step();
+    if (newton.imbalance() <= controls.tolerance)
+      start.displacement = newton.u();
+  }
+  if (converged)
+  {
+    start.n_iterations += newton.n_iterations();
+    start.n_evaluations += newton.n_evaluations();
+  }
+  return converged;
+}
 } // namespace
+
+std::vector<JointCost> smoothed_costs(const DiscreteProblem &problem,
+                                      const SmoothedJoint &law)
+{
+  std::vector<JointCost> costs;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    costs.push_back(
+        {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
+  return costs;
+}
 
 CompliantStart compliant_start(const DiscreteProblem &problem,
                                const SmoothedJoint &law,
@@ -26,26 +73,19 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
   CompliantStart start;
   start.displacement.assign(problem.n_dofs(), 0.);
   JointSystem system(problem, LinearSolver::automatic, residual_of_systems);
-  Newton newton(problem, law, system, start.displacement);
-  const auto advance = [&newton]() {
-    newton.step(least_shift, newton.u());
-    return std::optional<Mechanism>();
-  };
   try
   {
-    const NewtonControls of_newton = {
-        controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
-    if (minimise(SharedProblem(problem), newton, of_newton, advance, terminal)
-            .converged())
-    {
-      // One more step: the forces are then those of the minimum to more digits
-      // than their balance asks for.
-      std::vector<double> balanced = newton.u();
-      newton.full_step();
-      start = {newton.imbalance() <= controls.tolerance ? newton.u()
-                                                        : std::move(balanced),
-               newton.n_iterations(), newton.n_evaluations()};
-    }
+    if (converge(problem, law, system, controls, terminal, start))
+      return start;
+    EnergyProgram program =
+        solve_energy_program(problem, smoothed_costs(problem, law),
+                             error_to_start_newton, terminal);
+    start.n_iterations += program.n_iterations;
+    start.mechanism = std::move(program.mechanism);
+    if (start.mechanism || program.u.empty())
+      return start;
+    start.displacement = std::move(program.u);
+    converge(problem, law, system, controls, terminal, start);
   }
   catch (const SolverError &)
   {

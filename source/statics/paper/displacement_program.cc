@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/statics/energy/find_collapse.h>
+#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/paper/displacement_program.h>
 
 #include <algorithm>
@@ -129,7 +129,7 @@ ProgramResult solve_program(const DiscreteProblem &problem,
   bool has_doubted = false;
   const auto look_for_collapse = [&] {
     has_doubted = true;
-    solution.mechanism = find_collapse(SharedProblem(problem), terminal);
+    solution.mechanism = find_collapse(problem, terminal);
   };
   const auto stops = [&](const unsigned int iteration,
                          const std::vector<double> &x) {

@@ -3,7 +3,7 @@
 #include <voussoir/algebra/newton.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/statics/conic/second_attempts.h>
+#include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/paper/compliant_start.h>
 #include <voussoir/statics/paper/displacement_program.h>
 #include <voussoir/statics/paper/hard_contact.h>
@@ -182,7 +182,14 @@ public:
   /** Solve with @p ipopt: the forces, and the displacement with eps = 1. */
   Solution solve(const IpoptControls &ipopt)
   {
-    Solution solution = best_of(solve_program(problem, *this, ipopt, terminal));
+    Solution solution;
+    if (of_start.mechanism)
+    {
+      solution.stop = Stop::Reason::collapse;
+      solution.mechanism = of_start.mechanism;
+    }
+    else
+      solution = best_of(solve_program(problem, *this, ipopt, terminal));
     solution.displacement_unit = 1. / law.unit_smoothing();
     solution.n_iterations += of_start.n_iterations;
     solution.n_evaluations += of_start.n_evaluations;
@@ -205,19 +212,21 @@ private:
     return *interior;
   }
 
-  /** try_second_attempts(), with compliant contact by the same state. */
+  /** second_attempt(), by the same state; with hard contact for a collapse. */
   void ask_interior_point(Solution before)
   {
-    std::vector<JointCost> costs;
-    if (contact == Contact::compliant)
-      for (unsigned int e = 0; e < problem.joints().size(); ++e)
-        costs.push_back(
-            {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
     const bool was_converged = before.converged();
-    interior = try_second_attempts(problem, costs, controls, std::move(before),
-                                   terminal);
-    if (contact == Contact::compliant && interior->converged() &&
-        !was_converged)
+    if (contact == Contact::hard)
+    {
+      interior = std::move(before);
+      if (!was_converged &&
+          (interior->mechanism = find_collapse(problem, terminal)))
+        interior->stop = Stop::Reason::collapse;
+      return;
+    }
+    interior = second_attempt(problem, smoothed_costs(problem, law), controls,
+                              std::move(before), terminal);
+    if (interior->converged() && !was_converged)
       refine_compliant_contact(*interior);
   }
 

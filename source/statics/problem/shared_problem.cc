@@ -239,7 +239,7 @@ bool SharedProblem::has_opening() const
 
 std::optional<Mechanism>
 SharedProblem::search(const std::vector<double> &u,
-                      decltype(find_mechanism) *how) const
+                      const Search &how) const
 {
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);

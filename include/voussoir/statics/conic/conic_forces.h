@@ -40,7 +40,10 @@ public:
     unsigned int row;
     /** h of the three slacks. */
     QuadraticCone::Vector limit;
-    /** The two coefficients of B of each slack; B^T J B is not positive. */
+    /**
+     * The two coefficients of B of each slack. Those of the head are zero, or
+     * those of the next one.
+     */
     std::array<std::array<double, 2>, 3> b;
   };
   /** What stands for the inverse of each slack's matrix in a linear system. */
@@ -70,7 +73,7 @@ public:
   const std::vector<double> &curvature() const { return of_cost; }
   /** All bounds, in the order of the rows, of which each has up to two. */
   const std::vector<Bound> &bounds() const { return all_bounds; }
-  /** All cones, two of each section. */
+  /** All cones, two of each section and one of each arc; by their rows. */
   const std::vector<Cone> &cones() const { return all_cones; }
   /** The number of slacks. */
   std::size_t n_slacks() const
@@ -118,8 +121,8 @@ public:
   /** K r, of what is prepared; zero for rows without a slack. */
   void multiply(std::vector<double> &r) const;
   /**
-   * K (r - A^T u), where the difference is large across the limits of sections
-   * and along them, where K is, next to none.
+   * K (r - A^T u), where the difference is large across the limits of cones and
+   * along them, where K is, next to none.
    */
   std::vector<double> multiplied_difference(const std::vector<double> &r,
                                             const std::vector<double> &u) const;

@@ -79,6 +79,14 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 unsigned int n_max_iterations,
                                 Terminal &terminal);
 
+/**
+ * Look for a mechanism, by the same programme.
+ *
+ * @return none if there is none, or none was found.
+ */
+std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
+                                       Terminal &terminal);
+
 /** FeasibleState found neither forces nor a mechanism; see decide_by_factor().
  */
 class Undecided : public SolverError

@@ -25,6 +25,8 @@ namespace Voussoir
  * section.
  *
  * Tension has the forces f_t |e| as another origin: see offset().
+ *
+ * Smoothed friction of Tresca has an Arc.
  */
 class ForceRows : public Structure
 {
@@ -55,16 +57,40 @@ public:
   };
 
   /**
+   * The tangential force q and what it leaves of the strength b: q^2 + w^2 <=
+   * b^2. The two rows have no bounds, and are one set; w acts on no body.
+   */
+  struct Arc
+  {
+    /** The row of q among all; that of w is the next. */
+    unsigned int row;
+    /** b. */
+    double strength;
+  };
+  /** What limits friction. */
+  enum class Friction
+  {
+    /** Bounds. */
+    bounded,
+    /** Arcs, wherever there is friction. */
+    in_arcs
+  };
+
+  /**
    * The loads are those of the problem and offset().
    *
    * @param problem has the joints; it must outlive this object.
+   * @param friction of it; arcs for Tresca's alone.
    */
-  explicit ForceRows(const DiscreteProblem &problem);
+  explicit ForceRows(const DiscreteProblem &problem,
+                     Friction friction = Friction::bounded);
 
   /** The bounds of each row. */
   const std::vector<Bounds> &bounds() const { return of_rows; }
   /** All sections. */
   const std::vector<Section> &sections() const { return all_sections; }
+  /** All arcs. */
+  const std::vector<Arc> &arcs() const { return all_arcs; }
   /** Of each row of each joint of the structure, from those of these rows. */
   std::vector<double> forces_of(const std::vector<double> &x) const;
   /**
@@ -98,13 +124,14 @@ private:
     return first[e] + (has_cone(e) && crushes(e) ? 1 : 0);
   }
   void add_rays(unsigned int e, unsigned int minus, unsigned int plus);
-  void add_contacts(unsigned int e);
+  void add_contacts(unsigned int e, Friction friction);
 
   const DiscreteProblem &problem;
   /** For each joint of the problem, the first one here that stands for it. */
   std::vector<unsigned int> first;
   std::vector<Bounds> of_rows;
   std::vector<Section> all_sections;
+  std::vector<Arc> all_arcs;
 };
 } // namespace Voussoir
 

@@ -37,18 +37,6 @@ Solution minimise_barrier(const SharedProblem &problem,
                           unsigned int n_max_iterations,
                           Terminal &terminal);
 
-/**
- * Look for a proof that the load on a packing with an opening is not carried.
- * The iterates of the barrier problem close no joint and need no correction to
- * be mechanisms; where there is one they meet it within some 25 iterations,
- * close to the limit and far beyond, and where there is none they converge.
- * Collective.
- *
- * @return the proof, or none if none was found, or a linear system cannot be
- *   solved, which proves nothing.
- */
-std::optional<Mechanism> find_collapse_by_barrier(const SharedProblem &problem,
-                                                  Terminal &terminal);
 } // namespace Voussoir
 
 #endif

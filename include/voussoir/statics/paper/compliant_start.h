@@ -2,11 +2,13 @@
 #ifndef voussoir_statics_paper_compliant_start_h
 #define voussoir_statics_paper_compliant_start_h
 
+#include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/paper/smoothed_joint.h>
 #include <voussoir/statics/problem/discrete_problem.h>
 #include <voussoir/statics/problem/solver_controls.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -16,18 +18,23 @@ struct CompliantStart
 {
   /** n_dofs() numbers, nondimensional. */
   std::vector<double> displacement;
+  /** The proof that there is none. */
+  std::optional<Mechanism> mechanism;
   /** @{ */
   /** What it took; zero for one that was not found. */
   unsigned int n_iterations = 0, n_evaluations = 0;
   /** @} */
 };
 
+/** What the forces of each joint cost, with compliant contact. */
+std::vector<JointCost> smoothed_costs(const DiscreteProblem &problem,
+                                      const SmoothedJoint &law);
+
 /**
  * The displacement of smoothed friction with compliant contact by a few of
- * Newton's steps, from zero; zero if these do not balance the bodies. Their
- * linear systems, inexact, take a fraction of the time of Ipopt's (measured,
- * 100,000 cells). That a load is not carried is left to Ipopt's iterates, which
- * prove it to more digits.
+ * Newton's steps, from zero, or where these do not balance the bodies from an
+ * EnergyProgram. Their linear systems, inexact, take a fraction of the time of
+ * Ipopt's (measured, 100,000 cells).
  *
  * @param problem the bodies, loads and joints.
  * @param law of the joints, with compliant contact.

@@ -49,12 +49,14 @@ public:
   bool has_opening() const;
 
   /**
-   * Look for a mechanism by @p how, find_mechanism() or find_mechanism_near();
-   * collective. There is one for all processes or for none; what it is, the
-   * root knows.
+   * Look for a mechanism by @p how on the root, as by find_mechanism() with all
+   * of @p u; collective. There is one for all processes or for none; what it
+   * is, the root knows.
    */
+  using Search = std::function<std::optional<Mechanism>(
+      const DiscreteProblem &, const std::vector<double> &)>;
   std::optional<Mechanism> search(const std::vector<double> &u,
-                                  decltype(find_mechanism) *how) const;
+                                  const Search &how) const;
 
   /**
    * The parts of all processes, in the order of the whole, on the root, and
