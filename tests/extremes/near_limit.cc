@@ -9,8 +9,8 @@
 // The shortage of a load that friction hardly takes part in may fall below the
 // tolerance of least energy, which then finds a balance to that.
 
+#include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/scene/supports.h>
-#include <voussoir/statics/conic/interior_point.h>
 
 #include "judgement.h"
 #include "room.h"
@@ -21,12 +21,14 @@ using namespace Voussoir;
 
 double limit_strength(const Scene &scene, const double strength)
 {
-  const DiscreteProblem problem = discretise(scene);
-  InteriorPoint point(problem, std::vector<JointCost>(problem.joints().size()),
-                      InteriorPoint::Aim::load_factor);
-  while (point.product() > 1e-13 && point.step())
-    ;
-  return strength / point.load_factor();
+  Scene bare = scene;
+  bare.load.assign(scene.load.size(), {});
+  bare.load_size.assign(scene.load.size(), 0.);
+  LoadFactorControls controls;
+  controls.tolerance = 1e-10;
+  return strength /
+         find_load_factor(bare, scene, controls, Terminal::silent())
+             .factor->carried;
 }
 
 /** @p scene_at gives the scene of a strength, of which @p near is one. */

@@ -53,23 +53,8 @@ std::string verdict(const Scene &scene)
   }
 }
 
-/** True if FeasibleState finds nothing by itself. */
-bool is_open(const Scene &scene)
-{
-  try
-  {
-    FeasibleState().solve(discretise(scene), {}, Terminal::silent());
-    return false;
-  }
-  catch (const Undecided &)
-  {
-    return true;
-  }
-}
-
 void run()
 {
-  unsigned int n_open_within = 0, n_open_beyond = 0;
   for (const unsigned int n : {8, 9, 10, 11, 12})
   {
     LoadFactorControls controls;
@@ -80,20 +65,13 @@ void run()
              .factor;
     for (const double distance : {1e-4, 1e-6, 1e-8})
     {
-      // Strips of joints that crush are known to a few units of 1e-9.
-      if (n % 3 == 1 && distance < 1e-7)
-        continue;
       const Scene within = arch(n, 1., factor.carried * (1. - distance)),
                   beyond = arch(n, 1., factor.bound * (1. + distance));
-      n_open_within += is_open(within);
-      n_open_beyond += is_open(beyond);
       const std::string inside = verdict(within), outside = verdict(beyond);
       check(std::to_string(n) + " voussoirs",
             inside == "carried" && outside == "collapse");
     }
   }
-  check("some forces by the factor of all loads", n_open_within > 0);
-  check("some mechanisms by it", n_open_beyond > 0);
 }
 
 const RoomTest test("beside_the_limit", run);

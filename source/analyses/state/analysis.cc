@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/state/analysis.h>
 #include <voussoir/analyses/state/assess.h>
-#include <voussoir/analyses/state/decide_by_factor.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
@@ -93,25 +91,6 @@ void check_certificate(const Scene &scene,
   throw SolverError(
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
-
-Solution solve(const Scene &scene,
-               const DiscreteProblem &problem,
-               const Formulation &formulation,
-               const SolverControls &controls,
-               Terminal &terminal)
-{
-  try
-  {
-    return formulation.solve(problem, controls, terminal);
-  }
-  catch (const Undecided &)
-  {
-    if (std::optional<Solution> decided = decide_by_factor(
-            scene, problem, controls.n_max_iterations, terminal))
-      return std::move(*decided);
-    throw;
-  }
-}
 } // namespace
 
 NotCarried prove(const Scene &scene, Motion motion)
@@ -170,7 +149,7 @@ Answer analyse(const Scene &scene,
   timer.enter_subsection("statics");
   terminal.begin("Statics");
   const DiscreteProblem problem = discretise(scene);
-  Solution solution = solve(scene, problem, formulation, controls, terminal);
+  Solution solution = formulation.solve(problem, controls, terminal);
   record.formulation = formulation.name();
   record.selection =
       solution.selection.empty() ? formulation.selection() : solution.selection;

@@ -107,17 +107,33 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
 
 namespace
 {
-/** The solution of a problem that collapses as @p found says. */
-Solution collapse_with(const RowProblem &problem, const FeasibleForces &found)
+/** The distance of the two bounds of a factor between which none decides. */
+constexpr double distance_of_bounds = 1e-12;
+
+/** The solution of a problem that collapses in a displacement @p u of rows. */
+Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
 {
   Solution solution;
   solution.stop = Stop::Reason::collapse;
   const DiscreteProblem &of = problem.of();
   double dissipation = 0.;
   for (unsigned int e = 0; e < of.joints().size(); ++e)
-    dissipation += of.limit(e) * std::abs(of.sliding(e, found.collapse.data()));
-  solution.mechanism = Mechanism{problem.of_size_one(found.collapse),
-                                 of.work(found.collapse.data()), dissipation};
+    dissipation += of.limit(e) * std::abs(of.sliding(e, u.data()));
+  solution.mechanism =
+      Mechanism{problem.of_size_one(u), of.work(u.data()), dissipation};
+  return solution;
+}
+
+/** Forces @p x of rows, over a factor that is not less than one. */
+Solution state_with(const RowProblem &problem,
+                    const std::vector<double> &x,
+                    const double factor)
+{
+  Solution solution;
+  solution.stop = Stop::Reason::converged;
+  solution.forces = problem.rows().forces_of(x);
+  for (double &force : solution.forces)
+    force /= factor;
   return solution;
 }
 
@@ -131,13 +147,46 @@ Solution find_at_once(const DiscreteProblem &problem,
                                                     n_max_iterations, terminal);
   Solution solution;
   if (!found.collapse.empty())
-    solution = collapse_with(by_rows, found);
+    solution = collapse_with(by_rows, found.collapse);
   else if (found.state)
-  {
-    solution.stop = Stop::Reason::converged;
-    solution.forces = by_rows.rows().forces_of(found.state->x);
-  }
+    solution = state_with(by_rows, found.state->x, 1.);
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
+  return solution;
+}
+
+/**
+ * Whether the factor of all loads is above one, or below. Without loads there
+ * is a state, so that this has an optimum however near to one it is.
+ */
+Solution decide_by_factor(const DiscreteProblem &problem,
+                          const unsigned int n_max_iterations,
+                          Terminal &terminal)
+{
+  RowProblem by_rows(problem);
+  const SelfDual::Program program = {
+      by_rows.loads(std::vector<double>(problem.n_dofs(), 0.), true),
+      by_rows.loads(problem.loads(), false)};
+  ProvenFactor factor(by_rows.forces(), program,
+                      {distance_of_bounds, 1., n_max_iterations}, terminal);
+  const auto is_carried = [&] {
+    return factor.carried() && factor.carried()->alpha >= 1.;
+  };
+  const auto collapses = [&] { return factor.mechanism() && factor.bound() < 1.; };
+  factor.find([&] { return is_carried() || collapses(); });
+  Solution solution;
+  if (is_carried())
+    solution =
+        state_with(by_rows, factor.carried()->x, factor.carried()->alpha);
+  else if (collapses())
+    solution = collapse_with(by_rows, factor.mechanism()->u);
+  else if (factor.state() == SelfDual::State::unbounded)
+  {
+    const FeasibleForces any = find_feasible_forces(
+        by_rows, by_rows.loads(), n_max_iterations, terminal);
+    if (any.state)
+      solution = state_with(by_rows, any.state->x, 1.);
+  }
+  solution.n_iterations = solution.n_evaluations = factor.n_iterations();
   return solution;
 }
 } // namespace
@@ -148,18 +197,24 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
 {
   SolverControls controls;
   controls.n_max_iterations = n_max_iterations;
-  return solve_with_sufficient_strengths(
+  Solution found = solve_with_sufficient_strengths(
       problem, controls,
       [&](const DiscreteProblem &lowered, const SolverControls &rest) {
         return find_at_once(lowered, rest.n_max_iterations, terminal);
       });
+  if (found.converged() || found.mechanism)
+    return found;
+  const unsigned int n_before = found.n_iterations;
+  found = decide_by_factor(problem, n_max_iterations, terminal);
+  found.n_iterations += n_before;
+  found.n_evaluations += n_before;
+  return found;
 }
 
 std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
                                        Terminal &terminal)
 {
-  return find_state_or_collapse(problem, SolverControls().n_max_iterations,
-                                terminal)
+  return decide_by_factor(problem, SolverControls().n_max_iterations, terminal)
       .mechanism;
 }
 
@@ -170,7 +225,7 @@ Solution FeasibleState::select(const DiscreteProblem &problem,
   Solution found =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   if (!found.converged() && !found.mechanism)
-    throw Undecided(
+    throw SolverError(
         text("Neither forces that carry the loads nor a mechanism were found "
              "after ",
              counted(found.n_iterations, "iteration"),

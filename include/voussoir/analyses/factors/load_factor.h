@@ -48,6 +48,8 @@ struct LoadFactor
   bool is_unbounded = false;
   /** The factor of the forces, which is carried. */
   double carried = 0.;
+  /** True if the dead loads alone are not carried. */
+  bool collapses_without = false;
   /** None beyond it is carried; infinite if unbounded. */
   double bound = std::numeric_limits<double>::infinity();
   /** The forces at the factor `carried`. */
@@ -84,15 +86,18 @@ struct LoadFactor
 /** One of the two. */
 struct LoadFactorAnswer
 {
-  /** The factor, if the dead loads are carried. */
+  /** The factor, if any factor is carried. */
   std::optional<LoadFactor> factor;
-  /** The mechanism in which the dead loads collapse, as Mechanism::motion. */
+  /**
+   * The mechanism in which the dead loads collapse with any factor, since the
+   * live ones do no work, as Mechanism::motion.
+   */
   Motion collapse;
 };
 
 /**
  * Find the greatest factor, or the least, of the loads of @p live beside those
- * of @p dead, by SelfDual.
+ * of @p dead, by ProvenFactor. The dead loads need not be carried alone.
  *
  * @param dead the scene with the dead loads.
  * @param live the same scene with the live loads instead.

@@ -2,9 +2,8 @@
 #ifndef voussoir_statics_conic_feasible_state_h
 #define voussoir_statics_conic_feasible_state_h
 
-#include <voussoir/base/exceptions.h>
 #include <voussoir/statics/conic/force_rows.h>
-#include <voussoir/statics/conic/factor_bounds.h>
+#include <voussoir/statics/conic/proven_factor.h>
 #include <voussoir/statics/problem/formulation.h>
 
 #include <optional>
@@ -13,11 +12,6 @@
 
 namespace Voussoir
 {
-/** The largest FactorState::residual of forces that balance the loads. */
-inline constexpr double largest_residual_of_state = 1e-11;
-/** The largest SelfDual::merit() of a point worth correcting to a proof. */
-inline constexpr double merit_worth_correcting = 1e-2;
-
 /** The joints of a problem by rows whose forces have bounds only. */
 class RowProblem
 {
@@ -71,7 +65,8 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
                                     Terminal &terminal);
 
 /**
- * Find any admissible forces of a problem, or its collapse.
+ * Find any admissible forces of a problem, or its collapse; near the limit by
+ * the factor of all loads, ProvenFactor.
  *
  * @return forces, if it has converged(), or a mechanism, or neither.
  */
@@ -80,20 +75,12 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 Terminal &terminal);
 
 /**
- * Look for a mechanism, by the same programme.
+ * Look for a mechanism, by the factor of all loads.
  *
  * @return none if there is none, or none was found.
  */
 std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
                                        Terminal &terminal);
-
-/** FeasibleState found neither forces nor a mechanism; see decide_by_factor().
- */
-class Undecided : public SolverError
-{
-public:
-  using SolverError::SolverError;
-};
 
 /**
  * The formulation of joints whose friction grows with the pressure, or that

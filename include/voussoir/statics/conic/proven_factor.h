@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_statics_conic_proven_factor_h
+#define voussoir_statics_conic_proven_factor_h
+
+#include <voussoir/statics/conic/factor_bounds.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace Voussoir
+{
+/** The largest FactorState::residual of forces that balance the loads. */
+inline constexpr double largest_residual_of_state = 1e-11;
+/** The largest SelfDual::merit() of a point worth correcting to a proof. */
+inline constexpr double merit_worth_correcting = 1e-2;
+/** The largest FactorMotion::closing of a motion that is a proof. */
+inline constexpr double largest_closing_of_factor = 1e-12;
+
+/**
+ * The greatest alpha of a program of SelfDual with live loads, or the least,
+ * between two proofs: forces within their limits that balance the loads at a
+ * factor, and a mechanism that bounds all factors. The dead loads need not be
+ * carried without the live ones.
+ *
+ * Points of SelfDual are corrected to proofs as soon as they are near enough.
+ */
+class ProvenFactor
+{
+public:
+  /** When to stop. */
+  struct Controls
+  {
+    /** The distance of both proofs, over the factor or `small`. */
+    double tolerance;
+    /** The factor below which differences are absolute. */
+    double small;
+    /** The number of iterations after which to give up. */
+    unsigned int n_max_iterations;
+    /** The factor in the user's terms, over alpha. */
+    double unit = 1.;
+  };
+
+  /**
+   * @param forces of the joints; it must outlive this object.
+   * @param program with live loads and without a cost.
+   * @param controls say when to stop.
+   * @param terminal sees the iterations.
+   */
+  ProvenFactor(ConicForces &forces,
+               SelfDual::Program program,
+               const Controls &controls,
+               Terminal &terminal);
+
+  /** Take forces far from their limits, at any alpha, if some are known. */
+  void set_anchor(FactorState state) { anchor = std::move(state); }
+  /** Take forces within their limits, which prove their own factor. */
+  void set_carried(FactorState state) { best_state = std::move(state); }
+  /** Look for both proofs, or until @p is_enough. */
+  void find(const std::function<bool()> &is_enough = [] { return false; });
+
+  /** What is known of the program. */
+  SelfDual::State state() const { return state_of_program; }
+  /** The forces with the best factor; none if there are no proven ones. */
+  const std::optional<FactorState> &carried() const { return best_state; }
+  /** False if that is only what set_carried() had. */
+  bool has_found_state() const { return has_state; }
+  /** The mechanism with the best bound. */
+  const std::optional<FactorMotion> &mechanism() const { return best_motion; }
+  /** What it proves; infinite without one. */
+  double bound() const { return least_bound; }
+  /**
+   * The mechanism that proves that no factor is carried, of any size, or near
+   * one, if state() is infeasible.
+   */
+  FactorMotion mechanism_of_all();
+  /** The number of iterations. */
+  unsigned int n_iterations() const { return iterations; }
+
+private:
+  double width() const;
+  double alpha_of_carried() const
+  {
+    return best_state ? best_state->alpha
+                      : -program.sense * std::numeric_limits<double>::infinity();
+  }
+  void find_anchors(const SelfDual::Point &point);
+  void look_near(const SelfDual::Point &point, double near_enough);
+  void look_farther(const SelfDual::Point &point);
+  void keep_if_carried(FactorState state);
+  void keep_if_bound(FactorMotion motion);
+
+  ConicForces &forces;
+  const SelfDual::Program program;
+  const Controls controls;
+  Terminal &terminal;
+  SelfDual::State state_of_program = SelfDual::State::running;
+  /** A state far from the limits, and a motion far from closing joints. */
+  std::optional<FactorState> anchor;
+  std::optional<FactorMotion> open;
+  std::optional<FactorState> best_state;
+  /** True if that was found here. */
+  bool has_state = false;
+  std::optional<FactorMotion> best_motion;
+  double least_bound;
+  /** The last point, of a ray. */
+  SelfDual::Point ray;
+  unsigned int iterations = 0;
+};
+} // namespace Voussoir
+
+#endif
