@@ -97,6 +97,10 @@ class Programme:
                          [(0., None)] * (2 * rows))
         return found.fun if found.status == 0 else numpy.nan
 
+    def lacking(self):
+        """How much of the dead loads is not carried, over the largest."""
+        return self.shortage(self.dead)
+
     def optimum(self, sense, around, unit, method="highs"):
         """The factor farthest in a sense, 1 or -1, in units for a factor."""
         force = self.force_at(around)
@@ -117,7 +121,7 @@ class Programme:
 
     def judge(self, sense, method="highs"):
         """The class and the factor."""
-        shortage = self.shortage(self.dead)
+        shortage = self.lacking()
         if not shortage < NONE:
             return Answer("not carried") if shortage > CLEAR else Answer(
                 "doubtful", f"the dead loads lack {shortage:.1e}")
@@ -139,6 +143,25 @@ class Programme:
         if abs(factor) > 1e-3 * self.unit:
             return abs(factor)
         return self.unit
+
+
+class IntervalProgramme(Programme):
+    """The same where zero need not be among the factors that are carried."""
+
+    def lacking(self):
+        """How much of the loads is not carried at the best of all factors."""
+        force = self.force_at(self.unit)
+        rows = len(self.dead)
+        identity = scipy.sparse.identity(rows)
+        matrix = scipy.sparse.hstack(
+            [self.matrix, identity, -identity,
+             self.live[:, None] * (self.unit / force)])
+        cost = numpy.zeros(matrix.shape[1])
+        cost[self.matrix.shape[1]:-1] = 1.
+        found = minimise(cost, matrix, -self.dead / force,
+                         self.admissible.times(1. / force), "highs",
+                         [*[(0., None)] * (2 * rows), (None, None)])
+        return found.fun if found.status == 0 else numpy.nan
 
 
 def minimise(cost, matrix, right, limits, method, further_bounds):
