@@ -20,6 +20,7 @@ DIRECTIONS = {1.: "greatest", -1.: "least"}
 class FactorJudgement(Judgement):
     """One scene on its way through the program and HiGHS, twice."""
     scenes = TurnedScene
+    programme_of = IntervalProgramme
     is_propped = False
 
     def run(self, name, text):
@@ -47,7 +48,7 @@ class FactorJudgement(Judgement):
     def draw(self):
         """The loads."""
         self.dead, self.live = self.given = self.scene.draw_loads(self.packing)
-        self.programme = IntervalProgramme(
+        self.programme = self.programme_of(
             self.joints, self.packing, self.dead.on(self.packing),
             self.live.on(self.packing))
         self.shortage = self.programme.shortage(self.programme.dead)
