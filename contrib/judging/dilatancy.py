@@ -28,14 +28,16 @@ from judging.programme import minimise
 CHANGE, PRESSURE = 1e-7, 1e-5
 # The same where no pressure counts.
 CHANGE_ALONE = 1e-6
-MOST_PROGRAMMES = 60
+# After half of them no pressure counts any more, so that the last ones converge.
+MOST_PROGRAMMES = 80
 # Of the factor from one programme to the next, and of friction beyond the cone
 # over the largest load, where the scheme ends.
 SMALLEST_STEP, SMALLEST_EXCESS = 1e-8, 1e-7
 # Of the factors with the costs and without that are the same.
-LARGEST_STEP = 1e-6
-# The share of the normal forces before, at first and at most.
-SHARE, LARGEST_SHARE = 0.5, 0.8
+SAME = 1e-6
+# The step to the next normal forces, over their change: at first, the least and
+# the largest.
+STEP, LEAST_STEP, LARGEST_STEP = 0.5, 0.2, 4.
 
 
 @dataclasses.dataclass
@@ -142,27 +144,27 @@ class WithoutDilatancy:
         if found is None:
             return None
         before = found.forces[:, :2].sum(1)
-        share, excess = SHARE, numpy.inf
-        for _ in range(MOST_PROGRAMMES):
+        step, residual = STEP, None
+        for k in range(MOST_PROGRAMMES):
             last = found
-            found = self.step(before, last, least)
+            found = self.step(before, last,
+                              least and 2 * k < MOST_PROGRAMMES)
             if found is None:
                 return None
             if abs(found.factor - last.factor) <= \
                     SMALLEST_STEP * abs(found.factor) and \
                     found.excess <= SMALLEST_EXCESS:
                 break
-            # Less is kept of what was before as long as that does well.
-            share = 0.8 * share if found.excess < 0.8 * excess \
-                else min(1.3 * share + 0.05, LARGEST_SHARE)
-            excess = found.excess
-            after = found.forces[:, :2].sum(1)
-            before = share * before + (1. - share) * after
+            last_residual = residual
+            residual = found.forces[:, :2].sum(1) - before
+            if last_residual is not None:
+                step = relaxed(step, last_residual, residual)
+            before = numpy.maximum(before + step * residual, 0.)
         # The motion of the costs is wrong by these: that without.
         none = numpy.zeros(len(self.joints))
         alone = self.solve(self.friction(before), before, 0., none)
         if alone is not None and abs(alone.factor - found.factor) <= \
-                LARGEST_STEP * abs(found.factor):
+                SAME * abs(found.factor):
             found = self.pair(found.factor, found.forces, alone.jumps)
         found.programmes = self.n_programmes
         found.seconds = time.monotonic() - began
@@ -176,3 +178,13 @@ class WithoutDilatancy:
             sliding = self.joints.coefficient * numpy.abs(last.jumps[:, 2])
             sliding *= PRESSURE / (sliding.max() or 1.)
         return self.solve(self.friction(before), before, change, sliding)
+
+
+def relaxed(step, before, after):
+    """The next step of Irons and Tuck, by two changes."""
+    difference = after - before
+    square = difference @ difference
+    if not square > 0.:
+        return step
+    return min(max(-step * (before @ difference) / square, LEAST_STEP),
+               LARGEST_STEP)

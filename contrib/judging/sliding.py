@@ -8,13 +8,16 @@ from judging.facades import FacadeScene
 from judging.program import SOLVED
 from judging.programme import Programme
 from judging.proofs import state_proof
-from judging.verdicts import ROUNDING, Judgement
+from judging.verdicts import Judgement
 
 # Of the program's factor those with a state.
 SHARES = (0.5, 0.9, 0.99)
 # By how much the program's factor may be less than that of the least collapse
 # that is known, over it; of bounds and of pairs what is no fault.
 LARGEST_LOSS, LARGEST_MISS, LARGEST_ERROR = 1e-3, 1e-6, 1e-5
+# Of the forces of a state, which are the end of an iteration, over the largest
+# load.
+LARGEST_IMBALANCE = 1e-8
 
 
 class SlidingJudgement(Judgement):
@@ -77,13 +80,13 @@ class SlidingJudgement(Judgement):
                 self.report("doubtful", run, f"of the {word} collapse " +
                             (f"{pair.error():.1e} is left at "
                              f"{pair.factor!r}" if pair else "nothing"))
+        self.print(seconds, dilating.factor, pairs)
         known = [pair.factor for pair in pairs
                  if pair is not None and pair.error() <= LARGEST_ERROR]
-        self.print(seconds, dilating.factor, pairs)
-        if not known:
-            return
-        self.difference = max(0., max(known) - self.factor) / size
-        if self.factor < min(known) - LARGEST_LOSS * size:
+        self.difference = max(0., max(known, default=self.factor) -
+                              self.factor) / size
+        if len(known) == len(pairs) and \
+                self.factor < min(known) - LARGEST_LOSS * size:
             self.report("fault", run, f"{self.factor!r} is less than the "
                         f"collapses from {min(known)!r} to {max(known)!r}")
 
@@ -100,7 +103,7 @@ class SlidingJudgement(Judgement):
     def judge_state(self, run, factor):
         """The forces of a state."""
         state = state_proof(run, self.programme, self.programme.at(factor))
-        if not state.error() < ROUNDING or \
+        if not state.error() < LARGEST_IMBALANCE or \
                 not state.agrees(run.summary["certificate"]):
             self.report("fault", run, f"the state proves nothing: {state}")
 
