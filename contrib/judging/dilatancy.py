@@ -28,8 +28,9 @@ from judging.programme import minimise
 CHANGE, PRESSURE = 1e-7, 1e-5
 # The same where no pressure counts.
 CHANGE_ALONE = 1e-6
-# After half of them no pressure counts any more, so that the last ones converge.
-MOST_PROGRAMMES = 80
+# As many programmes as have so many joints altogether, within limits. After half
+# of them no pressure counts any more, so that the last ones converge.
+MOST_JOINTS, PROGRAMMES = 30000, (20, 80)
 # Of the factor from one programme to the next, and of friction beyond the cone
 # over the largest load, where the scheme ends.
 SMALLEST_STEP, SMALLEST_EXCESS = 1e-8, 1e-7
@@ -145,10 +146,11 @@ class WithoutDilatancy:
             return None
         before = found.forces[:, :2].sum(1)
         step, residual = STEP, None
-        for k in range(MOST_PROGRAMMES):
+        most = numpy.clip(MOST_JOINTS // len(self.joints), *PROGRAMMES)
+        for k in range(most):
             last = found
             found = self.step(before, last,
-                              least and 2 * k < MOST_PROGRAMMES)
+                              least and 2 * k < most)
             if found is None:
                 return None
             if abs(found.factor - last.factor) <= \
