@@ -1,5 +1,5 @@
-"""Drawings: a rectangle that is cut again and again into convex polygons, and
-bricks with mortar between them.
+"""Drawings: a rectangle that is cut again and again into convex polygons,
+bricks with mortar between them or without, and arches.
 
 Each cut goes through one polygon only, so that its ends are T-junctions.
 """
@@ -57,6 +57,35 @@ def half(polygon, side):
                 a, b, here, there = b, a, there, here
             points.append(a + (b - a) * (here / (here - there)))
     return numpy.array(points)
+
+
+def rectangle(left, bottom, width, height):
+    """An upright one."""
+    right, top = left + width, bottom + height
+    return numpy.array([(left, bottom), (right, bottom), (right, top),
+                        (left, top)])
+
+
+def running_bond(width, height, courses, bricks):
+    """The bricks of a wall without gaps, with halves in each second course."""
+    step, rise = width / bricks, height / courses
+    polygons = []
+    for course in range(courses):
+        cuts = [k * step for k in range(bricks + 1)]
+        if course % 2:
+            cuts = [0., *(cut + 0.5 * step for cut in cuts[:-1]), width]
+        polygons += [rectangle(left, course * rise, right - left, rise)
+                     for left, right in zip(cuts, cuts[1:])]
+    return polygons
+
+
+def voussoirs(n, thickness):
+    """A semicircular arch of radius 1 in its middle."""
+    rays = [numpy.array((math.cos(angle), math.sin(angle)))
+            for angle in numpy.linspace(0., math.pi, n + 1)]
+    inner, outer = 1. - 0.5 * thickness, 1. + 0.5 * thickness
+    return [numpy.array((inner * a, outer * a, outer * b, inner * b))
+            for a, b in zip(rays, rays[1:])]
 
 
 @dataclasses.dataclass

@@ -60,7 +60,7 @@ class Extremes:
                          limits.times(0.).no_more_than(1.), METHODS[0], [])
         return found.status != OPTIMAL or -found.fun > CLEAR
 
-    def in_strips(self, function, method="highs"):
+    def greatest(self, function, method="highs"):
         """The greatest value with sections in strips."""
         extreme, _ = self.optimum(
             self.strips.matrix.T @ function, self.matrix_of_strips,
@@ -81,17 +81,16 @@ class Extremes:
         return Extreme(numpy.nan)
 
     def difference(self, function, value):
-        """Of a value from the greatest one in strips, over the largest load, by
-        that of HiGHS's methods which comes closest; None if none has an answer.
-        """
+        """Of a value from the greatest one, over the largest load, by that of
+        HiGHS's methods which comes closest; None if none has an answer."""
         def away(extreme):
             if extreme.value == value:
                 return 0.
             by = (abs(extreme.value - value) - 2. * extreme.error) / self.force
             return numpy.inf if numpy.isnan(by) else max(by, 0.)
-        extremes = [self.in_strips(function, METHODS[0])]
+        extremes = [self.greatest(function, METHODS[0])]
         if not away(extremes[0]) < TOLERANCE:
-            extremes += [self.in_strips(function, method)
+            extremes += [self.greatest(function, method)
                          for method in METHODS[1:]]
         known = [away(extreme) for extreme in extremes
                  if not numpy.isnan(extreme.value)]

@@ -94,6 +94,13 @@ class Loads:
                      sums(self.tractions, other.tractions),
                      sums(self.forces, other.forces))
 
+    def turned(self, rotation):
+        """These loads, which have no sides, after a rotation."""
+        stress = rotation @ self.stress @ rotation.T
+        return Loads(rotation @ self.body, 0.5 * (stress + stress.T),
+                     forces={cell: rotation @ force
+                             for cell, force in self.forces.items()})
+
     def entries(self):
         """The entries of a section of a .prm file."""
         lines = [f"set Body force = {number(self.body[0])}; "

@@ -87,26 +87,35 @@ class Programme:
         force = numpy.abs(loads).max()
         if not force > 0.:
             return 0.
-        limits = self.admissible.times(share / force)
         rows = len(loads)
         identity = scipy.sparse.identity(rows)
         matrix = scipy.sparse.hstack([self.matrix, identity, -identity])
         cost = numpy.concatenate([numpy.zeros(self.matrix.shape[1]),
                                   numpy.ones(2 * rows)])
-        found = minimise(cost, matrix, -loads / force, limits, "highs",
-                         [(0., None)] * (2 * rows))
+        found = self.minimise(cost, matrix, -loads, force, "highs",
+                              [(0., None)] * (2 * rows), share)
         return found.fun if found.status == 0 else numpy.nan
+
+    def minimise(self, cost, matrix, right, force, method, further_bounds,
+                 share=1.):
+        """A programme whose first unknowns are the forces over a force."""
+        return minimise(cost, matrix, right / force,
+                        self.admissible.times(share / force), method,
+                        further_bounds)
+
+    def lacking(self):
+        """How much of the dead loads is not carried, over the largest."""
+        return self.shortage(self.dead)
 
     def optimum(self, sense, around, unit, method="highs"):
         """The factor farthest in a sense, 1 or -1, in units for a factor."""
         force = self.force_at(around)
-        limits = self.admissible.times(1. / force)
         matrix = scipy.sparse.hstack(
             [self.matrix, self.live[:, None] * (unit / force)])
         cost = numpy.zeros(matrix.shape[1])
         cost[-1] = -sense
-        found = minimise(cost, matrix, -self.dead / force, limits, method,
-                         [(None, None)])
+        found = self.minimise(cost, matrix, -self.dead, force, method,
+                              [(None, None)])
         if found.status == 3:
             return Answer("unbounded")
         if found.status != 0:
@@ -117,7 +126,7 @@ class Programme:
 
     def judge(self, sense, method="highs"):
         """The class and the factor."""
-        shortage = self.shortage(self.dead)
+        shortage = self.lacking()
         if not shortage < NONE:
             return Answer("not carried") if shortage > CLEAR else Answer(
                 "doubtful", f"the dead loads lack {shortage:.1e}")
@@ -141,6 +150,24 @@ class Programme:
         return self.unit
 
 
+class IntervalProgramme(Programme):
+    """The same where zero need not be among the factors that are carried."""
+
+    def lacking(self):
+        """How much of the loads is not carried at the best of all factors."""
+        force = self.force_at(self.unit)
+        rows = len(self.dead)
+        identity = scipy.sparse.identity(rows)
+        matrix = scipy.sparse.hstack(
+            [self.matrix, identity, -identity,
+             self.live[:, None] * (self.unit / force)])
+        cost = numpy.zeros(matrix.shape[1])
+        cost[self.matrix.shape[1]:-1] = 1.
+        found = self.minimise(cost, matrix, -self.dead, force, "highs",
+                              [*[(0., None)] * (2 * rows), (None, None)])
+        return found.fun if found.status == 0 else numpy.nan
+
+
 def minimise(cost, matrix, right, limits, method, further_bounds):
     """The linear programme, with bounds of unknowns that follow the forces."""
     n_further = len(further_bounds)
@@ -160,7 +187,8 @@ def minimise(cost, matrix, right, limits, method, further_bounds):
 
 def error_of(found):
     """What the residuals of a solution may do to its value, by its prices."""
-    excess = numpy.abs(found.eqlin.residual) @ numpy.abs(found.eqlin.marginals)
+    excess = found.get("outside", 0.)
+    excess += numpy.abs(found.eqlin.residual) @ numpy.abs(found.eqlin.marginals)
     for part in (found.ineqlin, found.lower, found.upper):
         beyond = numpy.maximum(-part.residual, 0.)
         excess += beyond @ numpy.abs(part.marginals)

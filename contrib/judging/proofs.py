@@ -38,6 +38,8 @@ class MechanismProof:
     dead_work: float
     live_work: float
     closing: float
+    # The largest displacement.
+    size: float
 
     def holds(self):
         return self.closing < 1e-11
@@ -83,4 +85,5 @@ def mechanism_proof(run, programme):
                                       jumps[:, :-1].T, jumps[:, -1])
     return MechanismProof(dissipation, programme.dead @ motion,
                           programme.live @ motion,
-                          closing / numpy.abs(motion).max())
+                          closing / numpy.abs(motion).max(),
+                          numpy.abs(motion).max())

@@ -21,6 +21,8 @@ MOST_JOINTS, SHARE_OF_SECTIONS = 5, 0.3
 class RangeJudgement(SmallJudgement):
     """The least and the greatest value of forces over all states."""
     question = "ranges"
+    extremes_of = Extremes
+    largest_difference, largest_couple = LARGEST_DIFFERENCE, LARGEST_COUPLE
 
     def settings(self):
         method = self.choice.choice(("automatic", "simplex", "interior point"))
@@ -30,7 +32,7 @@ class RangeJudgement(SmallJudgement):
                 f"set Reactions = {reactions}", f"set Method = {method}", "end"]
 
     def compare(self, run):
-        self.extremes = Extremes(self.programme)
+        self.extremes = self.extremes_of(self.programme)
         rows = run.table("interfaces.csv")
         asked = [joint for joint, row in enumerate(rows) if row["p_min"]]
         for joint in self.choice.sample(asked, min(len(asked), MOST_JOINTS)):
@@ -91,7 +93,7 @@ class RangeJudgement(SmallJudgement):
         """A greatest value: that in strips, and no less by a number than all
         states have."""
         # Relative to themselves where values are large.
-        tolerance = LARGEST_DIFFERENCE * max(
+        tolerance = self.largest_difference * max(
             1., abs(value) / self.extremes.force
             if numpy.isfinite(value) else 1.)
         away = self.extremes.difference(function, value)
@@ -100,7 +102,7 @@ class RangeJudgement(SmallJudgement):
             self.report("doubtful", run, f"HiGHS has no answer on {name}")
         elif not away <= tolerance:
             self.report("fault", run, f"{name}: {value!r}, expected "
-                        f"{self.extremes.in_strips(function).value!r}")
+                        f"{self.extremes.greatest(function).value!r}")
         if not self.is_asked_of_sections() or not numpy.isfinite(value):
             return
         more = self.extremes.excess(function, value + beyond, tolerance)
@@ -122,19 +124,20 @@ class RangeJudgement(SmallJudgement):
         self.n_states += 1
         about, rows = self.function()
         rows[joint, :2] = -0.5 - at, 0.5 - at
-        couple = self.extremes.in_strips(sign * about).value
+        couple = self.extremes.greatest(sign * about).value
         less, rows = self.function()
         rows[joint, :2] = -0.5 - (at - sign * CLOSE), 0.5 - (at - sign * CLOSE)
-        attained = self.extremes.in_strips(sign * less).value
-        limit = LARGEST_COUPLE * self.extremes.force
+        attained = self.extremes.greatest(sign * less).value
+        limit = self.largest_couple * self.extremes.force
         more = 0.
         if self.is_asked_of_sections():
             more = self.extremes.excess(
-                sign * about, run.summary["ranges"]["beyond"], LARGEST_COUPLE)
+                sign * about, run.summary["ranges"]["beyond"],
+                self.largest_couple)
         if more is None or numpy.isnan(couple + attained):
             self.report("doubtful", run, f"HiGHS has no answer on {name}")
         elif couple > limit or attained < -limit or \
-                more > LARGEST_COUPLE:
+                more > self.largest_couple:
             self.report("fault", run, f"{name}: the couple about {at!r} is "
                         f"{couple!r}, about one closer {attained!r}, and by "
                         f"{more!r} more than is said")

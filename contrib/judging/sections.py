@@ -48,17 +48,26 @@ class Sections:
 
     def rows(self):
         """The tangents as rows on all forces, and their limits."""
-        section, touching = self.section, self.touching
+        return self.secants(self.section, self.touching, self.touching)
+
+    def secants(self, section, start, end):
+        """The same of the straight lines through two points N_0 of the curve:
+
+            (a + b) N - a b <= 2 S p_k,
+
+        which are chords between neighbours of a polygon within the section.
+        """
         strength, tension = self.strength[section], self.tension[section]
-        share = touching / strength
+        share = 0.5 * (start + end) / strength
         n = len(section)
         rows, columns, values, limits = [], [], [], []
         for k in range(2):
-            for end in range(2):
+            for at in range(2):
                 rows.append(numpy.arange(n) + k * n)
-                columns.append(3 * self.which[section] + end)
-                values.append(share - (k == end))
-            limits.append(0.5 * touching * share - tension * (share - 0.5))
+                columns.append(3 * self.which[section] + at)
+                values.append(share - (k == at))
+            limits.append(0.5 * start * end / strength -
+                          tension * (share - 0.5))
         row, column, value = map(numpy.concatenate, (rows, columns, values))
         return scipy.sparse.coo_matrix(
             (value, (row, column)),

@@ -19,6 +19,8 @@ NUMBER = r"[-+.\de]+"
 class SettlementJudgement(SmallJudgement):
     """The greatest work of the ground, and the proofs of it."""
     question = "settlement"
+    extremes_of = Extremes
+    largest_difference = LARGEST_DIFFERENCE
     scenes = StandingScene
 
     def settings(self):
@@ -75,7 +77,7 @@ class SettlementJudgement(SmallJudgement):
     def compare(self, run):
         openings, sliding, largest = self.jumps_at_rest()
         work = self.joints.in_order(-openings, sliding)
-        self.extremes = Extremes(self.programme)
+        self.extremes = self.extremes_of(self.programme)
         scale = self.extremes.force * largest
         found = run.summary["settlement"]
         self.n_states += 1
@@ -83,13 +85,13 @@ class SettlementJudgement(SmallJudgement):
         away = self.extremes.difference(work_of, found["work"] / largest)
         more = self.extremes.excess(
             work_of, (found["work"] + found.get("beyond", 0.)) / largest,
-            LARGEST_DIFFERENCE) if self.programme.sections else 0.
+            self.largest_difference) if self.programme.sections else 0.
         if away is None or more is None:
             self.report("doubtful", run, "HiGHS has no answer")
             return
         self.difference, self.miss = away, more
-        if max(away, more) > LARGEST_DIFFERENCE:
-            expected = self.extremes.in_strips(work_of).value * largest
+        if max(away, more) > self.largest_difference:
+            expected = self.extremes.greatest(work_of).value * largest
             self.report("fault", run, f"the work is {found['work']!r} and at "
                         f"most {found.get('beyond')!r} more, expected "
                         f"{expected!r} and {more!r} more than that")
@@ -115,7 +117,7 @@ class SettlementJudgement(SmallJudgement):
         energy -= programme.dead @ motion
         more = (energy - found["work"] - found.get("beyond", 0.)) / scale
         self.miss = max(self.miss, more)
-        if more > LARGEST_DIFFERENCE:
+        if more > self.largest_difference:
             yield f"the motion has {more:.1e} more energy than said"
         if closing > LARGEST_ERROR * scale / self.extremes.force:
             yield f"the motion closes joints by {closing:.1e}"
@@ -127,7 +129,7 @@ class SettlementJudgement(SmallJudgement):
         openings, sliding, largest = self.jumps_at_rest()
         work = self.joints.in_order(-openings, sliding)
         self.n_states += 1
-        away = Extremes(self.programme).difference(work / largest, numpy.inf)
+        away = self.extremes_of(self.programme).difference(work / largest, numpy.inf)
         if away is None:
             self.report("doubtful", run, "HiGHS has no answer")
         elif away > 0.:

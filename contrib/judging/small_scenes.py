@@ -22,6 +22,7 @@ class SmallJudgement:
     # The word for it in names of files, and the scenes that it is asked of.
     question = ""
     scenes = SmallScene
+    programme_of = Programme
 
     def __init__(self, program, scene, report):
         self.program = program
@@ -45,8 +46,8 @@ class SmallJudgement:
         loads = self.draw()
         written = loads.on(self.cells)
         # Of live loads there is no question.
-        self.programme = Programme(self.joints, self.cells, written,
-                                   numpy.ones_like(written))
+        self.programme = self.programme_of(self.joints, self.cells, written,
+                                           numpy.ones_like(written))
         settings = ["set Formulation = least energy"] \
             if self.scene.law == "Tresca" else []
         run = self.program.run(
@@ -84,8 +85,8 @@ class SmallJudgement:
         share = self.choice.choice(SHARES)
         if share == 0.:
             return dead
-        programme = Programme(self.joints, self.cells, dead.on(self.cells),
-                              live.on(self.cells))
+        programme = self.programme_of(
+            self.joints, self.cells, dead.on(self.cells), live.on(self.cells))
         limit = programme.judge(1.)
         if limit.kind == "bounded" and limit.factor > 0.:
             return dead.plus(share * limit.factor, live)

@@ -5,7 +5,7 @@ import shutil
 CLASSES = ("not carried", "bounded", "unbounded", "doubtful")
 # Of these the largest counts, and of the others the sum.
 LARGEST = ("difference", "miss")
-COLUMNS = ("scenes", *CLASSES, "states", "undecided", "overruled", "faults",
+COLUMNS = ("scenes", *CLASSES, "propped", "states", "undecided", "overruled", "faults",
            *LARGEST)
 # Of a line on the screen; the file has all of it.
 LONGEST = 400
@@ -40,6 +40,8 @@ class Tally:
                         "true" if scene.rotations else "false"]
         row.update(scenes=1, states=judgement.n_states)
         row[judgement.kind] += 1
+        # Of those that are carried the ones that are not without live loads.
+        row["propped"] += getattr(judgement, "is_propped", False)
         for kind in ("undecided", "overruled", "faults"):
             row[kind] += self.now[kind]
         for name in LARGEST:

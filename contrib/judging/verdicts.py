@@ -46,12 +46,14 @@ class Judgement:
     Counts what happens in a tally, and hands what is wrong to report(kind,
     run, words), where kind is "fault" or a word of what is tolerated.
     """
+    scenes = Scene
+    # How many of the distances each scene has.
+    n_distances = len(DISTANCES)
 
-    def __init__(self, program, seed, k, n_distances, report):
+    def __init__(self, program, scene, report):
         self.program = program
-        self.n_distances = n_distances
-        self.scene = Scene(seed, k)
-        self.choice = random.Random(f"{seed} {k} runs")
+        self.scene = scene
+        self.choice = random.Random(f"{scene.name.replace('_', ' ')} runs")
         self.report = report
         self.n_states = 0
         self.kind = "refused"
@@ -63,16 +65,8 @@ class Judgement:
 
     def judge(self):
         """All of it."""
-        if self.scene.drawing:
-            self.program.write(f"{self.scene.name}.wkt", self.scene.drawing)
-        packing = self.run("packing", self.scene.text())
-        if packing.status != SOLVED:
-            self.report("fault", packing, "the packing is refused")
+        if not self.has_packing():
             return
-        self.joints, self.packing = packing.packing()
-        error = numpy.abs(self.packing.area / self.packing.written_area - 1.)
-        if error.max() > LARGEST_ERROR:
-            self.report("fault", packing, "areas are not those of polygons")
         self.draw()
         self.judge_factor()
         if self.kind == "bounded":
@@ -83,6 +77,20 @@ class Judgement:
                            "carried", numpy.inf)
         elif self.kind == "not carried":
             self.state(0., "collapse", numpy.inf)
+
+    def has_packing(self):
+        """Whether the program makes the packing, which is then there."""
+        if self.scene.drawing:
+            self.program.write(f"{self.scene.name}.wkt", self.scene.drawing)
+        packing = self.run("packing", self.scene.text())
+        if packing.status != SOLVED:
+            self.report("fault", packing, "the packing is refused")
+            return False
+        self.joints, self.packing = packing.packing()
+        error = numpy.abs(self.packing.area / self.packing.written_area - 1.)
+        if error.max() > LARGEST_ERROR:
+            self.report("fault", packing, "areas are not those of polygons")
+        return True
 
     def draw(self):
         """The loads, and what is asked of them."""
@@ -109,7 +117,8 @@ class Judgement:
                 break
         self.kind = self.expected.kind
         dead, live = self.given
-        run = self.run("factor", self.scene.text(self.entries, dead, live))
+        run = self.asked = self.run(
+            "factor", self.scene.text(self.entries, dead, live))
         self.found, self.bound = found_factor(run)
         if self.kind == "doubtful":
             self.report("doubtful", run, f"{self.expected.reason}; the program: "
