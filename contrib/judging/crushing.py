@@ -17,7 +17,7 @@ from judging.settlements import SettlementJudgement
 
 # Of ends of ranges and of works, over the largest load, and of couples about
 # the ends of places.
-LARGEST_DIFFERENCE = 1e-6
+LARGEST_DIFFERENCE, LINEAR = 1e-6, 1e-8
 # By how much forces may be outside of a section, over the largest load.
 TOLERANCE = 1e-10
 # Of the values with both polygons, which stop to be refined then.
@@ -69,6 +69,10 @@ class CrushingProgramme(IntervalProgramme):
                  share=1.):
         """The least value with the polygons within, and as what is outside of
         it the most by which that of whole sections may be less."""
+        if not self.sections:
+            return super().minimise(cost, matrix, right, force, method,
+                                    further_bounds, share)
+
         def solve(admissible):
             return minimise(cost, matrix, right / force,
                             admissible.times(share / force), method,
@@ -141,16 +145,21 @@ class CrushingFactors(FactorJudgement):
         return super().state_run(factor, way)
 
 
-class _Crushing:
-    """What is asked of all states."""
-    scenes = CrushingScene
+class _Whole:
+    """What is asked of all states, with whole sections if there are any."""
     programme_of = CrushingProgramme
-    extremes_of = WholeSections
-    largest_difference = largest_couple = LARGEST_DIFFERENCE
 
-    def is_asked_of_sections(self):
-        """They are all that is asked of."""
-        return False
+    @staticmethod
+    def extremes_of(programme):
+        """The greatest values of a programme."""
+        return (WholeSections if programme.sections else Extremes)(programme)
+
+    @property
+    def largest_difference(self):
+        """Of ends and of couples, over the largest load."""
+        return LARGEST_DIFFERENCE if self.programme.sections else LINEAR
+
+    largest_couple = largest_difference
 
     def judge_refusal(self, run):
         """A fault where the loads are carried."""
@@ -162,12 +171,22 @@ class _Crushing:
             super().judge_refusal(run)
 
 
-class CrushingRanges(_Crushing, RangeJudgement):
+class WholeRanges(_Whole, RangeJudgement):
     """The least and the greatest value of forces."""
 
 
-class CrushingSettlement(_Crushing, SettlementJudgement):
+class WholeSettlement(_Whole, SettlementJudgement):
     """The work of supports that move."""
+
+
+class CrushingRanges(WholeRanges):
+    """That of scenes that crush."""
+    scenes = CrushingScene
+
+
+class CrushingSettlement(WholeSettlement):
+    """That of scenes that crush."""
+    scenes = CrushingScene
 
 
 def crushing_judgement(program, scene, report):

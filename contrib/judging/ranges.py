@@ -1,8 +1,4 @@
-"""The ranges of the forces of one scene, by the program and by HiGHS.
-
-Where joints crush between blocks that turn the program's ends are those of
-sections in strips, and those of all states are farther by what it says at most.
-"""
+"""The ranges of the forces of one scene, by the program and by HiGHS."""
 import numpy
 
 from judging.extremes import Extremes
@@ -13,9 +9,8 @@ LARGEST_DIFFERENCE = 1e-8
 # The same of the couple of a resultant about the end of its range, over the
 # length of the joint; and by how much less far it has to get.
 LARGEST_COUPLE, CLOSE = 1e-8, 1e-6
-# Of a scene so many joints are compared, chosen at random, and of these so many
-# ends with whole sections, which take long.
-MOST_JOINTS, SHARE_OF_SECTIONS = 5, 0.3
+# Of a scene so many joints are compared, chosen at random.
+MOST_JOINTS = 5
 
 
 class RangeJudgement(SmallJudgement):
@@ -50,11 +45,10 @@ class RangeJudgement(SmallJudgement):
         for symbol, of in (("p", slice(0, n)), ("q", slice(n, n + 1))):
             function, rows = self.function()
             rows[joint, of] = 1.
-            beyond = float(row.get(f"{symbol}_beyond") or 0.)
             self.compare_ends(
                 run, function, [float(row[f"{symbol}_{end}"])
                                 for end in ("min", "max")],
-                beyond, f"{symbol} of interface {joint}")
+                f"{symbol} of interface {joint}")
         if row.get("e_min"):
             for end, sign in (("e_min", -1.), ("e_max", 1.)):
                 self.compare_place(run, joint, sign, float(row[end]),
@@ -79,19 +73,17 @@ class RangeJudgement(SmallJudgement):
                 rows[on_it, -1] = joints.tangent[on_it, i]
                 ends = [sign * numpy.inf if value is None else value
                         for value, sign in zip(of[name], (-1., 1.))]
-                beyond = of["beyond"][i] if "beyond" in of else 0.
-                self.compare_ends(run, function, ends, beyond,
+                self.compare_ends(run, function, ends,
                                   f"reaction {name} from {start}")
 
-    def compare_ends(self, run, function, ends, beyond, name):
-        """A range whose ends may be farther by a number."""
+    def compare_ends(self, run, function, ends, name):
+        """Both ends of a range."""
         for value, sign in zip(ends, (-1., 1.)):
             self.n_states += 1
-            self.judge_end(run, sign * function, sign * value, beyond, name)
+            self.judge_end(run, sign * function, sign * value, name)
 
-    def judge_end(self, run, function, value, beyond, name):
-        """A greatest value: that in strips, and no less by a number than all
-        states have."""
+    def judge_end(self, run, function, value, name):
+        """A greatest value."""
         # Relative to themselves where values are large.
         tolerance = self.largest_difference * max(
             1., abs(value) / self.extremes.force
@@ -103,20 +95,6 @@ class RangeJudgement(SmallJudgement):
         elif not away <= tolerance:
             self.report("fault", run, f"{name}: {value!r}, expected "
                         f"{self.extremes.greatest(function).value!r}")
-        if not self.is_asked_of_sections() or not numpy.isfinite(value):
-            return
-        more = self.extremes.excess(function, value + beyond, tolerance)
-        self.miss = max(self.miss, more or 0.)
-        if more is None:
-            self.report("doubtful", run, f"HiGHS has no answer on {name}")
-        elif more > tolerance:
-            self.report("fault", run, f"{name}: {value!r} and at most "
-                        f"{beyond!r} more, expected {more!r} more than that")
-
-    def is_asked_of_sections(self):
-        """Whether the next end is compared with whole sections, too."""
-        return self.programme.sections and \
-            self.choice.random() < SHARE_OF_SECTIONS
 
     def compare_place(self, run, joint, sign, at, name):
         """The end of the places of a resultant: no couple about it, and one
@@ -129,15 +107,8 @@ class RangeJudgement(SmallJudgement):
         rows[joint, :2] = -0.5 - (at - sign * CLOSE), 0.5 - (at - sign * CLOSE)
         attained = self.extremes.greatest(sign * less).value
         limit = self.largest_couple * self.extremes.force
-        more = 0.
-        if self.is_asked_of_sections():
-            more = self.extremes.excess(
-                sign * about, run.summary["ranges"]["beyond"],
-                self.largest_couple)
-        if more is None or numpy.isnan(couple + attained):
+        if numpy.isnan(couple + attained):
             self.report("doubtful", run, f"HiGHS has no answer on {name}")
-        elif couple > limit or attained < -limit or \
-                more > self.largest_couple:
+        elif couple > limit or attained < -limit:
             self.report("fault", run, f"{name}: the couple about {at!r} is "
-                        f"{couple!r}, about one closer {attained!r}, and by "
-                        f"{more!r} more than is said")
+                        f"{couple!r}, about one closer {attained!r}")

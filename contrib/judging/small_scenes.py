@@ -70,7 +70,7 @@ class SmallJudgement:
             return
         self.joints, self.cells = run.packing()
         loads = run.loads()
-        self.programme = Programme(self.joints, self.cells, loads,
+        self.programme = self.programme_of(self.joints, self.cells, loads,
                                    numpy.ones_like(loads))
         self.kind = "bounded"
         self.take(self.scene.text)

@@ -26,9 +26,8 @@ double limit_strength(const Scene &scene, const double strength)
   bare.load_size.assign(scene.load.size(), 0.);
   LoadFactorControls controls;
   controls.tolerance = 1e-10;
-  return strength /
-         find_load_factor(bare, scene, controls, Terminal::silent())
-             .factor->carried;
+  return strength / find_load_factor(bare, scene, controls, Terminal::silent())
+                        .factor->carried;
 }
 
 /** @p scene_at gives the scene of a strength, of which @p near is one. */

@@ -10,7 +10,6 @@
 #include <voussoir/statics/energy/energy_program.h>
 
 #include "tests.h"
-
 #include <random>
 
 namespace test_interior_point
@@ -45,7 +44,7 @@ void compare(const std::string &name, const Scene &scene)
     problem.remove_rigid_motions(found.u);
     std::cout << name << ", " << method.name << std::endl;
     check("  known: " + known.stop.words(), known.converged());
-    check_error("  found", found.error, 1e-12);
+    check_error("  found", found.error, 1e-11);
     double apart = 0.;
     for (unsigned int k = 0; k < known.forces.size(); ++k)
       apart = std::max(apart, std::abs(found.forces[k] - known.forces[k]));
@@ -114,11 +113,12 @@ void check_cones()
     of_scaling =
         std::max(of_scaling, distance(W.times(z), W.over(s)) / size * near);
     of_inverses = std::max(of_inverses, near * distance(W.times(W.over(d)), d));
+    of_inverses =
+        std::max(of_inverses,
+                 near * near * distance(W.times_square(W.over_square(d)), d));
     of_inverses = std::max(
-        of_inverses, near * near * distance(W.times_square(W.over_square(d)), d));
-    of_inverses = std::max(of_inverses,
-                           near * distance(W.over(W.over(d)), W.over_square(d)) *
-                               W.eta_squared);
+        of_inverses,
+        near * distance(W.over(W.over(d)), W.over_square(d)) * W.eta_squared);
     of_quotient =
         std::max(of_quotient, near * distance(product(s, quotient(s, d)), d));
     const double inverse = inverse_of_longest(s, d);
@@ -127,8 +127,9 @@ void check_cones()
       Vector end = s;
       for (unsigned int i = 0; i < 3; ++i)
         end[i] += d[i] / inverse;
-      of_step = std::max(of_step, std::abs(end[0] - std::hypot(end[1], end[2])) /
-                                      (1. + 1. / inverse));
+      of_step =
+          std::max(of_step, std::abs(end[0] - std::hypot(end[1], end[2])) /
+                                (1. + 1. / inverse));
     }
     const auto values = eigenvalues(d);
     of_quotient =
@@ -151,9 +152,9 @@ void run()
     find_collapses("shear wall", shear_wall(strength), strength);
   for (const double d : {0.2, 0.3 * (1. - 1e-6), 0.3 * (1. + 1e-6), 0.5})
     find_collapses("turned squares",
-                scene_under_stress(turned_squares(12), 0.3,
-                                   tensor(-1 + d, 0, 0, -1 - d)),
-                0.3 / d);
+                   scene_under_stress(turned_squares(12), 0.3,
+                                      tensor(-1 + d, 0, 0, -1 - d)),
+                   0.3 / d);
   check_cones();
 }
 

@@ -167,9 +167,20 @@ void extremes()
   compare(find("less weight", dead, live, false), -10. + 1. / 0.6, 1e-9);
 
   dead.force = vector(8., -10.);
+  const LoadFactor pressed = find("dead loads that need weight", dead, live);
+  check("  they collapse alone",
+        pressed.is_unbounded && pressed.collapses_without);
+  compare(find("the least weight", dead, live, false), 8. / 0.6 - 10., 1e-9);
+  // A pull with the weight between nothing and what lifts the wall.
+  live.force = vector(-1., 0.);
+  compare(find("the least pull", dead, live, false), 2., 1e-9);
+  compare(find("the greatest pull", dead, live), 14., 1e-9);
+
+  // Loads that none of the live ones helps to carry.
+  dead.force = vector(0., 1.);
   const LoadFactorAnswer answer =
       find_load_factor(dead.scene(), live.scene(), {}, Terminal::silent());
-  check("dead loads that collapse",
+  check("dead loads that collapse with any",
         !answer.factor &&
             proves_collapse(certify_mechanism(dead.scene(), answer.collapse)));
 }

@@ -16,6 +16,9 @@ namespace Voussoir
 {
 namespace
 {
+/** Where there is no greatest factor: the step to a greater one, and the end.*/
+constexpr double larger_alpha = 10., largest_alpha = 1e6;
+
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_load_factor = 1e-3;
 
@@ -68,6 +71,8 @@ private:
   SelfDual::Program program;
   /** Forces for the dead loads alone, far from their limits if there are any.*/
   std::optional<FactorState> at_rest;
+  /** The mechanism of the dead loads alone, if they collapse. */
+  Motion collapse_at_rest;
   LoadFactor found;
 };
 
@@ -76,10 +81,12 @@ LoadFactorSearch::LoadFactorSearch(const Scene &dead,
                                    const LoadFactorControls &controls,
                                    Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
-      problem(problem_of(dead, live)), by_rows(problem),
-      program{by_rows.loads(discretise_loads(problem, dead), true),
-              by_rows.loads(discretise_loads(problem, live), false),
-              controls.greatest ? 1. : -1.}
+      problem(problem_of(dead, live)),
+      by_rows(problem), program{by_rows.loads(discretise_loads(problem, dead),
+                                              true),
+                                by_rows.loads(discretise_loads(problem, live),
+                                              false),
+                                controls.greatest ? 1. : -1.}
 {
   const double live_size = largest_component(program.live);
   if (!(live_size > 0.))
@@ -96,8 +103,7 @@ LoadFactorSearch::LoadFactorSearch(const Scene &dead,
   found.bound = program.sense * std::numeric_limits<double>::infinity();
 }
 
-InterfaceForces
-LoadFactorSearch::forces_of(const std::vector<double> &x) const
+InterfaceForces LoadFactorSearch::forces_of(const std::vector<double> &x) const
 {
   Solution solution;
   solution.forces = by_rows.rows().forces_of(x);
@@ -111,9 +117,12 @@ void LoadFactorSearch::look_at_rest()
       by_rows, program.dead, controls.n_max_iterations, terminal);
   found.n_iterations += any.n_iterations;
   at_rest = std::move(any.state);
-  found.collapses_without =
-      !any.collapse.empty() &&
-      proves_collapse(certify_mechanism(dead, motion_of(any.collapse)));
+  if (any.collapse.empty())
+    return;
+  Motion motion = motion_of(any.collapse);
+  found.collapses_without = proves_collapse(certify_mechanism(dead, motion));
+  if (found.collapses_without)
+    collapse_at_rest = std::move(motion);
 }
 
 LoadFactorAnswer LoadFactorSearch::find()
@@ -132,14 +141,22 @@ LoadFactorAnswer LoadFactorSearch::find()
   factor.find();
   found.n_iterations += factor.n_iterations();
   LoadFactorAnswer answer;
-  if (factor.state() == SelfDual::State::infeasible)
-  {
-    answer.collapse = motion_of(factor.mechanism_of_all().u);
-    return answer;
-  }
   keep(factor);
   if (factor.state() == SelfDual::State::unbounded)
     find_unbounded();
+  if (factor.state() == SelfDual::State::infeasible ||
+      (factor.state() == SelfDual::State::unbounded && !found.is_unbounded))
+    if (const std::optional<FactorMotion> motion = factor.mechanism_of_all())
+    {
+      answer.collapse = motion_of(motion->u);
+      return answer;
+    }
+  if (found.forces.normal.empty() && found.collapses_without)
+  {
+    // No factor is known to help.
+    answer.collapse = std::move(collapse_at_rest);
+    return answer;
+  }
   check_found(factor);
   answer.factor = std::move(found);
   return answer;
@@ -172,18 +189,28 @@ void LoadFactorSearch::keep(const ProvenFactor &factor)
   found.proof = proof;
 }
 
-/** Find forces at a factor beside those that balance the live loads alone. */
+/**
+ * Find forces at a factor beside those that balance the live loads alone: at
+ * one, or where live loads are as large as the dead ones, or larger.
+ */
 void LoadFactorSearch::find_unbounded()
 {
-  std::vector<double> loads = program.dead;
-  add(loads, program.sense / found.unit, program.live);
-  const FeasibleForces at_one = find_feasible_forces(
-      by_rows, loads, controls.n_max_iterations, terminal);
-  if (!at_one.state)
-    return;
-  found.is_unbounded = true;
-  found.carried = program.sense;
-  found.forces = forces_of(at_one.state->x);
+  for (double alpha = 1. / found.unit; !found.is_unbounded;
+       alpha = std::max(1., larger_alpha * alpha))
+  {
+    if (alpha > largest_alpha / found.unit && alpha > largest_alpha)
+      return;
+    std::vector<double> loads = program.dead;
+    add(loads, program.sense * alpha, program.live);
+    const FeasibleForces any = find_feasible_forces(
+        by_rows, loads, controls.n_max_iterations, terminal);
+    found.n_iterations += any.n_iterations;
+    if (!any.state)
+      continue;
+    found.is_unbounded = true;
+    found.carried = program.sense * alpha * found.unit;
+    found.forces = forces_of(any.state->x);
+  }
 }
 
 /** @throws SolverError if no forces prove a factor. */

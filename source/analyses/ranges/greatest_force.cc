@@ -34,11 +34,13 @@ public:
   ForceSearch(const RowProblem &problem,
               const std::vector<double> &c,
               Terminal &terminal)
-      : forces(problem.rows(), problem.forces().held_bodies()), c(c), program{problem.loads()},
-        size(largest_component(program.dead)), terminal(terminal)
+      : forces(problem.rows(), problem.forces().held_bodies()),
+        c(c), program{problem.loads()}, size(largest_component(program.dead)),
+        terminal(terminal)
   {
     for (const double coefficient : c)
       program.cost.push_back(-coefficient);
+    forces.clear_without_force(program.cost);
   }
 
   StateProgram::Optimum find();
@@ -88,9 +90,9 @@ void ForceSearch::look_near(const SelfDual::Point &point)
   // What is not a number proves nothing.
   const InvalidOperationsAllowed allowed;
   const double value = dot(c, point.x);
-  FactorState state = state_near(
-      forces, program, point, anchor,
-      anchor ? share_for(dot(c, anchor->x) - value, value) : 0.);
+  FactorState state =
+      state_near(forces, program, point, anchor,
+                 anchor ? share_for(dot(c, anchor->x) - value, value) : 0.);
   if (state.residual > largest_residual_of_state && anchor)
     state = state_near(forces, program, point);
   if (const double of_state = dot(c, state.x);

@@ -45,23 +45,6 @@ Field<Results> end_of_range(const std::string &name,
                               "the value of this state");
 }
 
-/** By how much a range may be wider. */
-Field<Results> beyond_range(const std::string &name, const RangesOf of)
-{
-  const auto beyond = [of](const Results &r, const unsigned int e) {
-    return ((*r.ranges).*of)[e].beyond;
-  };
-  const auto if_wanted = [beyond](const Results &r, const unsigned int e) {
-    return r.ranges->wanted[e] ? beyond(r, e) : not_asked_for;
-  };
-  return Field<Results>(name, "S L",
-                        "p and q of all states may be [that "
-                        "much](theory.md#tension-and-crushing) less than p_min "
-                        "and q_min, or more than p_max and q_max, at most",
-                        if_wanted)
-      .instead_in_grid(beyond, "");
-}
-
 /** A mark of ranges. @param is of interface e. */
 Field<Results> mark_of_range(const std::string &name,
                              const std::string &words,
@@ -129,12 +112,7 @@ Fields<Results> state_ranges()
                      {end_of_range("e_min", "", of_e, &Ranges::eccentricity,
                                    &Range::least),
                       end_of_range("e_max", "", of_e, &Ranges::eccentricity,
-                                   &Range::greatest)}),
-       when<Results>(
-           {"with `Ranges` where blocks turn and joints crush",
-            [](const Results &r) { return r.ranges && r.ranges->are_inner; }},
-           {beyond_range("p_beyond", &Ranges::normal),
-            beyond_range("q_beyond", &Ranges::tangential)})});
+                                   &Range::greatest)})});
 }
 
 Fields<Results> sample_moments()

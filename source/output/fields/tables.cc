@@ -15,8 +15,8 @@ const FieldTable<Results> &interface_fields()
   static const FieldTable<Results> table(
       "force normal_force tangential_force normal_stress "
       "tangential_stress end_forces eccentricity strength utilisation "
-      "cell_minus cell_plus p_min p_max q_min q_max e_min e_max p_beyond "
-      "q_beyond determined unbounded p_mean p_mean_error p_deviation "
+      "cell_minus cell_plus p_min p_max q_min q_max e_min e_max "
+      "determined unbounded p_mean p_mean_error p_deviation "
       "q_mean q_mean_error q_deviation",
       interface_edges(), interface_forces(), strengths(), utilisations(),
       marks_of_all_states(), forces_at_ends(), further_limits(),

@@ -228,9 +228,8 @@ void add_joint_views(PictureMaker &maker, const Results &results)
   add_joint_view(
       maker, "ranges", "Ranges",
       UnitNames::labelled(
-          std::string("normal force of the joints: the greatest of all states "
-                      "less the least") +
-              (results.ranges->are_inner ? ", at least" : ""),
+          "normal force of the joints: the greatest of all states less the "
+          "least",
           maker.names.force),
       {ColourScale("r", widths), widths});
 }

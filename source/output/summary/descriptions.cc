@@ -73,17 +73,21 @@ std::string description_of(const LoadFactor &factor)
 {
   if (!factor.trials.empty())
     return description_without_dilatancy(factor);
+  const std::string carried = text_to_copy(factor.carried);
+  std::string words;
   if (factor.is_unbounded)
-    return text(text_to_copy(factor.carried),
-                " is carried, and so is any beyond it: the live loads balance "
-                "by pressure alone");
-  if (!std::isfinite(factor.bound))
-    return text_to_copy(factor.carried) +
-           " is carried; no mechanism was found that bounds it";
-  return text(text_to_copy(factor.carried), " is carried, ",
-              text_to_copy(factor.bound), " collapses; they differ by ",
-              factor.width(), " of it");
+    words = carried + " is carried, and so is any beyond it: the live loads "
+                      "balance by pressure alone";
+  else if (!std::isfinite(factor.bound))
+    words = carried + " is carried; no mechanism was found that bounds it";
+  else
+    words = text(carried, " is carried, ", text_to_copy(factor.bound),
+                 " collapses; they differ by ", factor.width(), " of it");
+  if (factor.collapses_without)
+    words += "; the dead loads are not carried without the live ones";
+  return words;
 }
+
 std::string description_of(const Scene &scene, const Settlement &settlement)
 {
   const CountOfJumps count(scene, settlement);
@@ -91,11 +95,6 @@ std::string description_of(const Scene &scene, const Settlement &settlement)
       text("supports move by at most ", settlement.largest_displacement,
            "; interfaces with a hinge: ", count.hinges, ", open: ", count.open,
            ", sliding: ", count.sliding);
-  if (settlement.is_inner)
-    words += text("; as joints crush between blocks that turn, the greatest "
-                  "work of the ground is at least ",
-                  settlement.work, ", that of this state, and at most ",
-                  settlement.width, " more");
   return words;
 }
 
@@ -109,10 +108,6 @@ std::string description_of(const Ranges &ranges)
   if (!ranges.reactions.empty())
     words += text("; reactions of ",
                   counted(ranges.reactions.size(), "straight support"));
-  if (ranges.are_inner)
-    words += text("; as joints crush between blocks that turn, ranges are at "
-                  "least as wide, with ends at most ",
-                  ranges.proofs.width, " farther");
   return words;
 }
 

@@ -108,24 +108,18 @@ Json summary_of_ranges(const Results &results)
                         {"to", {at.end[0], at.end[1]}},
                         {"x", pair(ranges.reactions[s][0])},
                         {"y", pair(ranges.reactions[s][1])}});
-    if (ranges.are_inner)
-      supports.back()["beyond"] = {ranges.reactions[s][0].beyond,
-                                   ranges.reactions[s][1].beyond};
   }
-  Json json = {{"interfaces", count.wanted},
-               {"determined", count.determined},
-               {"unbounded", count.unbounded},
-               {"reactions", supports},
-               {"width", ranges.reference > 0.
-                             ? Json(ranges.proofs.width / ranges.reference)
-                             : Json(nullptr)},
-               {"error_of_states", ranges.proofs.error_of_states},
-               {"closing_violation", ranges.proofs.closing_violation},
-               {"programmes", ranges.proofs.n_programmes},
-               {"iterations", ranges.proofs.n_iterations}};
-  if (ranges.are_inner)
-    json["beyond"] = ranges.proofs.width;
-  return json;
+  return {{"interfaces", count.wanted},
+          {"determined", count.determined},
+          {"unbounded", count.unbounded},
+          {"reactions", supports},
+          {"width", ranges.reference > 0.
+                        ? Json(ranges.proofs.width / ranges.reference)
+                        : Json(nullptr)},
+          {"error_of_states", ranges.proofs.error_of_states},
+          {"closing_violation", ranges.proofs.closing_violation},
+          {"programmes", ranges.proofs.n_programmes},
+          {"iterations", ranges.proofs.n_iterations}};
 }
 
 Json summary_of_samples(const StateSamples &samples)
@@ -146,16 +140,13 @@ Json summary_of_settlement(const Results &results)
 {
   const Settlement &settlement = *results.settlement;
   const CountOfJumps count(results.scene, settlement);
-  Json json = {{"largest_displacement", settlement.largest_displacement},
-               {"work", settlement.work},
-               {"width", settlement.width},
-               {"closing_violation", settlement.closing_violation},
-               {"hinges", count.hinges},
-               {"open", count.open},
-               {"sliding", count.sliding}};
-  if (settlement.is_inner)
-    json["beyond"] = settlement.width;
-  return json;
+  return {{"largest_displacement", settlement.largest_displacement},
+          {"work", settlement.work},
+          {"width", settlement.width},
+          {"closing_violation", settlement.closing_violation},
+          {"hinges", count.hinges},
+          {"open", count.open},
+          {"sliding", count.sliding}};
 }
 
 /** Add what stands last. */

@@ -99,8 +99,7 @@ void add_cone(const ConicForces::Cone &cone,
               SumOfSquares &sum)
 {
   const QuadraticCone::Vector &w = scaling.w;
-  sum.add(2. / scaling.eta_squared,
-          transposed(cone, {{w[0], -w[1], -w[2]}}));
+  sum.add(2. / scaling.eta_squared, transposed(cone, {{w[0], -w[1], -w[2]}}));
   sum.add(1. / scaling.eta_squared, cone.b[2]);
   if (cone.b[0] != cone.b[1])
     sum.add(1. / scaling.eta_squared, cone.b[1]);
@@ -132,9 +131,8 @@ ConicForces::ConicForces(const ForceRows &rows,
   for (const ForceRows::Arc &arc : rows.arcs())
     all_cones.push_back(cone_of(arc));
   // In the order of the rows, as sets are gone through.
-  std::stable_sort(
-      all_cones.begin(), all_cones.end(),
-      [](const Cone &a, const Cone &b) { return a.row < b.row; });
+  std::stable_sort(all_cones.begin(), all_cones.end(),
+                   [](const Cone &a, const Cone &b) { return a.row < b.row; });
 }
 
 void ConicForces::clear_held(std::vector<double> &loads) const
@@ -184,9 +182,14 @@ std::vector<double> ConicForces::along(const std::vector<double> &u) const
   std::vector<double> result = rows.jumps(u);
   for (double &jump : result)
     jump = -jump;
-  for (const unsigned int row : without_force)
-    result[row] = 0.;
+  clear_without_force(result);
   return result;
+}
+
+void ConicForces::clear_without_force(std::vector<double> &v) const
+{
+  for (const unsigned int row : without_force)
+    v[row] = 0.;
 }
 
 std::vector<double> ConicForces::at_slacks(const std::vector<double> &x) const
@@ -226,8 +229,7 @@ bool ConicForces::prepare(const Weights &weights, const bool with_curvature)
   for (double &sum : k)
     if (sum > 0.)
       sum = 1. / sum;
-  for (const unsigned int row : without_force)
-    k[row] = 0.;
+  clear_without_force(k);
   if (rows.has_blocks())
     invert_sets(weights, with_curvature);
   return factorise();
@@ -274,9 +276,7 @@ void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
         sum.add(of_cost[r], {{1., 0.}});
         sum.add(of_cost[r + 1], {{0., 1.}});
       }
-      for (; cone < all_cones.size() &&
-             all_cones[cone].row == r;
-           ++cone)
+      for (; cone < all_cones.size() && all_cones[cone].row == r; ++cone)
         add_cone(all_cones[cone], weights.of_cones[cone], sum);
       const std::array<double, 3> inverse = sum.inverse();
       block[0] = inverse[0];
@@ -304,8 +304,8 @@ ConicForces::multiplied_difference(const std::vector<double> &r,
     const std::size_t k = cone.row;
     const unsigned int e = rows.joint_of_row(k);
     // All sets before it in its joint are of one row.
-    const double *const K = &coefficients[rows.first_coefficient(e) +
-                                          (k - rows.first_row(e))];
+    const double *const K =
+        &coefficients[rows.first_coefficient(e) + (k - rows.first_row(e))];
     const long double start = r[k] + rows.exact_jump(k, u.data()),
                       end = r[k + 1] + rows.exact_jump(k + 1, u.data());
     x[k] = static_cast<double>(K[0] * start + K[1] * end);

@@ -200,9 +200,9 @@ double inverse_of_longest(const ConicForces &forces,
     if (v[b] > 0.)
       fastest = std::max(fastest, -step[b] / v[b]);
   for (std::size_t k = 0; k < forces.cones().size(); ++k)
-    fastest = std::max(fastest, QuadraticCone::inverse_of_longest(
-                                    forces.of_cone(v, k),
-                                    forces.of_cone(step, k)));
+    fastest =
+        std::max(fastest, QuadraticCone::inverse_of_longest(
+                              forces.of_cone(v, k), forces.of_cone(step, k)));
   return fastest;
 }
 } // namespace
@@ -310,8 +310,8 @@ FactorMotion mechanism_near(ConicForces &forces,
     for (std::size_t b = 0; b < n_bounds; ++b)
       dz[b] *= weights.of_bounds[b];
     for (std::size_t k = 0; k < forces.cones().size(); ++k)
-      forces.set_cone(
-          dz, k, weights.of_cones[k].over_square(forces.of_cone(dz, k)));
+      forces.set_cone(dz, k,
+                      weights.of_cones[k].over_square(forces.of_cone(dz, k)));
     const double fastest = inverse_of_longest(forces, trial.z, dz);
     const double part =
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;

@@ -5,6 +5,7 @@
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
+#include <cmath>
 #include <utility>
 
 namespace Voussoir
@@ -108,7 +109,9 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
 namespace
 {
 /** The distance of the two bounds of a factor between which none decides. */
-constexpr double distance_of_bounds = 1e-12;
+constexpr double distance_of_bounds = 1e-10;
+/** Work, over the size of its terms, that is rounding. */
+constexpr double rounding_of_work = 1e-12;
 
 /** The solution of a problem that collapses in a displacement @p u of rows. */
 Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
@@ -155,6 +158,26 @@ Solution find_at_once(const DiscreteProblem &problem,
 }
 
 /**
+ * Whether the work of all loads, beyond what is dissipated, is more than
+ * rounding, and than forces of their size do where joints close.
+ */
+bool is_beyond_rounding(const SelfDual::Program &program,
+                        const FactorMotion &motion,
+                        const double bound)
+{
+  const double work = dot(program.live, motion.u);
+  double of_terms = 0., of_loads = 0.;
+  for (std::size_t k = 0; k < motion.u.size(); ++k)
+  {
+    of_terms += std::abs(program.live[k] * motion.u[k]);
+    of_loads += std::abs(program.live[k]);
+  }
+  return work * (1. - bound) >
+         rounding_of_work * of_terms +
+             motion.closing * largest_component(motion.u) * of_loads;
+}
+
+/**
  * Whether the factor of all loads is above one, or below. Without loads there
  * is a state, so that this has an optimum however near to one it is.
  */
@@ -171,7 +194,10 @@ Solution decide_by_factor(const DiscreteProblem &problem,
   const auto is_carried = [&] {
     return factor.carried() && factor.carried()->alpha >= 1.;
   };
-  const auto collapses = [&] { return factor.mechanism() && factor.bound() < 1.; };
+  const auto collapses = [&] {
+    return factor.mechanism() &&
+           is_beyond_rounding(program, *factor.mechanism(), factor.bound());
+  };
   factor.find([&] { return is_carried() || collapses(); });
   Solution solution;
   if (is_carried())
@@ -181,8 +207,8 @@ Solution decide_by_factor(const DiscreteProblem &problem,
     solution = collapse_with(by_rows, factor.mechanism()->u);
   else if (factor.state() == SelfDual::State::unbounded)
   {
-    const FeasibleForces any = find_feasible_forces(
-        by_rows, by_rows.loads(), n_max_iterations, terminal);
+    const FeasibleForces any = find_feasible_forces(by_rows, by_rows.loads(),
+                                                    n_max_iterations, terminal);
     if (any.state)
       solution = state_with(by_rows, any.state->x, 1.);
   }

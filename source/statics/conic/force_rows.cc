@@ -124,8 +124,7 @@ void ForceRows::add_contacts(const unsigned int e, const Friction friction)
     else
       sets.pop_back();
     sets.push_back(n_of_arc);
-    all_arcs.push_back(
-        {static_cast<unsigned int>(of_rows.size()), tangential});
+    all_arcs.push_back({static_cast<unsigned int>(of_rows.size()), tangential});
     of_rows.insert(of_rows.end(), n_of_arc, {-infinity, infinity});
     rows.push_back({});
   }
@@ -192,8 +191,7 @@ std::vector<double> ForceRows::offset() const
   return sum;
 }
 
-double
-ForceRows::dissipation_of_jumps(const std::vector<double> &jump) const
+double ForceRows::dissipation_of_jumps(const std::vector<double> &jump) const
 {
   double sum = 0.;
   for (std::size_t k = 0; k < jump.size(); ++k)

@@ -42,8 +42,8 @@ double ProvenFactor::width() const
 {
   if (!best_state || !best_motion)
     return std::numeric_limits<double>::infinity();
-  const double size = std::max({std::abs(best_state->alpha),
-                                std::abs(least_bound), controls.small});
+  const double size = std::max(
+      {std::abs(best_state->alpha), std::abs(least_bound), controls.small});
   return size > 0. ? std::abs(least_bound - best_state->alpha) / size : 0.;
 }
 
@@ -160,10 +160,9 @@ void ProvenFactor::keep_if_bound(FactorMotion motion)
 {
   const ForceRows &rows = forces.of();
   const double live_work = dot(program.live, motion.u);
-  const double bound =
-      (rows.dissipation_of_jumps(rows.jumps(motion.u)) -
-       dot(program.dead, motion.u)) /
-      live_work;
+  const double bound = (rows.dissipation_of_jumps(rows.jumps(motion.u)) -
+                        dot(program.dead, motion.u)) /
+                       live_work;
   if (!(motion.closing <= largest_closing_of_factor &&
         program.sense * live_work > 0. &&
         program.sense * (least_bound - bound) > 0.))
@@ -172,10 +171,22 @@ void ProvenFactor::keep_if_bound(FactorMotion motion)
   best_motion = std::move(motion);
 }
 
-FactorMotion ProvenFactor::mechanism_of_all()
+std::optional<FactorMotion> ProvenFactor::mechanism_of_all()
 {
   SelfDual::Program without_live_work = program;
   without_live_work.sense = 0.;
+  if (state_of_program == SelfDual::State::unbounded)
+  {
+    SelfDual search(forces, without_live_work);
+    SelfDual::State state = SelfDual::State::running;
+    while (state == SelfDual::State::running &&
+           search.n_iterations() < controls.n_max_iterations)
+      state = search.step();
+    iterations += search.n_iterations();
+    if (state != SelfDual::State::infeasible)
+      return {};
+    ray = search.point();
+  }
   const double size = largest_component(ray.u);
   for (auto *const v : {&ray.u, &ray.z})
     for (double &component : *v)

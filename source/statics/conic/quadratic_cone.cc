@@ -69,8 +69,8 @@ Vector product(const Vector &v, const Vector &w)
 Vector quotient(const Vector &v, const Vector &right)
 {
   const double head = (v[0] * right[0] - tail_product(v, right)) / det(v);
-  return {{head, (right[1] - head * v[1]) / v[0],
-           (right[2] - head * v[2]) / v[0]}};
+  return {
+      {head, (right[1] - head * v[1]) / v[0], (right[2] - head * v[2]) / v[0]}};
 }
 
 std::array<double, 2> eigenvalues(const Vector &v)

@@ -15,7 +15,7 @@ namespace
 constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 
 /** Steps without less products that end the search. */
-constexpr unsigned int n_patience_of_gap = 10;
+constexpr unsigned int n_patience_of_gap = 10, n_patience_of_curved = 40;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
 /**
@@ -45,8 +45,8 @@ SelfDual::SelfDual(ConicForces &forces, Program program_in)
       strongest = std::max(strongest, bound.limit);
     for (const ForceRows::Section &section : forces.of().sections())
       strongest = std::max(strongest, section.strength);
-    unit = small_factor *
-           std::max(largest_component(program.dead), strongest) / live;
+    unit = small_factor * std::max(largest_component(program.dead), strongest) /
+           live;
     if (!(unit > 0.))
       unit = 1.;
   }
@@ -84,10 +84,12 @@ void SelfDual::start()
   {
     const ConicForces::Cone &cone = forces.cones()[k];
     QuadraticCone::Vector s = cone.limit;
-    if (!QuadraticCone::contains(s))
+    if (QuadraticCone::contains(s))
+      s[0] = std::max(s[0], slack(cone.row, s[0]));
+    else
     {
       // As with such a pressure at this end.
-      const double pressure = slack(cone.row, cone.limit[0]);
+      const double pressure = slack(cone.row, s[0]);
       s[0] += pressure;
       s[1] += pressure;
     }
@@ -190,11 +192,11 @@ double SelfDual::find_error(const double primal, const double dual) const
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /
                                         (1. + std::abs(limits[b])));
   const double reference = std::max(std::abs(primal) / now.tau, unit);
-  return std::max(
-      {std::abs(primal - dual) / now.tau /
-           std::max(reference, std::numeric_limits<double>::min()),
-       relative(residual.balance) / size_of_loads, of_bounds / now.tau,
-       of_multipliers / now.tau, std::abs(residual.live_work) / now.tau});
+  return std::max({std::abs(primal - dual) / now.tau /
+                       std::max(reference, std::numeric_limits<double>::min()),
+                   relative(residual.balance) / size_of_loads,
+                   of_bounds / now.tau, of_multipliers / now.tau,
+                   std::abs(residual.live_work) / now.tau});
 }
 
 /** Whether the point is a ray that proves that there is no optimum. */
@@ -213,9 +215,8 @@ SelfDual::State SelfDual::judge_ray(const double primal,
   for (std::size_t b = 0; b < residual.bounds.size(); ++b)
     of_ray =
         std::max(of_ray, std::abs(residual.bounds[b] + now.tau * limits[b]));
-  const double live_work = program.live.empty()
-                               ? 0.
-                               : residual.live_work + now.tau * program.sense;
+  const double live_work =
+      program.live.empty() ? 0. : residual.live_work + now.tau * program.sense;
   if (gain > 0. &&
       std::max(largest_component(multipliers), std::abs(live_work)) <
           error_of_ray * gain / size_of_loads)
@@ -237,8 +238,8 @@ SelfDual::State SelfDual::judge()
   if (error < best_merit)
     return State::optimal;
   if (now.tau < small_tau * now.kappa)
-    if (const State ray = judge_ray(
-            primal, program.has_curvature ? gain() : dual);
+    if (const State ray =
+            judge_ray(primal, program.has_curvature ? gain() : dual);
         ray != State::running)
       return ray;
   const double mean = mean_product();
@@ -247,7 +248,9 @@ SelfDual::State SelfDual::judge()
     least_mean = mean;
     iteration_of_least = iterations;
   }
-  return iterations > iteration_of_least + n_patience_of_gap ? State::stalled
-                                                             : State::running;
+  const unsigned int n_patience =
+      program.has_curvature ? n_patience_of_curved : n_patience_of_gap;
+  return iterations > iteration_of_least + n_patience ? State::stalled
+                                                      : State::running;
 }
 } // namespace Voussoir

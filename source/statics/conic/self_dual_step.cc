@@ -18,8 +18,8 @@ constexpr double usual_fraction = 0.99, largest_fraction = 1. - 1e-7;
  */
 constexpr double least_relative_product = 1e-3, least_of_cones = 0.05,
                  least_near_optimum = 1e-5, near_optimum = 1e-5;
-constexpr double shortening = 0.9;
-constexpr unsigned int n_shortenings = 30;
+constexpr double shortening = 0.9, shortening_of_curved = 0.97;
+constexpr unsigned int n_shortenings = 30, n_shortenings_of_curved = 60;
 
 /**
  * Gondzio's corrections: how many, the steps that need none, what they gain. A
@@ -252,8 +252,8 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
     const QuadraticCone::Scaling &W = weights.of_cones[k];
     const QuadraticCone::Vector of_residual =
         W.over_square(forces.of_cone(residual.bounds, k));
-    QuadraticCone::Vector of_cone = W.over(
-        QuadraticCone::quotient(lambda[k], forces.of_cone(products, k)));
+    QuadraticCone::Vector of_cone =
+        W.over(QuadraticCone::quotient(lambda[k], forces.of_cone(products, k)));
     for (unsigned int i = 0; i < 3; ++i)
       of_cone[i] = part * of_residual[i] - of_cone[i];
     forces.set_cone(g, k, of_cone);
@@ -286,8 +286,7 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
   step.alpha += step.tau * by_tau.alpha;
   step.s = forces.at_slacks(step.x);
   for (std::size_t b = 0; b < g.size(); ++b)
-    step.s[b] =
-        -part * residual.bounds[b] - step.s[b] + step.tau * limits[b];
+    step.s[b] = -part * residual.bounds[b] - step.s[b] + step.tau * limits[b];
   step.kappa = (-last_product - now.kappa * step.tau) / now.tau;
   return step;
 }
@@ -392,8 +391,7 @@ double SelfDual::least_product(const Step &step, const double length) const
   const auto after = [&](const double v, const double of_step) {
     return v + length * of_step;
   };
-  const double last =
-      after(now.tau, step.tau) * after(now.kappa, step.kappa);
+  const double last = after(now.tau, step.tau) * after(now.kappa, step.kappa);
   double sum = last, least = last, least_of_all_cones = 0.;
   for (std::size_t b = 0; b < n_bounds; ++b)
   {
@@ -432,9 +430,11 @@ double SelfDual::least_product(const Step &step, const double length) const
 /** Shorten a step until no product is far below the mean. */
 double SelfDual::keep_products_near(const Step &step, double length) const
 {
-  for (unsigned int n = 0;
-       n < n_shortenings && !(least_product(step, length) >= 1.); ++n)
-    length *= shortening;
+  const unsigned int n_most =
+      program.has_curvature ? n_shortenings_of_curved : n_shortenings;
+  for (unsigned int n = 0; n < n_most && !(least_product(step, length) >= 1.);
+       ++n)
+    length *= program.has_curvature ? shortening_of_curved : shortening;
   return length;
 }
 

@@ -141,16 +141,18 @@ Solution minimise_elastic(const SharedProblem &problem,
     {
       std::vector<double> u =
           problem.displacement([&](const DiscreteProblem &whole) {
-            program = solve_energy_program(whole, elastic_costs(whole),
-                                           error_to_start_from, terminal);
+            // Of what friction hardly takes part in, it says more.
+            const double error =
+                error_to_start_from * std::min(1., whole.largest_limit());
+            program = solve_energy_program(whole, elastic_costs(whole), error,
+                                           terminal);
             program.u.resize(whole.n_dofs(), 0.);
             return program.u;
           });
-      mechanism = problem.search(
-          u, [&](const DiscreteProblem & /*whole*/,
-                 const std::vector<double> & /*u*/) {
-            return program.mechanism;
-          });
+      mechanism = problem.search(u, [&](const DiscreteProblem & /*whole*/,
+                                        const std::vector<double> & /*u*/) {
+        return program.mechanism;
+      });
       if (mechanism)
         return mechanism;
       newton.restart(std::move(u));

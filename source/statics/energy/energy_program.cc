@@ -14,8 +14,11 @@ namespace Voussoir
 {
 namespace
 {
-/** The most iterations; it takes 10 to 30 (measured), on walls up to 60. */
-constexpr unsigned int n_max_of_energy = 100;
+/**
+ * The most iterations; it takes 10 to 30 (measured), with hardly any friction
+ * up to 100.
+ */
+constexpr unsigned int n_max_of_energy = 200;
 
 /**
  * Where the loads may be beyond the limit: kappa over tau, over its least value
@@ -39,8 +42,9 @@ public:
                const std::vector<JointCost> &costs,
                Terminal &terminal)
       : problem(problem), terminal(terminal),
-        rows(problem, has_smoothing(costs) ? ForceRows::Friction::in_arcs
-                                           : ForceRows::Friction::bounded),
+        rows(problem,
+             has_smoothing(costs) ? ForceRows::Friction::in_arcs
+                                  : ForceRows::Friction::bounded),
         program{rows.loads(), {}, 1., linear_costs(costs), true},
         forces(rows, held_bodies(), curvatures(costs))
   {
@@ -52,9 +56,9 @@ public:
 private:
   static bool has_smoothing(const std::vector<JointCost> &costs)
   {
-    return std::any_of(
-        costs.begin(), costs.end(),
-        [](const JointCost &cost) { return cost.smoothing > 0.; });
+    return std::any_of(costs.begin(), costs.end(), [](const JointCost &cost) {
+      return cost.smoothing > 0.;
+    });
   }
   std::vector<bool> held_bodies() const
   {
@@ -138,9 +142,9 @@ EnergyProgram EnergySearch::find(const double error)
          search.n_iterations() < n_max_of_energy && !best.mechanism)
   {
     state = search.step();
-    terminal.iteration("Interior point",
-                       text("iteration ", search.n_iterations(), ", error ",
-                            search.merit()));
+    terminal.iteration(
+        "Interior point",
+        text("iteration ", search.n_iterations(), ", error ", search.merit()));
     if (search.merit() < best.error)
     {
       best.error = search.merit();

@@ -60,8 +60,7 @@ std::vector<JointCost> smoothed_costs(const DiscreteProblem &problem,
 {
   std::vector<JointCost> costs;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    costs.push_back(
-        {1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
+    costs.push_back({1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
   return costs;
 }
 
@@ -77,9 +76,8 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
   {
     if (converge(problem, law, system, controls, terminal, start))
       return start;
-    EnergyProgram program =
-        solve_energy_program(problem, smoothed_costs(problem, law),
-                             error_to_start_newton, terminal);
+    EnergyProgram program = solve_energy_program(
+        problem, smoothed_costs(problem, law), error_to_start_newton, terminal);
     start.n_iterations += program.n_iterations;
     start.mechanism = std::move(program.mechanism);
     if (start.mechanism || program.u.empty())

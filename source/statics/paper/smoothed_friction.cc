@@ -219,7 +219,7 @@ private:
     if (contact == Contact::hard)
     {
       interior = std::move(before);
-      if (!was_converged &&
+      if (!was_converged && !interior->mechanism &&
           (interior->mechanism = find_collapse(problem, terminal)))
         interior->stop = Stop::Reason::collapse;
       return;

@@ -237,9 +237,8 @@ bool SharedProblem::has_opening() const
   return processes.broadcast(has_one);
 }
 
-std::optional<Mechanism>
-SharedProblem::search(const std::vector<double> &u,
-                      const Search &how) const
+std::optional<Mechanism> SharedProblem::search(const std::vector<double> &u,
+                                               const Search &how) const
 {
   std::optional<Mechanism> found;
   const std::vector<double> all = gather(u);

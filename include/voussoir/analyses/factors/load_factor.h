@@ -90,7 +90,8 @@ struct LoadFactorAnswer
   std::optional<LoadFactor> factor;
   /**
    * The mechanism in which the dead loads collapse with any factor, since the
-   * live ones do no work, as Mechanism::motion.
+   * live ones do no work, or alone if no factor is known with which they do
+   * not, as Mechanism::motion.
    */
   Motion collapse;
 };

@@ -18,8 +18,6 @@ struct Range
 {
   double least = 0.;    /**< attained by a state, or minus infinity */
   double greatest = 0.; /**< attained by a state, or infinity */
-  /** By how much either end is farther at most; see Ranges::are_inner. */
-  double beyond = 0.;
 
   /** True if both are finite. */
   bool is_bounded() const
@@ -38,7 +36,7 @@ struct RangeProofs
   double error_of_states = 0.;
   /** The largest ForceBound::closing_violation. */
   double closing_violation = 0.;
-  /** The number of linear programmes. */
+  /** The number of programmes. */
   unsigned int n_programmes = 0;
   /** The number of simplex steps in them. */
   unsigned int n_iterations = 0;
@@ -70,12 +68,6 @@ struct Ranges
   /** The two components of each of reactions(); empty if not wanted. */
   std::vector<std::array<Range, 2>> reactions;
 
-  /**
-   * True if joints crush between blocks that turn. The states are then those of
-   * polygons within the sections of these joints: the ranges of all states are
-   * at least as wide, and motions prove how much wider at most.
-   */
-  bool are_inner = false;
   /** The force that differences are relative to: the largest load on a cell. */
   double reference = 0.;
   /** What proves them. */
@@ -86,8 +78,7 @@ struct Ranges
   /** True if all states have the same. */
   bool is_determined(const Range &range) const
   {
-    return range.greatest - range.least + 2. * range.beyond <=
-           least_range * reference;
+    return range.greatest - range.least <= least_range * reference;
   }
   /** True if some force of interface @p e has no bound. */
   bool is_unbounded(const unsigned int e) const
@@ -104,9 +95,8 @@ struct Ranges
 
 /**
  * Find the ranges of forces over all admissible states of a scene, by two
- * linear programmes each. Every value is attained by a state, and a motion
- * proves that no state goes farther, or how far; see bound_of() and
- * Ranges::are_inner.
+ * programmes each. Every value is attained by a state, and a motion proves that
+ * no state goes farther; see bound_of().
  *
  * @param scene whose loads are carried.
  * @param wanted the forces.

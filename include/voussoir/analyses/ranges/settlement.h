@@ -33,12 +33,6 @@ struct Settlement
   double work = 0.;
   /** What the motion proves that it is at most, less the work; S L^2. */
   double width = 0.;
-  /**
-   * True if joints crush between blocks that turn. The forces are then of
-   * polygons within the sections of these joints: the greatest work is at least
-   * that above, and the energy of the motion is least but for the width.
-   */
-  bool is_inner = false;
   /** ForceBound::closing_violation. */
   double closing_violation = 0.;
   /** The largest displacement of a support at its ends; L. */

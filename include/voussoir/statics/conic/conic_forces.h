@@ -101,6 +101,8 @@ public:
   std::vector<double> at_slacks(const std::vector<double> &x) const;
   /** B^T z. */
   std::vector<double> of_rows(const std::vector<double> &z) const;
+  /** Set what @p v has for rows without a force to zero. */
+  void clear_without_force(std::vector<double> &v) const;
   /** Set what @p loads, n_dofs() numbers, has for held bodies to zero. */
   void clear_held(std::vector<double> &loads) const;
 

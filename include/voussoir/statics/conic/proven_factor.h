@@ -73,9 +73,13 @@ public:
   double bound() const { return least_bound; }
   /**
    * The mechanism that proves that no factor is carried, of any size, or near
-   * one, if state() is infeasible.
+   * one, if state() is infeasible; or if it is unbounded, as where more of the
+   * live loads can always be carried, one that is looked for without regard to
+   * the factor.
+   *
+   * @return nothing if none is found.
    */
-  FactorMotion mechanism_of_all();
+  std::optional<FactorMotion> mechanism_of_all();
   /** The number of iterations. */
   unsigned int n_iterations() const { return iterations; }
 
@@ -83,8 +87,9 @@ private:
   double width() const;
   double alpha_of_carried() const
   {
-    return best_state ? best_state->alpha
-                      : -program.sense * std::numeric_limits<double>::infinity();
+    return best_state
+               ? best_state->alpha
+               : -program.sense * std::numeric_limits<double>::infinity();
   }
   void find_anchors(const SelfDual::Point &point);
   void look_near(const SelfDual::Point &point, double near_enough);
