@@ -190,7 +190,7 @@ std::string ResultWriter::write(ResultDirectory &files,
 
   timer.enter_subsection("output");
   terminal.begin("Output");
-  const Motion *motion = results.motion_beside();
+  const MotionBeside *const beside = results.motion_beside();
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
@@ -207,13 +207,13 @@ std::string ResultWriter::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin(), write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
-    if (motion)
+    if (beside)
       grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});
     write_collection(files, grids);
   }
-  if (motion)
-    write_mechanism(files, results.scene, *motion,
-                    results.settlement ? 1. : size_of_mechanism(results.scene));
+  if (beside)
+    write_mechanism(files, results.scene, beside->motion,
+                    beside->has_size ? 1. : size_of_mechanism(results.scene));
   publish(files, results, prm);
   show_summary(terminal, results);
   return {};
