@@ -65,6 +65,7 @@ Json summary_of(const LoadFactor &factor)
   json["meaning"] = description_of(factor);
   return json;
 }
+
 /** What was found, and the scene that its forces are in equilibrium in. */
 struct FactorSearch
 {

@@ -6,7 +6,6 @@
 #include <voussoir/formula/expression.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
-#include <voussoir/scene/proofs/reactions.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -99,16 +98,15 @@ struct CountOfRanges
 };
 
 /** The ranges of the reactions of all straight supports. */
-Json summary_of_reactions(const Packing &packing, const Ranges &ranges)
+Json summary_of_reactions(const Ranges &ranges)
 {
   const auto pair = [](const Range &range) {
     return Json::array({range.least, range.greatest});
   };
-  const std::vector<StraightRun> supports = straight_supports(packing);
   Json json = Json::array();
   for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
   {
-    const auto &[start, end, edges] = supports[s];
+    const auto &[start, end, edges] = ranges.supports[s];
     const auto &[x, y] = ranges.reactions[s];
     json.push_back({{"from", {start[0], start[1]}},
                     {"to", {end[0], end[1]}},
@@ -121,13 +119,13 @@ Json summary_of_reactions(const Packing &packing, const Ranges &ranges)
 }
 
 /** The ranges of forces, with the errors of their proofs over the loads. */
-Json summary_of(const Packing &packing, const Ranges &ranges)
+Json summary_of(const Ranges &ranges)
 {
   const CountOfRanges count(ranges);
   Json json = {{"interfaces", count.wanted},
                {"determined", count.determined},
                {"unbounded", count.unbounded},
-               {"reactions", summary_of_reactions(packing, ranges)},
+               {"reactions", summary_of_reactions(ranges)},
                {"width", ranges.reference > 0.
                              ? Json(ranges.proofs.width / ranges.reference)
                              : Json(nullptr)},
@@ -215,6 +213,11 @@ std::optional<RangesWanted> RangeAnalysis::wanted(const Packing &packing) const
   return wanted;
 }
 
+void RangeAnalysis::check(const Scene &scene) const
+{
+  wanted(scene.packing);
+}
+
 void RangeAnalysis::answer(AnalysisOutcome &outcome,
                            const AnalysisContext &context) const
 {
@@ -229,7 +232,7 @@ void RangeAnalysis::answer(AnalysisOutcome &outcome,
       "Ranges", text(counted(found.proofs.n_programmes, "linear programme"),
                      ", ", counted(found.proofs.n_iterations, "step")));
   AnalysisResult result = {name(), "Ranges", description_of(found),
-                           summary_of(scene.packing, found)};
+                           summary_of(found)};
   result.data = std::move(found);
   outcome.results.push_back(std::move(result));
 }

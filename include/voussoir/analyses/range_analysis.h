@@ -14,6 +14,7 @@ public:
   std::string name() const override { return "ranges"; }
   std::string section() const override { return "Ranges"; }
   void add_parameters(dealii::ParameterHandler &prm) override;
+  void check(const Scene &scene) const override;
   void answer(AnalysisOutcome &outcome,
               const AnalysisContext &context) const override;
 

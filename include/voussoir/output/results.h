@@ -70,7 +70,7 @@ struct Results : RunRecord, Carried
     return nullptr;
   }
 
-  /** The settlement, or the mechanism at the load factor; null without one. */
+  /** The first motion that an analysis has found; null without one. */
   const MotionBeside *motion_beside() const
   {
     for (const AnalysisResult &analysis : analyses)

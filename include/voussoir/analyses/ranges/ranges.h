@@ -3,6 +3,7 @@
 #define voussoir_analyses_ranges_ranges_h
 
 #include <voussoir/analyses/ranges/feasible_set.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -88,8 +89,12 @@ struct Ranges
    * number where it is not wanted, or never pressed.
    */
   std::vector<Range> eccentricity;
-  /** The two components of each of reactions(); empty if not wanted. */
+  /** @{ */
+  /** The straight supports, and x and y of the reaction of each; empty if not
+   * wanted. */
+  std::vector<StraightRun> supports;
   std::vector<std::array<Range, 2>> reactions;
+  /** @} */
 
   /**
    * True if joints crush between blocks that turn. The states are then those of
