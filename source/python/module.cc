@@ -78,25 +78,9 @@ void add_results(py::class_<PyResults> &of)
   add_fields(of, interface_fields(), state, n_interfaces);
   add_fields(of, cell_fields(), state, n_cells);
 }
-} // namespace
-} // namespace Voussoir
 
-PYBIND11_MODULE(voussoir, module)
+void add_scene_class(py::module_ &module)
 {
-  using namespace Voussoir;
-  module.doc() =
-      "Contact forces between, and stresses inside, the rigid blocks of a "
-      "packing. Numbers are in the user's units: L is a length, S a stress, "
-      "and a force is per unit thickness, S L. Tension is positive.";
-  module.attr("__version__") = VOUSSOIR_VERSION;
-  // Of several processes all must begin it.
-  if (started_by_mpirun())
-    begin_mpi();
-  prepare_blas();
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
-  py::register_exception<SolverError>(module, "SolverError",
-                                      PyExc_RuntimeError);
-
   py::class_<PyScene> scene(
       module, "Scene",
       "A packing with its supports, loads and strengths. The packing is made "
@@ -121,7 +105,10 @@ PYBIND11_MODULE(voussoir, module)
            "The text of an entry.")
       .def("solve", &PyScene::solve, "Find what the parameters ask for.");
   add_packing(scene, [](PyScene &self) { return self.get_packing(); });
+}
 
+void add_results_class(py::module_ &module)
+{
   py::class_<PyResults> results(
       module, "Results",
       "What was found. Arrays are views of its memory, which they keep, and "
@@ -139,4 +126,26 @@ PYBIND11_MODULE(voussoir, module)
                     "Sentences: what the program would print.");
   add_packing(results, [](const PyResults &self) { return self.packing(); });
   add_results(results);
+}
+} // namespace
+} // namespace Voussoir
+
+PYBIND11_MODULE(voussoir, module)
+{
+  using namespace Voussoir;
+  module.doc() =
+      "Contact forces between, and stresses inside, the rigid blocks of a "
+      "packing. Numbers are in the user's units: L is a length, S a stress, "
+      "and a force is per unit thickness, S L. Tension is positive.";
+  module.attr("__version__") = VOUSSOIR_VERSION;
+  // Of several processes all must begin it.
+  if (started_by_mpirun())
+    begin_mpi();
+  prepare_blas();
+  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<SolverError>(module, "SolverError",
+                                      PyExc_RuntimeError);
+
+  add_scene_class(module);
+  add_results_class(module);
 }

@@ -56,8 +56,8 @@ const Motion &PyResults::motion() const
   const Results *const of = std::get_if<Results>(&findings->found);
   if (of == nullptr)
     return std::get<Collapse>(findings->found).motion;
-  const Motion *const beside = of->motion_beside();
-  return beside ? *beside : of->motion;
+  const MotionBeside *const beside = of->motion_beside();
+  return beside ? beside->motion : of->motion;
 }
 
 py::object PyResults::summary() const

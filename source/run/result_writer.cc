@@ -77,6 +77,15 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
 {
   stress.add_parameters(prm);
   prm.enter_subsection("Output");
+  add_output(prm);
+  prm.leave_subsection();
+  prm.enter_subsection("Units");
+  add_units(prm);
+  prm.leave_subsection();
+}
+
+void ResultWriter::add_output(dealii::ParameterHandler &prm)
+{
   prm.add_parameter(
       "Verbosity", shown,
       "0: the closing summary alone; 1: also the stages and, on a "
@@ -116,9 +125,10 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
        {Report::never, "false", "never."}},
       "Whether to write " + report_html +
           ", a page with pictures and numbers that any browser opens.");
-  prm.leave_subsection();
+}
 
-  prm.enter_subsection("Units");
+void ResultWriter::add_units(dealii::ParameterHandler &prm)
+{
   for (const auto &[name, unit, of] :
        {std::tuple("Length", &units.length, "lengths"),
         std::tuple("Stress", &units.stress, "stresses and strengths"),
@@ -129,7 +139,6 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
                       std::string("The unit of ") + of + ", for " +
                           report_html + ". Nothing is converted.",
                       dealii::Patterns::Anything());
-  prm.leave_subsection();
 }
 
 ResultDirectory ResultWriter::open(const std::string &forces_from)
@@ -190,7 +199,7 @@ std::string ResultWriter::write(ResultDirectory &files,
 
   timer.enter_subsection("output");
   terminal.begin("Output");
-  const Motion *motion = results.motion_beside();
+  const MotionBeside *const beside = results.motion_beside();
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
@@ -207,13 +216,13 @@ std::string ResultWriter::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin(), write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
-    if (motion)
+    if (beside)
       grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});
     write_collection(files, grids);
   }
-  if (motion)
-    write_mechanism(files, results.scene, *motion,
-                    results.settlement ? 1. : size_of_mechanism(results.scene));
+  if (beside)
+    write_mechanism(files, results.scene, beside->motion,
+                    beside->has_size ? 1. : size_of_mechanism(results.scene));
   publish(files, results, prm);
   show_summary(terminal, results);
   return {};
@@ -322,18 +331,15 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
   }
 }
 
-template <typename Found>
-void ResultWriter::publish(ResultDirectory &files,
-                           Found &found,
-                           const dealii::ParameterHandler &prm)
+void ResultWriter::write_packing(ResultDirectory &files,
+                                 const Packing &packing) const
 {
   const auto add = [&](const std::string &name, const auto &writer) {
-    files.write(name,
-                [&](std::ostream &out) { writer(out, found.scene.packing); });
+    files.write(name, [&](std::ostream &out) { writer(out, packing); });
   };
-  if (writes(ResultFiles::vtu) && !found.scene.packing.gaps().empty())
-    add(drawing_check_vtu, [](std::ostream &out, const Packing &packing) {
-      write_drawing_check_vtu(out, check_of_gaps(packing));
+  if (writes(ResultFiles::vtu) && !packing.gaps().empty())
+    add(drawing_check_vtu, [](std::ostream &out, const Packing &of) {
+      write_drawing_check_vtu(out, check_of_gaps(of));
     });
   if (packing_file == PackingFile::wkt)
     add(packing_wkt, write_packing_wkt);
@@ -341,6 +347,14 @@ void ResultWriter::publish(ResultDirectory &files,
     add(packing_off, write_packing_off);
   if (packing_file != PackingFile::none)
     add(packing_centres, write_centres);
+}
+
+template <typename Found>
+void ResultWriter::publish(ResultDirectory &files,
+                           Found &found,
+                           const dealii::ParameterHandler &prm)
+{
+  write_packing(files, found.scene.packing);
   files.write(parameters_prm, [&](std::ostream &out) {
     using Style = dealii::ParameterHandler;
     out << listing_title() << '\n';
@@ -348,7 +362,8 @@ void ResultWriter::publish(ResultDirectory &files,
   });
   timer.leave_subsection();
   found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
-  if (reports(found.scene.packing))
+  const bool has_page = reports(found.scene.packing);
+  if (has_page)
     files.write(report_html, [&](std::ostream &out) {
       write_report(out, found,
                    {units, changed_settings(prm), terminal.warnings()});
@@ -358,7 +373,7 @@ void ResultWriter::publish(ResultDirectory &files,
   });
   files.publish();
   std::vector<std::string> views;
-  if (reports(found.scene.packing))
+  if (has_page)
     views.push_back(report_html + " shows it in a browser");
   if (writes(ResultFiles::vtu))
     views.push_back(results_pvd + " in ParaView");

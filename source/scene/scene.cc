@@ -235,8 +235,8 @@ void Scene::check_balance() const
 }
 
 /**
- * The same of the moments, about the centre of the lowest cell of each group;
- * the forces are balanced.
+ * Check that the moments balance, about the centre of the lowest cell of each
+ * group; the forces are balanced.
  */
 void Scene::check_moments() const
 {

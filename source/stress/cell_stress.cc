@@ -18,8 +18,8 @@ using dealii::Tensor;
 constexpr double least_slenderness = 1e-11;
 
 /**
- * The same below which the stress is checked in the cell turned: at worst
- * rounding over its square is lost, here 1e-10.
+ * The slenderness below which the stress is checked in the cell turned: at
+ * worst rounding over its square is lost, here 1e-10.
  */
 constexpr double doubtful_slenderness = 1e-3;
 

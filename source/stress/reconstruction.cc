@@ -157,7 +157,7 @@ StressField reconstruct_stress(const Packing &packing,
     determined[c] = solvers.solve(sub_cells);
     if (!determined[c])
     {
-      // See cell_mean_stresses().
+      // The mean stress as in cell_mean_stresses().
       const Tensor<2, 2> mean = solvers.cell.moments() / packing.area(c);
       std::fill(
           sub_cells.begin(), sub_cells.end(),

@@ -78,6 +78,7 @@ end
   std::cout << run_with({"scene.prm", "--set", "Supports/Where="})
             << run_with({"scene.prm", "--set", "Friction/Cohesion=-1"})
             << run_with({"scene.prm", "--set", "Packing/Groups=a: x > 9"})
+            << run_with({"scene.prm", "--set", "Ranges/Where=x > 9"})
             << run_with({"scene.prm", "--sweep", "Friction/Cohesion=1:2:3"})
             << run_with({});
 

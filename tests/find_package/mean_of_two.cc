@@ -4,8 +4,8 @@
 // mean of two others. The set of states is convex, so that it carries the load,
 // too, which the certificate confirms.
 
-#include <voussoir/analyses/state/analysis.h>
-#include <voussoir/run/scene_parameters.h>
+#include <voussoir/analyses/state/answer.h>
+#include <voussoir/scene/scene_parameters.h>
 #include <voussoir/statics/energy/least_energy.h>
 #include <voussoir/statics/paper/analytic_centre.h>
 

@@ -5,7 +5,7 @@
 // loads decides.
 
 #include <voussoir/analyses/factors/load_factor.h>
-#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/analyses/state/answer.h>
 #include <voussoir/statics/conic/feasible_state.h>
 
 #include "tests.h"

@@ -7,10 +7,10 @@
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/analyses/factor_analysis.h>
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/analyses/state/assess.h>
-#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/statics/energy/coulomb_state.h>
 #include <voussoir/statics/energy/least_energy.h>
 

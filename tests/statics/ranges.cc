@@ -7,11 +7,9 @@
 // joints crush true ends are within what is said of them. A library that fails
 // ends the program by a message.
 
-#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/range_analysis.h>
 #include <voussoir/base/library_failure.h>
-#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/packing/cell_groups.h>
-#include <voussoir/scene/range_parameters.h>
 #include <voussoir/statics/energy/least_energy.h>
 #include <voussoir/statics/problem/formulation.h>
 
@@ -315,7 +313,7 @@ void refusals()
 {
   const auto wanted = [](const std::string &where, const bool reactions,
                          const std::string &joints = "") {
-    RangeParameters parameters;
+    RangeAnalysis parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
     prm.enter_subsection("Ranges");
@@ -344,7 +342,7 @@ void refusals()
   show_refusal([&] { wanted("0", false, "base, base, base"); });
   show_refusal([&] { wanted("x > 5", false); });
   show_refusal([&] {
-    RangeParameters parameters;
+    RangeAnalysis parameters;
     dealii::ParameterHandler prm;
     parameters.add_parameters(prm);
     prm.enter_subsection("Ranges");

@@ -8,8 +8,8 @@
 // where these are points; walks that are too short give no mean.
 
 #include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/sample_analysis.h>
 #include <voussoir/analyses/samples/chain_diagnosis.h>
-#include <voussoir/analyses/samples/state_samples.h>
 #include <voussoir/base/random.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -363,14 +363,14 @@ void refusals()
   {
     std::cout << error.what() << std::endl;
   }
-  RangeParameters parameters;
+  SampleAnalysis parameters;
   dealii::ParameterHandler prm;
   parameters.add_parameters(prm);
-  check("none by default", !parameters.samples());
+  check("none by default", !parameters.wanted());
   prm.enter_subsection("Ranges");
   prm.set("Samples", 5L);
   prm.leave_subsection();
-  show_refusal([&] { parameters.samples(); });
+  show_refusal([&] { parameters.wanted(); });
 }
 
 void run()

@@ -6,8 +6,7 @@
 // range; and what is refused.
 
 #include <voussoir/analyses/ranges/ranges.h>
-#include <voussoir/analyses/ranges/settlement.h>
-#include <voussoir/output/summary/descriptions.h>
+#include <voussoir/analyses/settlement_analysis.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
 #include <voussoir/scene/proofs/reactions.h>

@@ -2,7 +2,7 @@
 #ifndef voussoir_input_earlier_run_h
 #define voussoir_input_earlier_run_h
 
-#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/analyses/state/answer.h>
 #include <voussoir/input/csv_reader.h>
 
 #include <filesystem>

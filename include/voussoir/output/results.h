@@ -2,16 +2,13 @@
 #ifndef voussoir_output_results_h
 #define voussoir_output_results_h
 
-#include <voussoir/analyses/factors/load_factor.h>
-#include <voussoir/analyses/ranges/ranges.h>
-#include <voussoir/analyses/ranges/settlement.h>
-#include <voussoir/analyses/samples/state_samples.h>
-#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/analyses/analysis.h>
 #include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>
 
+#include <any>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,7 +21,9 @@ namespace Voussoir
 struct RunRecord : SolverRecord
 {
   /** @param scene must outlive this object. */
-  explicit RunRecord(const Scene &scene) : scene(scene) {}
+  RunRecord(const Scene &scene, SolverRecord solver)
+      : SolverRecord(std::move(solver)), scene(scene)
+  {}
 
   /** The scene that was given. */
   const Scene &scene;
@@ -43,8 +42,9 @@ struct RunRecord : SolverRecord
 struct Results : RunRecord, Carried
 {
   /** Without what follows from the forces. */
-  Results(RunRecord run, Carried found)
-      : RunRecord(std::move(run)), Carried(std::move(found))
+  Results(RunRecord run, Carried found, std::vector<AnalysisResult> analyses)
+      : RunRecord(std::move(run)), Carried(std::move(found)),
+        analyses(std::move(analyses))
   {}
 
   /** Of each straight support. */
@@ -57,22 +57,26 @@ struct Results : RunRecord, Carried
   std::optional<CellPieces> pieces;
   /** In the sub-cells of each cell, or piece; empty if not asked for. */
   StressField stress;
-  /** The factor at which the forces are, if one was looked for. */
-  std::optional<LoadFactor> load_factor;
-  /** What the blocks do if supports move. */
-  std::optional<Settlement> settlement;
-  /** How much all states may differ, if that is asked for. */
-  std::optional<Ranges> ranges;
-  /** How much they differ as a rule, if that is asked for. */
-  std::optional<StateSamples> samples;
+  /** What is said beside forces. */
+  std::vector<AnalysisResult> analyses;
 
-  /** The settlement, or the mechanism at the load factor; null without one. */
-  const Motion *motion_beside() const
+  /** The object that is AnalysisResult::data, as Ranges; null without one. */
+  template <typename Data>
+  const Data *data() const
   {
-    if (settlement)
-      return &settlement->motion;
-    return load_factor && load_factor->has_mechanism() ? &load_factor->mechanism
-                                                       : nullptr;
+    for (const AnalysisResult &analysis : analyses)
+      if (const auto *const found = std::any_cast<Data>(&analysis.data))
+        return found;
+    return nullptr;
+  }
+
+  /** The first motion that an analysis has found; null without one. */
+  const MotionBeside *motion_beside() const
+  {
+    for (const AnalysisResult &analysis : analyses)
+      if (analysis.motion)
+        return &*analysis.motion;
+    return nullptr;
   }
 };
 
@@ -83,9 +87,6 @@ struct Collapse : RunRecord, NotCarried
   Collapse(RunRecord run, NotCarried found)
       : RunRecord(std::move(run)), NotCarried(std::move(found))
   {}
-
-  /** True if the live loads are none of them: a factor was looked for. */
-  bool of_dead_loads = false;
 };
 } // namespace Voussoir
 

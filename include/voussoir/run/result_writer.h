@@ -96,6 +96,11 @@ private:
     off
   };
 
+  /** @{ */
+  /** Declare the entries of a section. */
+  void add_output(dealii::ParameterHandler &prm);
+  void add_units(dealii::ParameterHandler &prm);
+  /** @} */
   /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
   /** True if there is to be a report on @p packing. */
@@ -116,6 +121,8 @@ private:
                        const Scene &scene,
                        const Motion &motion,
                        double factor) const;
+  /** Write the cells for another program, and the gaps that were left. */
+  void write_packing(ResultDirectory &files, const Packing &packing) const;
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,

@@ -2,13 +2,11 @@
 #ifndef voussoir_run_scene_analysis_h
 #define voussoir_run_scene_analysis_h
 
-#include <voussoir/analyses/factors/load_factor_parameters.h>
-#include <voussoir/analyses/state/solver_parameters.h>
+#include <voussoir/analyses/analysis.h>
 #include <voussoir/input/earlier_run.h>
 #include <voussoir/output/results.h>
 #include <voussoir/parallel/process_group.h>
-#include <voussoir/run/scene_parameters.h>
-#include <voussoir/scene/range_parameters.h>
+#include <voussoir/scene/scene_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -20,6 +18,7 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace Voussoir
 {
@@ -95,41 +94,21 @@ public:
    * @param earlier where its forces are, if they are not to be found.
    * @throws InputError, SolverError.
    */
-  RunResult answer(SceneData data, std::optional<EarlierRun> earlier);
+  RunResult answer(SceneData data, std::optional<EarlierRun> earlier) const;
 
 private:
-  /** What is asked of a scene. */
-  enum class Analysis
-  {
-    state,
-    load_factor
-  };
-
-  RunResult find(SceneData data, std::optional<EarlierRun> earlier);
-  RunResult find_state(SceneData data, std::optional<EarlierRun> earlier);
-  RunResult find_factor(SceneData data);
-  RunRecord record_of(const Scene &scene) const;
-  /** The forces of an earlier run, balanced to rounding if that is asked for.
-   */
-  Carried
-  read_forces(EarlierRun &earlier, const Scene &scene, SolverRecord &record);
-  /** The settlement, if supports move, with its forces as the answer. */
-  std::optional<Settlement>
-  settlement_of(Answer &answer, const Scene &scene, SolverRecord &record);
-  /** The ranges of forces that are asked for, if any are. */
-  std::optional<Ranges> ranges_of(const Scene &scene);
-  /** The samples of all states that are asked for, if any are. */
-  std::optional<StateSamples> samples_of(const Scene &scene);
+  /** The analysis that is asked for. */
+  const Analysis &analysis() const { return *analyses[chosen]; }
 
   Terminal &terminal;
   const unsigned int n_processes;
   dealii::TimerOutput &timer;
   std::string earlier_directory;
-  Analysis analysis = Analysis::state;
   SceneParameters of_scene;
-  LoadFactorParameters load_factor;
-  RangeParameters ranges;
   SolverParameters solver;
+  const FurtherAnalyses further;
+  const std::vector<std::unique_ptr<Analysis>> analyses;
+  unsigned int chosen = 0;
 };
 } // namespace Voussoir
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/ranges/feasible_set.h>
 #include <voussoir/analyses/ranges/ranges.h>
-#include <voussoir/base/exceptions.h>
-#include <voussoir/scene/proofs/reactions.h>
 
 #include <deal.II/base/parallel.h>
 
@@ -15,6 +13,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace Voussoir
 {
@@ -363,6 +362,7 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   }
   for (unsigned int s = 0; s < supports.size(); ++s, next += 2)
     ranges.reactions.push_back({{next[0], next[1]}});
+  ranges.supports = std::move(supports);
   return ranges;
 }
 } // namespace Voussoir

@@ -54,6 +54,59 @@ double bound(const double value)
 }
 } // namespace
 
+/** The matrix A by its columns, one for each row of a joint, and the bounds. */
+struct StateProgram::Columns
+{
+  /** Add the entry of a body's unknown, unless it is zero. */
+  void add(const unsigned int row, const double value)
+  {
+    if (row == dealii::numbers::invalid_unsigned_int || value == 0.)
+      return;
+    rows.push_back(row);
+    entries.push_back(value);
+  }
+  /** End the column of a force within @p limits. */
+  void close(const ForceRows::Bounds &limits)
+  {
+    begins.push_back(entries.size());
+    lower.push_back(bound(limits.least));
+    upper.push_back(bound(limits.greatest));
+  }
+
+  std::vector<CoinBigIndex> begins = {0};
+  std::vector<int> rows;
+  std::vector<double> entries, lower, upper;
+};
+
+StateProgram::Columns StateProgram::columns() const
+{
+  const ForceRows &rows = problem.rows();
+  const unsigned int T = rows.n_translations();
+  Columns columns;
+  // They are minus the derivatives of the jumps.
+  for (unsigned int e = 0; e < rows.joints().size(); ++e)
+    for (unsigned int r = 0; r < rows.n_rows(e); ++r)
+    {
+      const ForceRows::Joint &joint = rows.joints()[e];
+      const ContactRow row = rows.row(e, r);
+      const ForceRows::Bounds &limits = rows.bounds()[rows.first_row(e) + r];
+      const auto add = [&](const unsigned int i, const double of_minus,
+                           const double of_plus) {
+        columns.add(row_of[rows.dof(joint.cell_minus, i)], of_minus);
+        columns.add(row_of[rows.dof(joint.cell_plus, i)], of_plus);
+      };
+      if (limits.least != 0. || limits.greatest != 0.)
+      {
+        for (unsigned int i = 0; i < T; ++i)
+          add(i, row.direction[i], -row.direction[i]);
+        for (unsigned int i = T; i < rows.n_unknowns(); ++i)
+          add(i, row.turn_minus[i - T], -row.turn_plus[i - T]);
+      }
+      columns.close(limits);
+    }
+  return columns;
+}
+
 StateProgram::StateProgram(const RowProblem &problem)
     : problem(problem), clp(std::make_unique<ClpSimplex>())
 {
@@ -69,43 +122,11 @@ StateProgram::StateProgram(const RowProblem &problem)
       row_of.push_back(is_held(b) ? dealii::numbers::invalid_unsigned_int
                                   : n_rows++);
 
-  // The columns of A are minus the derivatives of the jumps.
-  std::vector<CoinBigIndex> begins = {0};
-  std::vector<int> entries_rows;
-  std::vector<double> entries, lower, upper;
-  const auto add = [&](const unsigned int body, const unsigned int i,
-                       const double value) {
-    const unsigned int row = row_of[rows.dof(body, i)];
-    if (row == dealii::numbers::invalid_unsigned_int || value == 0.)
-      return;
-    entries_rows.push_back(row);
-    entries.push_back(value);
-  };
-  for (unsigned int e = 0; e < rows.joints().size(); ++e)
-    for (unsigned int r = 0; r < rows.n_rows(e); ++r)
-    {
-      const ForceRows::Joint &joint = rows.joints()[e];
-      const ContactRow row = rows.row(e, r);
-      const ForceRows::Bounds &limits = rows.bounds()[rows.first_row(e) + r];
-      if (limits.least != 0. || limits.greatest != 0.)
-      {
-        const unsigned int T = rows.n_translations();
-        for (unsigned int i = 0; i < T; ++i)
-        {
-          add(joint.cell_minus, i, row.direction[i]);
-          add(joint.cell_plus, i, -row.direction[i]);
-        }
-        for (unsigned int i = T; i < rows.n_unknowns(); ++i)
-        {
-          add(joint.cell_minus, i, row.turn_minus[i - T]);
-          add(joint.cell_plus, i, -row.turn_plus[i - T]);
-        }
-      }
-      begins.push_back(entries.size());
-      lower.push_back(bound(limits.least));
-      upper.push_back(bound(limits.greatest));
-    }
+  load(columns(), n_rows);
+}
 
+void StateProgram::load(const Columns &columns, const unsigned int n_rows)
+{
   std::vector<double> balance(n_rows);
   const std::vector<double> loads = problem.loads();
   for (unsigned int k = 0; k < row_of.size(); ++k)
@@ -122,11 +143,12 @@ StateProgram::StateProgram(const RowProblem &problem)
   clp->setPrimalTolerance(tolerance);
   clp->setDualTolerance(tolerance);
   clp->scaling(0); // all entries are of order one
-  const CoinPackedMatrix matrix(true, n_rows, lower.size(), entries.size(),
-                                entries.data(), entries_rows.data(),
-                                begins.data(), nullptr);
-  clp->loadProblem(matrix, lower.data(), upper.data(), nullptr, balance.data(),
-                   balance.data());
+  const CoinPackedMatrix matrix(true, n_rows, columns.lower.size(),
+                                columns.entries.size(), columns.entries.data(),
+                                columns.rows.data(), columns.begins.data(),
+                                nullptr);
+  clp->loadProblem(matrix, columns.lower.data(), columns.upper.data(), nullptr,
+                   balance.data(), balance.data());
 }
 
 StateProgram::StateProgram(const StateProgram &other)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/samples/state_samples.h>
 #include <voussoir/output/fields/state_ranges.h>
 
 #include <limits>
@@ -14,6 +16,12 @@ constexpr double not_asked_for = std::numeric_limits<double>::quiet_NaN();
 
 /** In grids, a mark of them. */
 constexpr double not_wanted = -1.;
+
+/** The ranges, where they were asked for. */
+const Ranges &ranges_of(const Results &r)
+{
+  return *r.data<Ranges>();
+}
 
 /** The value in this state of what @p of is the range of. */
 double force_of(const Results &r, const RangesOf of, const unsigned int e)
@@ -32,8 +40,9 @@ Field<Results> end_of_range(const std::string &name,
                             double Range::*const end)
 {
   const auto value = [of, end](const Results &r, const unsigned int e) {
-    const double bound = ((*r.ranges).*of)[e].*end;
-    return !r.ranges->wanted[e]    ? not_asked_for
+    const Ranges &ranges = ranges_of(r);
+    const double bound = (ranges.*of)[e].*end;
+    return !ranges.wanted[e]       ? not_asked_for
            : of == &Ranges::normal ? 0. - bound
                                    : bound;
   };
@@ -51,7 +60,8 @@ Field<Results> mark_of_range(const std::string &name,
                              bool (Ranges::*const is)(unsigned int) const)
 {
   const auto mark = [is](const Results &r, const unsigned int e) {
-    return r.ranges->wanted[e] ? double(((*r.ranges).*is)(e)) : not_asked_for;
+    const Ranges &ranges = ranges_of(r);
+    return ranges.wanted[e] ? double((ranges.*is)(e)) : not_asked_for;
   };
   return Field<Results>(name, "", words, mark)
       .as_integer()
@@ -73,7 +83,7 @@ auto stored(std::vector<Moments> StateSamples::*const of,
             double Moments::*const moment)
 {
   return [of, moment](const Results &r) {
-    return Stored((*r.samples).*of, moment);
+    return Stored(r.data<StateSamples>()->*of, moment);
   };
 }
 } // namespace
@@ -87,7 +97,9 @@ Fields<Results> state_ranges()
       of_q = "the same of f_e^t",
       of_e = "the least and the greatest eccentricity over the states that "
              "press the interface; empty where none does";
-  const auto asked = [](const Results &r) { return bool(r.ranges); };
+  const auto asked = [](const Results &r) {
+    return r.data<Ranges>() != nullptr;
+  };
   return together<Results>(
       {when<Results>(
            {"with `Ranges`", asked},
@@ -106,8 +118,8 @@ Fields<Results> state_ranges()
                           &Ranges::is_unbounded)
                 .only_in_grid()}),
        when<Results>({"with `Ranges` and `Rotations = true`",
-                      [](const Results &r) {
-                        return r.ranges && !r.ranges->eccentricity.empty();
+                      [asked](const Results &r) {
+                        return asked(r) && !ranges_of(r).eccentricity.empty();
                       }},
                      {end_of_range("e_min", "", of_e, &Ranges::eccentricity,
                                    &Range::least),
@@ -120,10 +132,11 @@ Fields<Results> sample_moments()
   const std::string of_q = "the same three of f_e^t";
   return when<Results>(
       {"with `Ranges/Samples`",
-       [](const Results &r) { return bool(r.samples); },
+       [](const Results &r) { return r.data<StateSamples>() != nullptr; },
        [](const Results &r) -> std::string {
-         return !r.samples ? "there are no samples; set 'Ranges/Samples'"
-                : r.samples->have_settled()
+         const auto *const samples = r.data<StateSamples>();
+         return !samples ? "there are no samples; set 'Ranges/Samples'"
+                : samples->have_settled()
                     ? ""
                     : "the samples have not settled; see 'warnings'";
        }},
@@ -132,7 +145,7 @@ Fields<Results> sample_moments()
               "[samples](theory.md#samples-of-all-states); this and the "
               "following are empty where they have not settled",
               [](const Results &r, const unsigned int e) {
-                return 0. - r.samples->normal[e].mean;
+                return 0. - r.data<StateSamples>()->normal[e].mean;
               }),
        moment("p_mean_error", "the standard error of the mean",
               stored(&StateSamples::normal, &Moments::error)),
@@ -150,7 +163,9 @@ Fields<Results> sample_moments()
            "correlation", "",
            "the coefficient of correlation of -f_e^n and f_e^t; 0 where one of "
            "them has no spread",
-           [](const Results &r) { return Stored(r.samples->correlation); })
+           [](const Results &r) {
+             return Stored(r.data<StateSamples>()->correlation);
+           })
            .only_in_table()});
 }
 } // namespace Voussoir

@@ -2,9 +2,9 @@
 #include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/sections.h>
-#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/output/summary/ground_summary.h>
 #include <voussoir/output/summary/messages.h>
+#include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/versions.h>
 
 #include <cmath>
@@ -178,8 +178,9 @@ std::string closing_tables(const RunRecord &run, const ReportDetails &details)
 
 std::string verdict_of(const Results &results)
 {
-  if (results.load_factor)
-    return "Load factor: " + description_of(*results.load_factor) + ".";
+  for (const AnalysisResult &analysis : results.analyses)
+    if (analysis.is_verdict)
+      return analysis.title + ": " + analysis.description + ".";
   if (results.status.kind == Status::Kind::carried_within)
     return text("The loads are carried to within ", results.status.within,
                 " of the largest: whether they are carried exactly is open.");
@@ -201,13 +202,9 @@ std::string sections_of(const Results &results, const ReportDetails &details)
   run.row({"Forces", html_text(results.selection)});
   if (!results.scene.coefficient.empty())
     run.row({"Friction", html_text(description_of_law(results.scene))});
-  if (results.settlement)
-    run.row({"Settlement",
-             html_text(description_of(results.scene, *results.settlement))});
-  if (results.ranges)
-    run.row({"Ranges", html_text(description_of(*results.ranges))});
-  if (results.samples)
-    run.row({"Samples", html_text(description_of(*results.samples))});
+  for (const AnalysisResult &analysis : results.analyses)
+    if (!analysis.is_verdict)
+      run.row({analysis.title, html_text(analysis.description)});
   return run.close() +
          (results.reactions.empty()
               ? ""

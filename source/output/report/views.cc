@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/ranges/ranges.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/fields/tables.h>
 #include <voussoir/output/report/colour_scale.h>
@@ -219,7 +220,8 @@ void add_joint_views(PictureMaker &maker, const Results &results)
   add_joint_view(maker, "utilisation", "Utilisation",
                  "share of the strength that is used, 1 at the limit",
                  {ColourScale("u", 1.), of_joints("utilisation", results)});
-  if (!results.ranges)
+  const auto *const ranges = results.data<Ranges>();
+  if (ranges == nullptr)
     return;
   std::vector<double> widths = of_joints("p_max", results);
   const std::vector<double> least = of_joints("p_min", results);
@@ -297,12 +299,10 @@ picture_of(const Results &results, const UnitNames &names, const bool in_full)
   add_joint_views(maker, results);
   if (in_full && !results.mean_stresses.empty())
     add_stress(maker, results);
-  if (results.settlement)
-    add_motion(maker, results.settlement->motion, "Settlement", true);
-  else if (!results.load_factor && in_full)
+  if (const MotionBeside *const beside = results.motion_beside())
+    add_motion(maker, beside->motion, beside->title, beside->has_size);
+  else if (in_full)
     add_motion(maker, results.motion, "Displacement", true);
-  else if (results.load_factor && results.load_factor->has_mechanism())
-    add_motion(maker, results.load_factor->mechanism, "Mechanism", false);
   return maker.finish(in_full);
 }
 

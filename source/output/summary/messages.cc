@@ -103,21 +103,6 @@ bool is_loaded(const Scene &scene)
          std::any_of(scene.traction.begin(), scene.traction.end(),
                      [](const auto &g) { return g.norm() > 0.; });
 }
-
-std::string not_settled(const StateSamples &samples)
-{
-  return text(
-      "The samples have not settled, and give no mean: with ",
-      counted(samples.n_steps, "step"), " from one to the next ", samples.n,
-      " of them are worth ", std::floor(samples.effective),
-      " independent ones for the worst force, and must be worth ",
-      StateSamples::least_effective,
-      "; the spread of a force in all chains together is ", samples.mixing,
-      " times that within each, and must be at most ",
-      StateSamples::largest_mixing,
-      ". Set 'Ranges/Steps between samples' to more than ", samples.n_steps,
-      samples.is_given ? ", or to 0, which finds how many it takes." : ".");
-}
 } // namespace
 
 std::vector<std::string> cells_not_convex(const Packing &packing)
@@ -153,8 +138,8 @@ std::vector<std::string> doubts_about(const Results &results)
         "The solver " + outcome +
         ". The forces are balanced and admissible to what is said below, but "
         "may differ from those of the named selection.");
-  if (results.samples && !results.samples->have_settled())
-    doubts.push_back(not_settled(*results.samples));
+  for (const AnalysisResult &analysis : results.analyses)
+    doubts.insert(doubts.end(), analysis.doubts.begin(), analysis.doubts.end());
   if (results.overturning)
     doubts.push_back(turning(results.scene.packing, *results.overturning));
   return doubts;

@@ -171,4 +171,12 @@ void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units)
   show_joints(terminal, scene);
   show_tractions(terminal, scene);
 }
+
+std::string description_of_law(const Scene &scene)
+{
+  return scene.dilates
+             ? "Coulomb, associated: joints that slide open, too"
+             : "Coulomb, without dilatancy: this state carries the loads, but "
+               "no theorem says that the blocks stay in it";
+}
 } // namespace Voussoir

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
-#include <voussoir/output/summary/descriptions.h>
 #include <voussoir/output/summary/ground_summary.h>
 #include <voussoir/output/summary/messages.h>
+#include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/summary/versions.h>
 #include <voussoir/packing/connected_groups.h>
@@ -73,80 +73,14 @@ Json summary_of(const RunRecord &run, const Status &status)
   return summary;
 }
 
-/** The load factor between its proofs. */
-Json summary_of_factor(const LoadFactor &factor)
+/** Show the line of what answers `Analysis` itself, or those of all others. */
+void show_analyses(Terminal &terminal,
+                   const Results &results,
+                   const bool verdict)
 {
-  // The state that is written shows that any factor is carried, by one of them.
-  Json json = {{"carried", factor.is_unbounded ? factor.bound : factor.carried},
-               {"bound", factor.bound},
-               {"width", factor.width()},
-               {"unbounded", factor.is_unbounded}};
-  if (factor.is_unbounded)
-    json["forces_at"] = factor.carried;
-  if (factor.has_mechanism())
-    json["closing_violation"] = factor.proof.closing_violation;
-  if (!factor.trials.empty())
-    json["tried"] = {{"with_state", factor.trials.with_state},
-                     {"without_state", factor.trials.without_state}};
-  json["meaning"] = description_of(factor);
-  return json;
-}
-
-/** The ranges of forces, with the errors of their proofs over the loads. */
-Json summary_of_ranges(const Results &results)
-{
-  const Ranges &ranges = *results.ranges;
-  const CountOfRanges count(ranges);
-  const auto pair = [](const Range &range) {
-    return Json::array({range.least, range.greatest});
-  };
-  Json supports = Json::array();
-  for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
-  {
-    const Reaction &at = results.reactions[s];
-    supports.push_back({{"from", {at.start[0], at.start[1]}},
-                        {"to", {at.end[0], at.end[1]}},
-                        {"x", pair(ranges.reactions[s][0])},
-                        {"y", pair(ranges.reactions[s][1])}});
-  }
-  return {{"interfaces", count.wanted},
-          {"determined", count.determined},
-          {"unbounded", count.unbounded},
-          {"reactions", supports},
-          {"width", ranges.reference > 0.
-                        ? Json(ranges.proofs.width / ranges.reference)
-                        : Json(nullptr)},
-          {"error_of_states", ranges.proofs.error_of_states},
-          {"closing_violation", ranges.proofs.closing_violation},
-          {"programmes", ranges.proofs.n_programmes},
-          {"iterations", ranges.proofs.n_iterations}};
-}
-
-Json summary_of_samples(const StateSamples &samples)
-{
-  Json summary = {{"settled", samples.have_settled()},
-                  {"number", samples.n},
-                  {"steps", samples.n_steps},
-                  {"effective_number", samples.effective},
-                  {"mixing", samples.mixing},
-                  {"dimension", samples.dimension},
-                  {"error_of_states", samples.error_of_states}};
-  if (samples.have_settled())
-    summary["largest_error"] = samples.largest_error;
-  return summary;
-}
-
-Json summary_of_settlement(const Results &results)
-{
-  const Settlement &settlement = *results.settlement;
-  const CountOfJumps count(results.scene, settlement);
-  return {{"largest_displacement", settlement.largest_displacement},
-          {"work", settlement.work},
-          {"width", settlement.width},
-          {"closing_violation", settlement.closing_violation},
-          {"hinges", count.hinges},
-          {"open", count.open},
-          {"sliding", count.sliding}};
+  for (const AnalysisResult &analysis : results.analyses)
+    if (analysis.is_verdict == verdict)
+      terminal.summary(analysis.title, analysis.description);
 }
 
 /** Add what stands last. */
@@ -182,14 +116,8 @@ Json summary_of(const Results &results)
   if (!certificate.unbalanced.empty() &&
       results.status.kind != Status::Kind::solved)
     summary["certificate"]["unbalanced_cells"] = certificate.unbalanced.size();
-  if (results.load_factor)
-    summary["load_factor"] = summary_of_factor(*results.load_factor);
-  if (results.settlement)
-    summary["settlement"] = summary_of_settlement(results);
-  if (results.ranges)
-    summary["ranges"] = summary_of_ranges(results);
-  if (results.samples)
-    summary["samples"] = summary_of_samples(*results.samples);
+  for (const AnalysisResult &analysis : results.analyses)
+    summary[analysis.key] = analysis.summary;
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
   summary["most_used"] = most_used_summary(results);
@@ -259,16 +187,9 @@ void show_summary(Terminal &terminal, const Results &results)
                                results.forces.normal[e] / interfaces[e].length);
 
   terminal.status(results.status.description(), true);
-  if (results.load_factor)
-    terminal.summary("Load factor", description_of(*results.load_factor));
+  show_analyses(terminal, results, true);
   terminal.summary("Selection", results.selection);
-  if (results.settlement)
-    terminal.summary("Settlement",
-                     description_of(results.scene, *results.settlement));
-  if (results.ranges)
-    terminal.summary("Ranges", description_of(*results.ranges));
-  if (results.samples)
-    terminal.summary("Samples", description_of(*results.samples));
+  show_analyses(terminal, results, false);
   if (!results.scene.coefficient.empty())
     terminal.summary("Law", description_of_law(results.scene));
   if (!results.earlier_outcome.empty())

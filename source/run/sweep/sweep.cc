@@ -44,8 +44,8 @@ void in_threads(const std::size_t n,
       }
       catch (...)
       {
-        // Those before it have begun, so that the first does not depend on
-        // which is the quickest.
+        // All items before it have begun, so that the first does not depend
+        // on which is the quickest.
         const std::lock_guard lock(of_error);
         if (k < first_failed)
         {

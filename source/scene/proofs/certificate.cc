@@ -34,16 +34,16 @@ constexpr double largest_closing = 1e-12;
 constexpr double largest_share = 0.1;
 
 /**
- * The reference force of each connected group, by its lowest member: the
- * largest load on one of its cells, since groups do not feel each other, nor
- * through the ground, and none may hide behind another. A group without load is
- * judged by the largest of the scene, and a scene without load by the largest
- * force.
+ * The reference force of each cell: the largest load on one of its connected
+ * group, since groups do not feel each other, nor through the ground, and none
+ * may hide behind another. A group without load is judged by the largest of the
+ * scene, and a scene without load by the largest force.
  */
 std::vector<double> reference_forces(const Scene &scene,
-                                     const InterfaceForces &forces,
-                                     const std::vector<unsigned int> &group)
+                                     const InterfaceForces &forces)
 {
+  const std::vector<unsigned int> group =
+      connected_groups(scene.packing, Ground::separates);
   std::vector<double> reference(group.size(), 0.);
   double largest_load = 0., largest_force = 0.;
   for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
@@ -58,16 +58,54 @@ std::vector<double> reference_forces(const Scene &scene,
   for (double &largest : reference)
     if (!(largest > rounding_of_loads * largest_load))
       largest = largest_load > 0. ? largest_load : largest_force;
-  return reference;
+  std::vector<double> of_cell;
+  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
+    of_cell.push_back(reference[group[c]]);
+  return of_cell;
 }
 
-bool is_finite(const InterfaceForces &forces, const unsigned int e)
+bool are_finite(const InterfaceForces &forces)
 {
-  double sum = forces.normal[e] + forces.tangential[e];
-  if (!forces.at_ends.empty())
-    sum += forces.at_ends[e][0] + forces.at_ends[e][1];
-  return std::isfinite(sum);
+  for (unsigned int e = 0; e < forces.normal.size(); ++e)
+  {
+    double sum = forces.normal[e] + forces.tangential[e];
+    if (!forces.at_ends.empty())
+      sum += forces.at_ends[e][0] + forces.at_ends[e][1];
+    if (!std::isfinite(sum))
+      return false;
+  }
+  return true;
 }
+
+/** Forces that are no numbers, which would slip through every comparison. */
+Certificate infinitely_wrong()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, infinity, infinity, infinity, infinity, infinity, {}, {}};
+}
+
+/** Errors of forces on cells, over the reference force of each. */
+struct RelativeErrors
+{
+  /** Take one into @p largest, a measure of the certificate. */
+  void add(double &largest,
+           const LargestError::Kind kind,
+           const double error,
+           const unsigned int cell)
+  {
+    if (!(reference[cell] > 0.)) // there is nothing to be compared
+      return;
+    const double relative = error / reference[cell];
+    largest = std::max(largest, relative);
+    if (relative > certificate.largest.relative &&
+        (kind != LargestError::Kind::moment || turns))
+      certificate.largest = {kind, cell, error, relative};
+  }
+
+  const std::vector<double> &reference;
+  const bool turns;
+  Certificate &certificate;
+};
 
 /** The excess of the forces of an interface over their limits. */
 double violation(const Scene &scene,
@@ -202,34 +240,13 @@ unbalanced_cells(const Scene &scene,
 
 Certificate certify(const Scene &scene, const InterfaceForces &forces)
 {
-  const Packing &packing = scene.packing;
-  Certificate certificate;
-
-  // A NaN would slip through every comparison below.
-  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-    if (!is_finite(forces, e))
-    {
-      const double infinity = std::numeric_limits<double>::infinity();
-      certificate = {infinity, infinity, infinity, infinity,
-                     infinity, infinity, {},       {}};
-      return certificate;
-    }
-
-  const std::vector<unsigned int> group =
-      connected_groups(packing, Ground::separates);
-  const std::vector<double> reference = reference_forces(scene, forces, group);
-  // Without a reference force there is nothing to be compared.
+  if (!are_finite(forces))
+    return infinitely_wrong();
   using Kind = LargestError::Kind;
-  const auto add = [&](double &largest, const Kind kind, const double error,
-                       const unsigned int cell) {
-    if (!(reference[group[cell]] > 0.))
-      return;
-    const double relative = error / reference[group[cell]];
-    largest = std::max(largest, relative);
-    if (relative > certificate.largest.relative &&
-        (kind != Kind::moment || scene.turns()))
-      certificate.largest = {kind, cell, error, relative};
-  };
+  const Packing &packing = scene.packing;
+  const std::vector<double> reference = reference_forces(scene, forces);
+  Certificate certificate;
+  RelativeErrors errors = {reference, scene.turns(), certificate};
 
   const Utilisation utilisation(scene, forces);
   std::vector<Tensor<1, 2>> sum = scene.load;
@@ -240,8 +257,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;
-    add(certificate.admissibility_violation, Kind::limit,
-        violation(scene, forces, e), i.cell_minus);
+    errors.add(certificate.admissibility_violation, Kind::limit,
+               violation(scene, forces, e), i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation, utilisation(e));
   }
@@ -249,18 +266,16 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   const std::vector<double> torques = residual_torques(scene, forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    add(certificate.equilibrium_residual, Kind::balance, sum[c].norm(), c);
-    add(certificate.max_torque, Kind::moment,
-        std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
+    errors.add(certificate.equilibrium_residual, Kind::balance, sum[c].norm(),
+               c);
+    errors.add(certificate.max_torque, Kind::moment,
+               std::abs(torques[c]) / std::sqrt(packing.area(c)), c);
   }
   if (scene.turns())
     certificate.moment_residual = certificate.max_torque;
   certificate.load_residual = scene.load_residual;
-  std::vector<double> of_cell(packing.n_cells());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    of_cell[c] = reference[group[c]];
   certificate.unbalanced =
-      unbalanced_cells(scene, forces, sum, torques, of_cell);
+      unbalanced_cells(scene, forces, sum, torques, reference);
   return certificate;
 }
 

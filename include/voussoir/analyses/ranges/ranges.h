@@ -3,7 +3,7 @@
 #define voussoir_analyses_ranges_ranges_h
 
 #include <voussoir/analyses/ranges/feasible_set.h>
-#include <voussoir/scene/range_parameters.h>
+#include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -13,6 +13,28 @@
 
 namespace Voussoir
 {
+/** How the ends of ranges are found; see FeasibleSet. */
+enum class RangeMethod
+{
+  /** The quicker one, as far as the numbers of both tell. */
+  automatic,
+  /** The simplex method, each end from that of another. */
+  simplex,
+  /** An interior point, each end on its own. */
+  interior_point
+};
+
+/** The forces whose ranges are found; see find_ranges(). */
+struct RangesWanted
+{
+  /** True for each interface whose forces are among them. */
+  std::vector<bool> interfaces;
+  /** True if the reactions are. */
+  bool reactions = false;
+  /** How. */
+  RangeMethod method = RangeMethod::automatic;
+};
+
 /** The least and the greatest value over all admissible states. */
 struct Range
 {
@@ -65,8 +87,12 @@ struct Ranges
    * number where it is not wanted, or never pressed.
    */
   std::vector<Range> eccentricity;
-  /** The two components of each of reactions(); empty if not wanted. */
+  /** @{ */
+  /** The straight supports, and x and y of the reaction of each; empty if not
+   * wanted. */
+  std::vector<StraightRun> supports;
   std::vector<std::array<Range, 2>> reactions;
+  /** @} */
 
   /** The force that differences are relative to: the largest load on a cell. */
   double reference = 0.;

@@ -70,6 +70,12 @@ public:
   unsigned int n_iterations() const { return iterations; }
 
 private:
+  struct Columns;
+  /** The matrix of the balance, and the bounds of the forces. */
+  Columns columns() const;
+  /** Hand the programme to Clp. */
+  void load(const Columns &columns, unsigned int n_rows);
+
   /** A state, and Clp's names of which of its forces are at their bounds. */
   struct Vertex
   {

@@ -2,7 +2,6 @@
 #ifndef voussoir_analyses_samples_state_samples_h
 #define voussoir_analyses_samples_state_samples_h
 
-#include <voussoir/scene/range_parameters.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -10,6 +9,19 @@
 
 namespace Voussoir
 {
+/** How many states are drawn; see draw_samples(). */
+struct SamplesWanted
+{
+  /** The number of independent states that their means are to be worth. */
+  unsigned int n = 0;
+  /** The number of steps from one to the next; 0: as many as that takes. */
+  unsigned int n_steps = 0;
+  /** The largest number of steps, if it is not given. */
+  unsigned int most_steps = 256;
+  /** Of the random numbers. */
+  unsigned int seed = 1;
+};
+
 /** The mean and the spread of a force; S L. */
 struct Moments
 {

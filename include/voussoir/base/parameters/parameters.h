@@ -104,7 +104,7 @@ struct Assignment
 Assignment assignment_of_text(const std::string &text);
 
 /**
- * See that there is a section.
+ * Check that there is a section.
  *
  * @param prm outside of all sections.
  * @param place where it is named, with which a message begins.

@@ -73,8 +73,8 @@ public:
   Limits no_limits() const { return Limits(first.back(), Interval::whole()); }
 
   /**
-   * Those that may cross @p patch within @p limits; see Formula::bounds(). The
-   * slopes are along the half axes.
+   * The jumps that may cross @p patch within @p limits; see Formula::bounds().
+   * The slopes are along the half axes.
    */
   std::vector<Crossing> crossings(const Patch &patch,
                                   const Limits &limits) const;

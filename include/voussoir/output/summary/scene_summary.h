@@ -6,6 +6,8 @@
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <string>
+
 namespace Voussoir
 {
 /**
@@ -14,6 +16,9 @@ namespace Voussoir
  * joints of each pair of groups with their strengths, and the tractions.
  */
 void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units);
+
+/** The law of friction, and what it means for what is carried. */
+std::string description_of_law(const Scene &scene);
 } // namespace Voussoir
 
 #endif

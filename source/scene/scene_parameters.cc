@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameter_tree.h>
-#include <voussoir/run/scene_parameters.h>
+#include <voussoir/scene/scene_parameters.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/analyses/state/analysis.h>
+#include <voussoir/analyses/state/answer.h>
 #include <voussoir/analyses/state/assess.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>

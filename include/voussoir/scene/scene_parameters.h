@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_run_scene_parameters_h
-#define voussoir_run_scene_parameters_h
+#ifndef voussoir_scene_scene_parameters_h
+#define voussoir_scene_scene_parameters_h
 
 #include <voussoir/contact/contact_parameters.h>
 #include <voussoir/contact/friction_parameters.h>

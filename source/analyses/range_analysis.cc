@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/range_analysis.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/expression.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
-#include <voussoir/scene/range_parameters.h>
 
 #include <deal.II/base/patterns.h>
 
@@ -13,7 +13,8 @@ namespace Voussoir
 {
 namespace
 {
-constexpr unsigned int least_number_of_samples = 100;
+using Json = nlohmann::ordered_json;
+
 const std::string parameter_where = "Ranges/Where";
 const std::string parameter_joints = "Ranges/Joints";
 
@@ -77,9 +78,76 @@ void choose_named(const Packing &packing,
                      "', and there is no interface of that name; change it, "
                      "or leave it out.");
 }
+
+/** How many interfaces have their ranges, and of which kinds they are. */
+struct CountOfRanges
+{
+  explicit CountOfRanges(const Ranges &ranges)
+  {
+    for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
+    {
+      wanted += ranges.wanted[e];
+      determined += ranges.is_determined(e);
+      unbounded += ranges.is_unbounded(e);
+    }
+  }
+
+  unsigned int wanted = 0;     /**< that were asked for */
+  unsigned int determined = 0; /**< with the same forces in all states */
+  unsigned int unbounded = 0;  /**< with forces of any size */
+};
+
+/** The ranges of the reactions of all straight supports. */
+Json summary_of_reactions(const Ranges &ranges)
+{
+  const auto pair = [](const Range &range) {
+    return Json::array({range.least, range.greatest});
+  };
+  Json json = Json::array();
+  for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
+  {
+    const auto &[start, end, edges] = ranges.supports[s];
+    const auto &[x, y] = ranges.reactions[s];
+    json.push_back({{"from", {start[0], start[1]}},
+                    {"to", {end[0], end[1]}},
+                    {"x", pair(x)},
+                    {"y", pair(y)}});
+  }
+  return json;
+}
+
+/** The ranges of forces, with the errors of their proofs over the loads. */
+Json summary_of(const Ranges &ranges)
+{
+  const CountOfRanges count(ranges);
+  return {{"interfaces", count.wanted},
+          {"determined", count.determined},
+          {"unbounded", count.unbounded},
+          {"reactions", summary_of_reactions(ranges)},
+          {"width", ranges.reference > 0.
+                        ? Json(ranges.proofs.width / ranges.reference)
+                        : Json(nullptr)},
+          {"error_of_states", ranges.proofs.error_of_states},
+          {"closing_violation", ranges.proofs.closing_violation},
+          {"programmes", ranges.proofs.n_programmes},
+          {"iterations", ranges.proofs.n_iterations}};
+}
 } // namespace
 
-void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
+std::string description_of(const Ranges &ranges)
+{
+  const CountOfRanges count(ranges);
+  std::string words = text("forces of ", counted(count.wanted, "interface"),
+                           ": ", count.determined, " determined by statics");
+  if (count.unbounded > 0)
+    words += text(", ", count.unbounded, " without bound");
+  if (!ranges.reactions.empty())
+    words += text("; reactions of ",
+                  counted(ranges.reactions.size(), "straight support"));
+  return words;
+}
+
+void RangeAnalysis::add_parameters(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Ranges");
   prm.add_parameter(
@@ -115,40 +183,10 @@ void RangeParameters::add_parameters(dealii::ParameterHandler &prm)
         "each end: for few forces of large packings. Reactions of supports of "
         "several interfaces are left to the simplex method."}},
       "How they are found.");
-  prm.add_parameter(
-      "Samples", of_samples.n,
-      "States are drawn from all admissible ones, with equal probability for "
-      "equal volumes of the set of forces, to have the mean and the spread of "
-      "each force: so many that the mean of each is worth that of this number "
-      "of independent states. 0: none; else at least 100, of which at least "
-      "400 are made.",
-      dealii::Patterns::Integer(0));
-  prm.add_parameter(
-      "Steps between samples", of_samples.n_steps,
-      "The number of steps of the random walk from one sample to the next; the "
-      "more, the less they depend on each other. 0: as many as it takes, by "
-      "what the samples themselves tell, up to 256. Else as many samples are "
-      "drawn as 'Samples' says, whatever they are worth.",
-      dealii::Patterns::Integer(0));
-  prm.add_parameter("Seed", of_samples.seed,
-                    "Of the random numbers: equal seeds give equal samples.",
-                    dealii::Patterns::Integer(0));
   prm.leave_subsection();
 }
 
-std::optional<SamplesWanted> RangeParameters::samples() const
-{
-  if (of_samples.n == 0)
-    return {};
-  if (of_samples.n < least_number_of_samples)
-    throw InputError(text("'Ranges/Samples' = '", of_samples.n,
-                          "' must be 0 or at least ", least_number_of_samples,
-                          ": fewer tell no spread."));
-  return of_samples;
-}
-
-std::optional<RangesWanted>
-RangeParameters::wanted(const Packing &packing) const
+std::optional<RangesWanted> RangeAnalysis::wanted(const Packing &packing) const
 {
   const Condition holds(where, {"x", "y", "nx", "ny"}, parameter_where);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
@@ -164,5 +202,29 @@ RangeParameters::wanted(const Packing &packing) const
   if (holds.is_never() && joints.empty() && !reactions)
     return {};
   return wanted;
+}
+
+void RangeAnalysis::check(const Scene &scene) const
+{
+  wanted(scene.packing);
+}
+
+void RangeAnalysis::answer(AnalysisOutcome &outcome,
+                           const AnalysisContext &context) const
+{
+  const Scene &scene = *outcome.scene;
+  const std::optional<RangesWanted> of = wanted(scene.packing);
+  if (!of)
+    return;
+  const dealii::TimerOutput::Scope section(context.timer, name());
+  context.terminal.begin("Ranges");
+  Ranges found = find_ranges(scene, *of, context.terminal);
+  context.terminal.stage(
+      "Ranges", text(counted(found.proofs.n_programmes, "linear programme"),
+                     ", ", counted(found.proofs.n_iterations, "step")));
+  AnalysisResult result = {name(), "Ranges", description_of(found),
+                           summary_of(found)};
+  result.data = std::move(found);
+  outcome.results.push_back(std::move(result));
 }
 } // namespace Voussoir

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_analyses_state_analysis_h
-#define voussoir_analyses_state_analysis_h
+#ifndef voussoir_analyses_state_answer_h
+#define voussoir_analyses_state_answer_h
 
 #include <voussoir/analyses/state/status.h>
 #include <voussoir/scene/loads/load_parts.h>
@@ -70,6 +70,8 @@ struct NotCarried
   MechanismCertificate proof;
   /** The loads that drive the mechanism, the most work first. */
   std::vector<LoadPart> parts;
+  /** True if the live loads are none of them: a factor was looked for. */
+  bool of_dead_loads = false;
 };
 
 /** One of the two answers. */

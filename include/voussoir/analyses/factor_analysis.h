@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_factor_analysis_h
+#define voussoir_analyses_factor_analysis_h
+
+#include <voussoir/analyses/analysis.h>
+#include <voussoir/analyses/factors/load_factor.h>
+
+namespace Voussoir
+{
+/** The factor of loads or strengths that is carried: `Load factor`. */
+class FactorAnalysis : public Analysis
+{
+public:
+  std::string name() const override { return "load factor"; }
+  std::string meaning() const override
+  {
+    return "the greatest factor of the live loads that is carried, or the "
+           "least, between two proofs: forces that balance the loads at it, "
+           "and a mechanism that bounds it.";
+  }
+  std::string sections() const override { return "Live loads, Load factor"; }
+  void add_parameters(dealii::ParameterHandler &prm) override;
+  bool has_live_loads() const override { return true; }
+  AnalysisOutcome answer(SceneData data,
+                         const AnalysisContext &context) const override;
+
+private:
+  /** What the factor multiplies. */
+  enum class Factor
+  {
+    /** The section `Live loads`. */
+    live_loads,
+    /** Both sections of loads. */
+    all_loads,
+    /** The strengths against sliding, as a divisor. */
+    strength
+  };
+  enum class Direction
+  {
+    greatest,
+    least
+  };
+
+  Factor multiplied = Factor::live_loads;
+  Direction direction = Direction::greatest;
+};
+
+/** A line for people on the factor and its bound. */
+std::string description_of(const LoadFactor &factor);
+} // namespace Voussoir
+
+#endif
