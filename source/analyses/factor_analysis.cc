@@ -244,7 +244,10 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
   if (!found.answer.factor)
   {
     NotCarried collapse = prove(scene, std::move(found.answer.collapse));
-    collapse.of_dead_loads = multiplied == Factor::live_loads;
+    if (multiplied == Factor::live_loads)
+      collapse.loads = found.answer.collapses_with_any
+                           ? NotCarried::Loads::dead_beside_any
+                           : NotCarried::Loads::dead;
     outcome.answer = std::move(collapse);
     return outcome;
   }

@@ -23,7 +23,9 @@ OUTCOME = re.compile(r"\boutcome = \"([^\"]*)\";")
 OTHERS = [
     "The load is not carried: along a mechanism of the blocks that closes no joint it does",
     "The dead loads alone, without 'Live loads', are not carried:",
-    "Whether they are carried beside some factor of 'Live loads' was not looked into.",
+    "The dead loads are not carried with any factor of 'Live loads', which do no work along a "
+    "mechanism",
+    "Whether they are carried beside some factor of 'Live loads' is not known.",
     "work that friction does not resist", "Not convex:",
     "is not determined by the forces on their edges, and the mean stress is written instead.",
     "face each other across a gap near", "within the matching tolerance",

@@ -40,7 +40,7 @@ void compare(const std::string &name, const Scene &scene)
     Solver solver(method, 1e-12);
     const Solution known = solver.solve(problem);
     EnergyProgram found = solve_energy_program(
-        problem, costs_of(problem, method), 1e-13, solver.quiet);
+        problem, costs_of(problem, method), 1e-13, 100, solver.quiet);
     problem.remove_rigid_motions(found.u);
     std::cout << name << ", " << method.name << std::endl;
     check("  known: " + known.stop.words(), known.converged());
@@ -81,7 +81,7 @@ void find_collapses(const std::string &name,
   };
   check_proof(find_collapse(problem, Terminal::silent()));
   for (const Method &method : {compliant, least_energy})
-    check_proof(solve_energy_program(problem, costs_of(problem, method), 1e-8,
+    check_proof(solve_energy_program(problem, costs_of(problem, method), 1e-8, 100,
                                      Terminal::silent())
                     .mechanism);
 }

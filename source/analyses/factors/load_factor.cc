@@ -149,6 +149,7 @@ LoadFactorAnswer LoadFactorSearch::find()
     if (const std::optional<FactorMotion> motion = factor.mechanism_of_all())
     {
       answer.collapse = motion_of(motion->u);
+      answer.collapses_with_any = true;
       return answer;
     }
   if (found.forces.normal.empty() && found.collapses_without)

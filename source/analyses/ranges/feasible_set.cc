@@ -25,6 +25,8 @@ constexpr double largest_width_of_interior = 1e-8;
  * prove nothing.
  */
 constexpr double largest_closing_of_jumps = 1e-6;
+/** The iterations to a state away from the limits; it takes about ten. */
+constexpr unsigned int n_max_of_anchor = 100;
 /** What a ray leaves on a body, over its largest force. */
 constexpr double rounding_of_ray = 1e-9;
 
@@ -93,6 +95,17 @@ bool FeasibleSet::is_proven(const GreatestValue &value,
              largest_closing_of_jumps &&
          std::abs(value.width()) <=
              largest_width * std::max(force, std::abs(value.value));
+}
+
+const std::optional<FactorState> &FeasibleSet::anchor() const
+{
+  std::call_once(anchor_is_sought, [this]() {
+    RowProblem own(problem);
+    of_anchor = find_feasible_forces(own, own.loads(), n_max_of_anchor,
+                                     Terminal::silent())
+                    .state;
+  });
+  return of_anchor;
 }
 
 GreatestValue FeasibleSet::found(StateProgram &program,
@@ -165,7 +178,8 @@ std::optional<GreatestValue>
 FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
-  const StateProgram::Optimum optimum = greatest_force(by_rows, c, terminal);
+  const StateProgram::Optimum optimum = 
+      greatest_force(by_rows, c, anchor(), terminal);
   if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
     return {};
   GreatestValue value = judged(optimum, c, function);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace Voussoir
 {
@@ -33,10 +34,11 @@ class ForceSearch
 public:
   ForceSearch(const RowProblem &problem,
               const std::vector<double> &c,
+              std::optional<FactorState> anchor,
               Terminal &terminal)
       : forces(problem.rows(), problem.forces().held_bodies()),
         c(c), program{problem.loads()}, size(largest_component(program.dead)),
-        terminal(terminal)
+        terminal(terminal), anchor(std::move(anchor))
   {
     for (const double coefficient : c)
       program.cost.push_back(-coefficient);
@@ -161,8 +163,9 @@ StateProgram::Optimum ForceSearch::find()
 
 StateProgram::Optimum greatest_force(const RowProblem &problem,
                                      const std::vector<double> &c,
+                                     std::optional<FactorState> anchor,
                                      Terminal &terminal)
 {
-  return ForceSearch(problem, c, terminal).find();
+  return ForceSearch(problem, c, std::move(anchor), terminal).find();
 }
 } // namespace Voussoir

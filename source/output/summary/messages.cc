@@ -156,8 +156,13 @@ std::string message_of(const Collapse &collapse, const std::string &files)
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
   const bool crushes = !collapse.scene.compressive_strength.empty();
-  const bool of_dead = collapse.of_dead_loads;
-  if (of_dead)
+  const bool of_dead = collapse.loads != NotCarried::Loads::all;
+  if (collapse.loads == NotCarried::Loads::dead_beside_any)
+    message << "The dead loads are not carried with any factor of 'Live "
+               "loads', which do no work along a mechanism of the blocks "
+            << (crushes ? "in which joints may crush: along it they do "
+                        : "that closes no joint: along it they do ");
+  else if (of_dead)
     message << "The dead loads alone, without 'Live loads', are not carried: "
                "along a mechanism of the blocks "
             << (crushes ? "in which joints may crush they do "
@@ -197,9 +202,9 @@ std::string message_of(const Collapse &collapse, const std::string &files)
             << " 'Loads' or raise 'Friction/"
             << (collapse.scene.coefficient.empty() ? "Strength" : "Coefficient")
             << "'.";
-  if (of_dead)
+  if (collapse.loads == NotCarried::Loads::dead)
     message << " Whether they are carried beside some factor of 'Live loads' "
-               "was not looked into.";
+               "is not known.";
   return message.str();
 }
 } // namespace Voussoir

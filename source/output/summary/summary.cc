@@ -132,6 +132,15 @@ Json summary_of(const Results &results)
   return complete(std::move(summary), results);
 }
 
+/** Which loads are not carried. */
+std::string loads_of(const Collapse &collapse)
+{
+  using Loads = NotCarried::Loads;
+  return collapse.loads == Loads::all    ? "all"
+         : collapse.loads == Loads::dead ? "dead"
+                                         : "dead, with any factor";
+}
+
 Json summary_of(const Collapse &collapse)
 {
   Json summary = summary_of(collapse, {Status::Kind::collapse, 0.});
@@ -139,7 +148,7 @@ Json summary_of(const Collapse &collapse)
   for (const LoadPart &part : collapse.parts)
     parts.push_back({{"load", part.name}, {"work", part.work}});
   summary["mechanism"] = {
-      {"loads", collapse.of_dead_loads ? "dead" : "all"},
+      {"loads", loads_of(collapse)},
       {"work_over_dissipation", collapse.proof.work_over_dissipation},
       {"closing_violation", collapse.proof.closing_violation},
       {"load_residual", collapse.proof.load_residual},

@@ -108,6 +108,18 @@ double closing_of(const ConicForces &forces,
          std::max(largest_component(u), largest_component(program.cost));
 }
 
+/** The work of the live loads, over that of its terms, where it is to be none. */
+double error_of_work(const SelfDual::Program &program,
+                     const std::vector<double> &u)
+{
+  if (program.live.empty() || program.sense != 0.)
+    return 0.;
+  double of_terms = 0.;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    of_terms += std::abs(program.live[k] * u[k]);
+  return of_terms > 0. ? std::abs(dot(program.live, u)) / of_terms : 0.;
+}
+
 /** The slacks of forces. */
 std::vector<double> slacks_of(const ConicForces &forces,
                               const std::vector<double> &x)
@@ -267,11 +279,14 @@ FactorMotion mechanism_near(ConicForces &forces,
     towards(best.u, share, anchor->u);
     towards(best.z, share, anchor->z);
   }
+  const auto error = [&](const FactorMotion &motion) {
+    return std::max(motion.closing, error_of_work(program, motion.u));
+  };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
   Patience patience;
   const std::size_t n_bounds = forces.bounds().size();
-  while (best.closing > rounding_of_motion && patience.lasts())
+  while (error(best) > rounding_of_motion && patience.lasts())
   {
     std::vector<double> left = forces.along(trial.u);
     add(left, 1., forces.of_rows(trial.z));
@@ -318,8 +333,8 @@ FactorMotion mechanism_near(ConicForces &forces,
     add(trial.u, part, du);
     add(trial.z, part, dz);
     trial.closing = closing_of(forces, program, trial.u);
-    patience.see(trial.closing, best.closing);
-    if (trial.closing < best.closing)
+    patience.see(error(trial), error(best));
+    if (error(trial) < error(best))
       best = trial;
   }
   return best;

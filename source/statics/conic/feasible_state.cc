@@ -73,7 +73,7 @@ std::vector<double> RowProblem::of_size_one(std::vector<double> u) const
   u.resize(problem.n_dofs());
   // Divided before, too, since a rigid motion may be large beside the rest.
   divide_by_largest(u);
-  problem.hold_bodies(u);
+  problem.remove_rigid_motions(u);
   divide_by_largest(u);
   return u;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/energy/elastic_problem.h>
 #include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/energy/minimise.h>
 #include <voussoir/statics/energy/proximal_steps.h>
+#include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,8 @@ namespace
 constexpr unsigned int n_elastic_before_doubt = 8;
 constexpr double imbalance_without_doubt = 1e-4;
 constexpr double error_to_start_from = 1e-8;
+/** The imbalance that the rounding of small displacements leaves. */
+constexpr double rounding_of_balance = 1e-12;
 
 /** The part of the joints that slide after the first step that is much. */
 constexpr double many_slide = 0.25;
@@ -83,6 +87,18 @@ private:
   bool serves = false;
   double share = 1.;
 };
+
+/**
+ * Balance the forces of a @p solution next to the limit: displacements are so
+ * large there that jumps, and the forces in them, have few digits.
+ */
+void balance_to_rounding(const DiscreteProblem &problem, Solution &solution)
+{
+  if (solution.converged() &&
+      largest_component(imbalance(problem, solution.forces)) >
+          rounding_of_balance)
+    solution.forces = equilibrate(problem, solution.forces);
+}
 } // namespace
 
 ElasticJoint::ElasticJoint(const Structure &structure) : structure(structure) {}
@@ -134,6 +150,7 @@ Solution minimise_elastic(const SharedProblem &problem,
   SecantShare secant(structure, law);
   // On the root.
   EnergyProgram program;
+  const DiscreteProblem *of_program = nullptr;
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
     if (newton.n_iterations() == n_elastic_before_doubt &&
@@ -144,8 +161,10 @@ Solution minimise_elastic(const SharedProblem &problem,
             // Of what friction hardly takes part in, it says more.
             const double error =
                 error_to_start_from * std::min(1., whole.largest_limit());
-            program = solve_energy_program(whole, elastic_costs(whole), error,
-                                           terminal);
+            program = solve_energy_program(
+                whole, elastic_costs(whole), error,
+                order.n_max_iterations - newton.n_iterations(), terminal);
+            of_program = &whole;
             program.u.resize(whole.n_dofs(), 0.);
             return program.u;
           });
@@ -165,6 +184,8 @@ Solution minimise_elastic(const SharedProblem &problem,
       minimise(problem, newton, {order.tolerance, order.n_max_iterations},
                advance, terminal);
   solution.n_iterations += program.n_iterations;
+  if (of_program)
+    balance_to_rounding(*of_program, solution);
   return solution;
 }
 } // namespace Voussoir

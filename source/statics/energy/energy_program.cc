@@ -51,7 +51,7 @@ public:
     forces.clear_held(program.dead);
   }
 
-  EnergyProgram find(double error);
+  EnergyProgram find(double error, unsigned int n_max_iterations);
 
 private:
   static bool has_smoothing(const std::vector<JointCost> &costs)
@@ -129,8 +129,10 @@ EnergySearch::collapse_near(const SelfDual::Point &point)
   return find_mechanism(problem, motion.u);
 }
 
-EnergyProgram EnergySearch::find(const double error)
+EnergyProgram EnergySearch::find(const double error,
+                                 const unsigned int n_max_iterations)
 {
+  const unsigned int n_max = std::min(n_max_of_energy, n_max_iterations);
   SelfDual search(forces, program);
   SelfDual::State state = SelfDual::State::running;
   EnergyProgram best;
@@ -139,7 +141,7 @@ EnergyProgram EnergySearch::find(const double error)
   double least_doubt = std::numeric_limits<double>::infinity(),
          last_growth = std::numeric_limits<double>::infinity();
   while (state == SelfDual::State::running && !(best.error <= error) &&
-         search.n_iterations() < n_max_of_energy && !best.mechanism)
+         search.n_iterations() < n_max && !best.mechanism)
   {
     state = search.step();
     terminal.iteration(
@@ -194,9 +196,10 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
 EnergyProgram solve_energy_program(const DiscreteProblem &problem,
                                    const std::vector<JointCost> &costs,
                                    const double error,
+                                   const unsigned int n_max_iterations,
                                    Terminal &terminal)
 {
-  return EnergySearch(problem, costs, terminal).find(error);
+  return EnergySearch(problem, costs, terminal).find(error, n_max_iterations);
 }
 
 Solution second_attempt(const DiscreteProblem &problem,
@@ -211,7 +214,9 @@ Solution second_attempt(const DiscreteProblem &problem,
   try
   {
     EnergyProgram found =
-        solve_energy_program(problem, costs, error_of_minimum, terminal);
+        solve_energy_program(problem, costs, error_of_minimum,
+                             controls.n_max_iterations - solution.n_iterations,
+                             terminal);
     solution.n_iterations += found.n_iterations;
     solution.n_evaluations += found.n_iterations;
     if (found.mechanism)

@@ -77,7 +77,8 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
     if (converge(problem, law, system, controls, terminal, start))
       return start;
     EnergyProgram program = solve_energy_program(
-        problem, smoothed_costs(problem, law), error_to_start_newton, terminal);
+        problem, smoothed_costs(problem, law), error_to_start_newton,
+        controls.n_max_iterations, terminal);
     start.n_iterations += program.n_iterations;
     start.mechanism = std::move(program.mechanism);
     if (start.mechanism || program.u.empty())

@@ -94,6 +94,8 @@ struct LoadFactorAnswer
    * not, as Mechanism::motion.
    */
   Motion collapse;
+  /** True if that is with any factor. */
+  bool collapses_with_any = false;
 };
 
 /**

@@ -4,8 +4,10 @@
 
 #include <voussoir/analyses/ranges/state_program.h>
 #include <voussoir/scene/proofs/force_function.h>
+#include <voussoir/statics/conic/feasible_state.h>
 
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -89,11 +91,15 @@ private:
                        const std::vector<double> &c,
                        const ForceFunction &function) const;
   bool is_ray(const std::vector<double> &x) const;
+  /** A state away from the limits, if there is one; safe on all threads. */
+  const std::optional<FactorState> &anchor() const;
 
   const Scene &scene;
   const DiscreteProblem problem;
   const RowProblem by_rows;
   double force;
+  mutable std::once_flag anchor_is_sought;
+  mutable std::optional<FactorState> of_anchor;
 };
 } // namespace Voussoir
 

@@ -5,6 +5,7 @@
 #include <voussoir/analyses/ranges/state_program.h>
 #include <voussoir/statics/conic/feasible_state.h>
 
+#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -17,11 +18,14 @@ namespace Voussoir
  *
  * @param problem has the rows, and the loads.
  * @param c one number for each row.
+ * @param anchor a state away from the limits, towards which states are moved
+ *   that rounding lets miss balance; or one is found on the way.
  * @param terminal sees the iterations.
  * @return the best state and motion that were found, or none.
  */
 StateProgram::Optimum greatest_force(const RowProblem &problem,
                                      const std::vector<double> &c,
+                                     std::optional<FactorState> anchor,
                                      Terminal &terminal);
 } // namespace Voussoir
 

@@ -70,8 +70,14 @@ struct NotCarried
   MechanismCertificate proof;
   /** The loads that drive the mechanism, the most work first. */
   std::vector<LoadPart> parts;
-  /** True if the live loads are none of them: a factor was looked for. */
-  bool of_dead_loads = false;
+  /** The loads that are not carried: where a factor is looked for the dead ones
+   * alone, or beside any factor of the live ones, which do no work. */
+  enum class Loads
+  {
+    all,
+    dead,
+    dead_beside_any
+  } loads = Loads::all;
 };
 
 /** One of the two answers. */

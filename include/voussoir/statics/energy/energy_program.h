@@ -61,11 +61,13 @@ struct EnergyProgram
  *   if blocks do not turn.
  * @param costs of each of its joints.
  * @param error to stop at; less can be had than is asked for.
+ * @param n_max_iterations that it may take.
  * @param terminal sees the iterations.
  */
 EnergyProgram solve_energy_program(const DiscreteProblem &problem,
                                    const std::vector<JointCost> &costs,
                                    double error,
+                                   unsigned int n_max_iterations,
                                    Terminal &terminal);
 
 /**
