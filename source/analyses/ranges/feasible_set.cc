@@ -17,8 +17,11 @@ namespace
 /** What proofs may leave to rounding. */
 constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
                  largest_width = 1e-9;
-/** The width of proofs by an interior point, which does not end in a vertex. */
-constexpr double largest_width_of_interior = 1e-8;
+/**
+ * The width of proofs by an interior point, which does not end in a vertex; the
+ * second where no simplex method can come closer, since sections crush.
+ */
+constexpr double largest_width_of_interior = 1e-8, largest_width_of_cones = 1e-6;
 /**
  * By how much a motion may close joints, over the jumps of the function, at
  * most one: of a motion without bound the errors that are relative to itself
@@ -183,7 +186,8 @@ FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
   if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
     return {};
   GreatestValue value = judged(optimum, c, function);
-  if (!is_proven(value, largest_width_of_interior))
+  if (!is_proven(value, are_polyhedral() ? largest_width_of_interior
+                                         : largest_width_of_cones))
     return {};
   return value;
 }

@@ -37,12 +37,21 @@ public:
               std::optional<FactorState> anchor,
               Terminal &terminal)
       : forces(problem.rows(), problem.forces().held_bodies()),
-        c(c), program{problem.loads()}, size(largest_component(program.dead)),
+        c(c), program{problem.loads()}, size(largest_component(program.dead) > 0.
+                                            ? largest_component(program.dead)
+                                            : 1.),
         terminal(terminal), anchor(std::move(anchor))
   {
     for (const double coefficient : c)
       program.cost.push_back(-coefficient);
     forces.clear_without_force(program.cost);
+    // Without loads no force is a state, and less than that of one is rounding.
+    if (!(largest_component(program.dead) > 0.))
+    {
+      best.x.assign(c.size(), 0.);
+      greatest = 0.;
+      least_gain = wanted(0.);
+    }
   }
 
   StateProgram::Optimum find();
@@ -69,7 +78,7 @@ private:
   ConicForces forces;
   const std::vector<double> &c;
   SelfDual::Program program;
-  /** The largest load. */
+  /** The largest load; without any the unit of forces. */
   const double size;
   Terminal &terminal;
   std::optional<FactorState> anchor;
@@ -77,6 +86,8 @@ private:
   /** Of the best state and of the best motion. */
   double greatest = -std::numeric_limits<double>::infinity(),
          least_bound = std::numeric_limits<double>::infinity();
+  /** By how much a state must have more to be better. */
+  double least_gain = 0.;
   StateProgram::Optimum best;
 };
 
@@ -98,7 +109,7 @@ void ForceSearch::look_near(const SelfDual::Point &point)
   if (state.residual > largest_residual_of_state && anchor)
     state = state_near(forces, program, point);
   if (const double of_state = dot(c, state.x);
-      state.residual <= largest_residual_of_state && of_state > greatest)
+      state.residual <= largest_residual_of_state && of_state > greatest + least_gain)
   {
     greatest = of_state;
     best.x = std::move(state.x);

@@ -229,8 +229,9 @@ FactorState state_near(ConicForces &forces,
   const double dead = largest_component(program.dead),
                live = largest_component(program.live);
   const auto residual = [&](const FactorState &state) {
+    const double loads = std::max(dead, std::abs(state.alpha) * live);
     return largest_component(missing(forces, program, state)) /
-           std::max(dead, std::abs(state.alpha) * live);
+           (loads > 0. ? loads : 1.);
   };
   FactorState best = {within_bounds(forces, point), point.alpha, 0.};
   if (anchor)

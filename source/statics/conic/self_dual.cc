@@ -28,13 +28,20 @@ constexpr double first_slack = 100.;
 constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
 constexpr double small_factor = 1e-3;
+
+/** The largest load, or the unit of forces if there is none. */
+double size_of(const SelfDual::Program &program)
+{
+  const double size = std::max(largest_component(program.dead),
+                               largest_component(program.live));
+  return size > 0. ? size : 1.;
+}
 } // namespace
 
 SelfDual::SelfDual(ConicForces &forces, Program program_in)
     : forces(forces), program(std::move(program_in)), limits(forces.limits()),
       n_bounds(forces.bounds().size()),
-      size_of_loads(std::max(
-          {largest_component(program.dead), largest_component(program.live)})),
+      size_of_loads(size_of(program)),
       least_mean(std::numeric_limits<double>::infinity())
 {
   start();
@@ -53,7 +60,7 @@ SelfDual::SelfDual(ConicForces &forces, Program program_in)
   else if (program.has_curvature)
     unit = 0.;
   else if (!program.cost.empty())
-    unit = size_of_loads > 0. ? size_of_loads : 1.;
+    unit = size_of_loads;
   judge();
 }
 

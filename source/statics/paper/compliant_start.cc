@@ -18,8 +18,14 @@ constexpr double residual_of_systems = 1e-2;
 constexpr unsigned int n_steps = 8;
 /** The error of the energy program that Newton's method starts from. */
 constexpr double error_to_start_newton = 1e-8;
+/** The error with which it is a start for Ipopt. */
+constexpr double largest_error_of_start = 1e-4;
 
-/** Take Newton's steps from a displacement, and keep it if they converge. */
+/**
+ * Take Newton's steps from a displacement, and keep it if they converge.
+ *
+ * @return true if they do, or find a mechanism.
+ */
 bool converge(const DiscreteProblem &problem,
               const SmoothedJoint &law,
               JointSystem &system,
@@ -34,9 +40,10 @@ bool converge(const DiscreteProblem &problem,
   };
   const NewtonControls of_newton = {
       controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
-  const bool converged =
-      minimise(SharedProblem(problem), newton, of_newton, advance, terminal)
-          .converged();
+  Solution solution =
+      minimise(SharedProblem(problem), newton, of_newton, advance, terminal);
+  const bool converged = solution.converged();
+  start.mechanism = std::move(solution.mechanism);
   if (converged)
   {
     // One more step: the forces are then those of the minimum to more digits
@@ -46,12 +53,12 @@ bool converge(const DiscreteProblem &problem,
     if (newton.imbalance() <= controls.tolerance)
       start.displacement = newton.u();
   }
-  if (converged)
+  if (converged || start.mechanism)
   {
     start.n_iterations += newton.n_iterations();
     start.n_evaluations += newton.n_evaluations();
   }
-  return converged;
+  return converged || start.mechanism;
 }
 } // namespace
 
@@ -79,9 +86,10 @@ CompliantStart compliant_start(const DiscreteProblem &problem,
     EnergyProgram program = solve_energy_program(
         problem, smoothed_costs(problem, law), error_to_start_newton,
         controls.n_max_iterations, terminal);
-    start.n_iterations += program.n_iterations;
     start.mechanism = std::move(program.mechanism);
-    if (start.mechanism || program.u.empty())
+    if (start.mechanism || program.error <= largest_error_of_start)
+      start.n_iterations += program.n_iterations;
+    if (start.mechanism || !(program.error <= largest_error_of_start))
       return start;
     start.displacement = std::move(program.u);
     converge(problem, law, system, controls, terminal, start);
