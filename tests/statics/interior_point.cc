@@ -81,8 +81,8 @@ void find_collapses(const std::string &name,
   };
   check_proof(find_collapse(problem, Terminal::silent()));
   for (const Method &method : {compliant, least_energy})
-    check_proof(solve_energy_program(problem, costs_of(problem, method), 1e-8, 100,
-                                     Terminal::silent())
+    check_proof(solve_energy_program(problem, costs_of(problem, method), 1e-8,
+                                     100, Terminal::silent())
                     .mechanism);
 }
 

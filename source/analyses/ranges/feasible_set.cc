@@ -21,7 +21,8 @@ constexpr double largest_error_of_state = 1e-9, largest_closing = 1e-9,
  * The width of proofs by an interior point, which does not end in a vertex; the
  * second where no simplex method can come closer, since sections crush.
  */
-constexpr double largest_width_of_interior = 1e-8, largest_width_of_cones = 1e-6;
+constexpr double largest_width_of_interior = 1e-8,
+                 largest_width_of_cones = 1e-6;
 /**
  * By how much a motion may close joints, over the jumps of the function, at
  * most one: of a motion without bound the errors that are relative to itself
@@ -181,7 +182,7 @@ std::optional<GreatestValue>
 FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
-  const StateProgram::Optimum optimum = 
+  const StateProgram::Optimum optimum =
       greatest_force(by_rows, c, anchor(), terminal);
   if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
     return {};

@@ -37,9 +37,10 @@ public:
               std::optional<FactorState> anchor,
               Terminal &terminal)
       : forces(problem.rows(), problem.forces().held_bodies()),
-        c(c), program{problem.loads()}, size(largest_component(program.dead) > 0.
-                                            ? largest_component(program.dead)
-                                            : 1.),
+        c(c), program{problem.loads()},
+        size(largest_component(program.dead) > 0.
+                 ? largest_component(program.dead)
+                 : 1.),
         terminal(terminal), anchor(std::move(anchor))
   {
     for (const double coefficient : c)
@@ -109,7 +110,8 @@ void ForceSearch::look_near(const SelfDual::Point &point)
   if (state.residual > largest_residual_of_state && anchor)
     state = state_near(forces, program, point);
   if (const double of_state = dot(c, state.x);
-      state.residual <= largest_residual_of_state && of_state > greatest + least_gain)
+      state.residual <= largest_residual_of_state &&
+      of_state > greatest + least_gain)
   {
     greatest = of_state;
     best.x = std::move(state.x);

@@ -108,7 +108,8 @@ double closing_of(const ConicForces &forces,
          std::max(largest_component(u), largest_component(program.cost));
 }
 
-/** The work of the live loads, over that of its terms, where it is to be none. */
+/** The work of the live loads, over that of its terms, where it is to be none.
+ */
 double error_of_work(const SelfDual::Program &program,
                      const std::vector<double> &u)
 {

@@ -40,8 +40,7 @@ double size_of(const SelfDual::Program &program)
 
 SelfDual::SelfDual(ConicForces &forces, Program program_in)
     : forces(forces), program(std::move(program_in)), limits(forces.limits()),
-      n_bounds(forces.bounds().size()),
-      size_of_loads(size_of(program)),
+      n_bounds(forces.bounds().size()), size_of_loads(size_of(program)),
       least_mean(std::numeric_limits<double>::infinity())
 {
   start();

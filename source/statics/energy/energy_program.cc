@@ -213,10 +213,9 @@ Solution second_attempt(const DiscreteProblem &problem,
     return solution;
   try
   {
-    EnergyProgram found =
-        solve_energy_program(problem, costs, error_of_minimum,
-                             controls.n_max_iterations - solution.n_iterations,
-                             terminal);
+    EnergyProgram found = solve_energy_program(
+        problem, costs, error_of_minimum,
+        controls.n_max_iterations - solution.n_iterations, terminal);
     solution.n_iterations += found.n_iterations;
     solution.n_evaluations += found.n_iterations;
     if (found.mechanism)
