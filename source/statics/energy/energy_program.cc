@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/energy_program.h>
@@ -133,6 +134,8 @@ EnergyProgram EnergySearch::find(const double error,
                                  const unsigned int n_max_iterations)
 {
   const unsigned int n_max = std::min(n_max_of_energy, n_max_iterations);
+  // What is not a number is no better.
+  const InvalidOperationsAllowed allowed;
   SelfDual search(forces, program);
   SelfDual::State state = SelfDual::State::running;
   EnergyProgram best;
