@@ -70,14 +70,15 @@ struct NotCarried
   MechanismCertificate proof;
   /** The loads that drive the mechanism, the most work first. */
   std::vector<LoadPart> parts;
-  /** The loads that are not carried: where a factor is looked for the dead ones
-   * alone, or beside any factor of the live ones, which do no work. */
+  /** The loads that are not carried. */
   enum class Loads
   {
-    all,
-    dead,
-    dead_beside_any
-  } loads = Loads::all;
+    all,            /**< of the scene */
+    dead,           /**< those that stay where a factor is looked for */
+    dead_beside_any /**< the same with any factor: live loads do no work */
+  };
+  /** These. */
+  Loads loads = Loads::all;
 };
 
 /** One of the two answers. */
