@@ -63,7 +63,7 @@ void check_proof()
     dissipation += of("strength") * of("length") * std::abs(sliding);
   }
   check_error("  jumps against displacements", inconsistency, 1e-15);
-  check_error("  closing of joints", closing, 1e-13);
+  check_error("  closing of joints", closing, 1e-14);
   check_error("  largest displacement less one", std::abs(largest - 1.), 1e-15);
 
   nlohmann::json summary;

@@ -24,7 +24,7 @@ void try_strength(const Method &method, const double strength)
     check("  work above dissipation", proof.work_over_dissipation > 1.);
     check_error("  ratio of work to dissipation, over the largest",
                 proof.work_over_dissipation * strength, 1. + 1e-9);
-    check_error("  closing of joints", proof.closing_violation, 1e-13);
+    check_error("  closing of joints", proof.closing_violation, 1e-14);
     check("  at most 30 evaluations", solution.n_evaluations <= 30);
     return;
   }
