@@ -249,6 +249,8 @@ SelfDual::State SelfDual::judge()
         ray != State::running)
       return ray;
   const double mean = mean_product();
+  if (!std::isfinite(error + mean))
+    return State::stalled;
   if (mean < progress * least_mean)
   {
     least_mean = mean;

@@ -132,11 +132,12 @@ bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
  */
 double open_joints(const DiscreteProblem &problem, std::vector<double> &v)
 {
-  if (largest_closing(problem, v) <= rounding_of_closing)
+  const double closing = largest_closing(problem, v);
+  if (closing == 0.)
     return 0.;
   const std::vector<double> &opening = opening_of(problem).displacement;
   if (opening.empty())
-    return keep_joints_closed(problem, v)
+    return closing <= rounding_of_closing || keep_joints_closed(problem, v)
                ? 0.
                : std::numeric_limits<double>::infinity();
 
