@@ -48,13 +48,14 @@ public:
   /** True if opening_of() has one; collective. */
   bool has_opening() const;
 
+  /** A search for a mechanism near a displacement of the whole. */
+  using Search = std::function<std::optional<Mechanism>(
+      const DiscreteProblem &, const std::vector<double> &)>;
   /**
    * Look for a mechanism by @p how on the root, as by find_mechanism() with all
    * of @p u; collective. There is one for all processes or for none; what it
    * is, the root knows.
    */
-  using Search = std::function<std::optional<Mechanism>(
-      const DiscreteProblem &, const std::vector<double> &)>;
   std::optional<Mechanism> search(const std::vector<double> &u,
                                   const Search &how) const;
 
