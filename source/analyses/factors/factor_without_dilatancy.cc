@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/analyses/factors/collapse_pair.h>
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
@@ -124,6 +125,14 @@ find_factor_without_dilatancy(const Scene &dead,
   if (!answer.factor || answer.factor->is_unbounded)
     return answer;
   LoadFactor &factor = *answer.factor;
+  {
+    const DiscreteProblem p(discretise(dead.is_loaded() ? dead : live));
+    std::vector<double> d = discretise_loads(p, dead), l = discretise_loads(p, live);
+    for (double &x : l) x *= factor.unit;
+    const std::optional<CollapsePair> pair = find_collapse_pair(p, d, l, factor_controls.greatest ? 1. : -1., nondimensional_forces(p, factor.forces), 5000, terminal);
+    if (pair) fprintf(stderr, "PAIR %.8g of %.8g : %.6f excess %g programmes %u its %u\n", pair->alpha * factor.unit, factor.carried, pair->alpha * factor.unit / factor.carried, pair->excess, pair->n_programmes, pair->n_iterations);
+    else fprintf(stderr, "PAIR none\n");
+  }
   StatesAtFactors states(dead, live, formulation, controls, terminal);
   if (!states.has_state(0.))
     throw SolverError("The load factor was not found: the loads in 'Loads' "

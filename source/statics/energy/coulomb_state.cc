@@ -65,7 +65,10 @@ private:
   bool solve(const std::vector<double> &limits);
   void iterate();
   void polish(const std::vector<double> &limits);
-  std::vector<double> own_limits() const;
+  std::vector<double> own_limits() const
+  {
+    return limits_of_coulomb(problem, state.forces);
+  }
 
   const DiscreteProblem &problem;
   const Formulation &formulation;
@@ -97,21 +100,6 @@ void FixedPoint::polish(const std::vector<double> &limits)
 {
   controls.tolerance = std::min(controls.tolerance, tolerance_of_last);
   solve(limits);
-}
-
-/** c_e |e| + mu_e p_e in the present state; tension takes from cohesion. */
-std::vector<double> FixedPoint::own_limits() const
-{
-  std::vector<double> limits;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const Structure::Joint &joint = problem.joints()[e];
-    const auto first = state.forces.begin() + problem.first_row(e);
-    const double normal =
-        std::accumulate(first, first + problem.n_contacts(e), 0.);
-    limits.push_back(std::max(joint.strength - joint.coefficient * normal, 0.));
-  }
-  return limits;
 }
 
 /** Repeat until the strengths are those of their own state. */
@@ -176,6 +164,22 @@ std::optional<Solution> FixedPoint::find()
   return std::move(state);
 }
 } // namespace
+
+std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
+                                      const std::vector<double> &forces)
+{
+  std::vector<double> limits;
+  limits.reserve(problem.joints().size());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const Structure::Joint &joint = problem.joints()[e];
+    const auto first = forces.begin() + problem.first_row(e);
+    const double normal =
+        std::accumulate(first, first + problem.n_contacts(e), 0.);
+    limits.push_back(std::max(joint.strength - joint.coefficient * normal, 0.));
+  }
+  return limits;
+}
 
 std::optional<Solution> CoulombState::find(const DiscreteProblem &problem,
                                            const SolverControls &controls,

@@ -6,9 +6,17 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
+/**
+ * The strengths c_e |e| + mu_e p_e that @p forces (of each row of each joint)
+ * give to the joints, nondimensional; tension takes from cohesion.
+ */
+std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
+                                      const std::vector<double> &forces);
+
 /**
  * The fixed point
  *
