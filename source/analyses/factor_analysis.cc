@@ -41,6 +41,9 @@ std::string description_without_dilatancy(const LoadFactor &factor)
   else
     words += "the only factor tried that has one";
   words += "; of others nothing is known, since no theorem holds";
+  if (factor.own_collapse)
+    words += "; with the strengths of its own forces it collapses, and the "
+             "mechanism is this one";
   return std::isfinite(factor.bound)
              ? text(words, "; ", text_to_copy(factor.bound),
                     " collapses, with it or without, which is proven")
@@ -57,8 +60,12 @@ Json summary_of(const LoadFactor &factor)
                {"unbounded", factor.is_unbounded}};
   if (factor.is_unbounded)
     json["forces_at"] = factor.carried;
-  if (factor.has_mechanism())
+  if (std::isfinite(factor.bound) && !factor.is_unbounded)
     json["closing_violation"] = factor.proof.closing_violation;
+  if (factor.own_collapse)
+    json["own_collapse"] = {
+        {"factor", factor.own_collapse->factor},
+        {"closing_violation", factor.own_collapse->closing_violation}};
   if (!factor.trials.empty())
     json["tried"] = {{"with_state", factor.trials.with_state},
                      {"without_state", factor.trials.without_state}};
@@ -157,7 +164,7 @@ SolverRecord record_of(const LoadFactor &factor, const CoulombState &coulomb)
   SolverRecord record;
   record.formulation = "load factor";
   record.selection =
-      factor.trials.empty()
+      factor.trials.empty() || factor.own_collapse
           ? "one of the states that carry the loads at the factor"
           : coulomb.selection();
   record.outcome = factor.stop.words();

@@ -49,32 +49,41 @@ public:
         terminal(terminal), before(forces)
   {}
 
-  std::optional<CollapsePair> find(unsigned int n_max_iterations);
+  CollapsePair find(unsigned int n_max_iterations);
 
 private:
   bool solve();
-  void go_on(const std::vector<double> &last_change);
-  std::vector<double> change() const;
+  /** What a programme maximises, without the cost. */
+  SelfDual::Program program_of(const RowProblem &by_rows) const
+  {
+    return {by_rows.loads(dead, true), by_rows.loads(live, false), sense};
+  }
+  double excess() const;
+  void take_step();
+  std::vector<double> motion() const;
 
   const DiscreteProblem &problem;
   const std::vector<double> &dead, &live;
   const double sense;
   Terminal &terminal;
-  /** The forces whose normal parts give the strengths. */
-  std::vector<double> before;
+  /** The forces whose normal parts give the strengths, and these. */
+  std::vector<double> before, limits;
+  /** The change of normal forces by the last programme. */
+  std::vector<double> last_change;
   double step = first_step;
+  SelfDual::Point last_point;
   CollapsePair pair;
 };
 
+/** Maximise with the strengths of the forces before. */
 bool PairSearch::solve()
 {
-  pair.limits = limits_of_coulomb(problem, before);
-  const DiscreteProblem of_tresca = problem.with_tresca(pair.limits);
+  limits = limits_of_coulomb(problem, before);
+  const DiscreteProblem of_tresca = problem.with_tresca(limits);
   RowProblem by_rows(of_tresca);
   const ForceRows &rows = by_rows.rows();
   std::vector<double> curvature(rows.n_all_rows(), 0.);
-  SelfDual::Program program = {by_rows.loads(dead, true),
-                               by_rows.loads(live, false), sense};
+  SelfDual::Program program = program_of(by_rows);
   program.cost.assign(curvature.size(), 0.);
   program.has_curvature = true;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
@@ -82,8 +91,7 @@ bool PairSearch::solve()
     {
       const unsigned int row = rows.first_row(e) + r;
       curvature[row] = cost_of_change / problem.contact_stiffness(e);
-      program.cost[row] =
-          -curvature[row] * before[problem.first_row(e) + r];
+      program.cost[row] = -curvature[row] * before[problem.first_row(e) + r];
     }
   ConicForces forces(rows, by_rows.forces().held_bodies(), curvature);
   forces.clear_without_force(program.cost);
@@ -112,74 +120,80 @@ bool PairSearch::solve()
     return false;
   pair.alpha = nearest.alpha;
   pair.forces = rows.forces_of(nearest.x);
+  last_point = std::move(nearest);
   return true;
 }
 
-/** Of the forces that were found from those before. */
-std::vector<double> PairSearch::change() const
+/** The motion of the last programme, whose cost has no gradient. */
+std::vector<double> PairSearch::motion() const
 {
-  std::vector<double> difference = pair.forces;
-  add(difference, -1., before);
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    difference[problem.first_row(e) + problem.n_contacts(e)] = 0.;
-  return difference;
+  const DiscreteProblem of_tresca = problem.with_tresca(limits);
+  RowProblem by_rows(of_tresca);
+  return by_rows.of_size_one(
+      mechanism_near(by_rows.forces(), program_of(by_rows), last_point).u);
 }
 
-/** Take the next step. */
-void PairSearch::go_on(const std::vector<double> &last_change)
+/** The largest difference of a strength from that of the forces found. */
+double PairSearch::excess() const
 {
-  const std::vector<double> now = change();
+  const std::vector<double> own = limits_of_coulomb(problem, pair.forces);
+  double largest = 0.;
+  for (std::size_t e = 0; e < own.size(); ++e)
+    largest = std::max(largest, std::abs(own[e] - limits[e]));
+  return largest / std::max(largest_component(dead), largest_component(live));
+}
+
+/** Move on from the forces before, along their change. */
+void PairSearch::take_step()
+{
+  std::vector<double> change = pair.forces;
+  add(change, -1., before);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    change[problem.first_row(e) + problem.n_contacts(e)] = 0.;
   if (!last_change.empty())
   {
-    std::vector<double> difference = now;
+    std::vector<double> difference = change;
     add(difference, -1., last_change);
     if (const double square = dot(difference, difference); square > 0.)
       step = std::clamp(-step * dot(last_change, difference) / square,
                         least_step, largest_step);
   }
-  add(before, step, now);
+  add(before, step, change);
+  last_change = std::move(change);
 }
 
-std::optional<CollapsePair>
-PairSearch::find(const unsigned int n_max_iterations)
+CollapsePair PairSearch::find(const unsigned int n_max_iterations)
 {
-  const double size = std::max(largest_component(dead), largest_component(live));
-  std::vector<double> last_change;
   double last_alpha = std::numeric_limits<double>::infinity();
   while (pair.n_programmes < n_max_programmes &&
-         pair.n_iterations < n_max_iterations)
+         pair.n_iterations < n_max_iterations && solve())
   {
-    if (!solve())
-      return {};
-    const std::vector<double> own = limits_of_coulomb(problem, pair.forces);
-    pair.excess = 0.;
-    for (std::size_t e = 0; e < own.size(); ++e)
-      pair.excess =
-          std::max(pair.excess, std::abs(own[e] - pair.limits[e]) / size);
-    terminal.iteration("Collapse", text("programme ", pair.n_programmes,
-                                        ", factor ", pair.alpha,
-                                        ", change ", pair.excess));
-    if (std::abs(pair.alpha - last_alpha) <=
-            smallest_change_of_factor * std::abs(pair.alpha) &&
-        pair.excess <= smallest_excess)
+    pair.excess = excess();
+    terminal.iteration(
+        "Collapse without dilatancy",
+        text("programme ", pair.n_programmes, ", change ", pair.excess));
+    pair.is_found = std::abs(pair.alpha - last_alpha) <=
+                        smallest_change_of_factor * std::abs(pair.alpha) &&
+                    pair.excess <= smallest_excess;
+    if (pair.is_found)
+    {
+      pair.u = motion();
       break;
+    }
     last_alpha = pair.alpha;
-    const std::vector<double> now = change();
-    go_on(last_change);
-    last_change = now;
+    take_step();
   }
   return std::move(pair);
 }
 } // namespace
 
-std::optional<CollapsePair>
-find_collapse_pair(const DiscreteProblem &problem,
-                   const std::vector<double> &dead,
-                   const std::vector<double> &live,
-                   const double sense,
-                   const std::vector<double> &forces,
-                   const unsigned int n_max_iterations,
-                   Terminal &terminal)
+CollapsePair find_collapse_pair(const DiscreteProblem &problem,
+                                const std::vector<double> &dead,
+                                const std::vector<double> &live,
+                                const double sense,
+                                const std::vector<double> &forces,
+                                const unsigned int n_max_iterations,
+                                Terminal &terminal)
 {
   return PairSearch(problem, dead, live, sense, forces, terminal)
       .find(n_max_iterations);

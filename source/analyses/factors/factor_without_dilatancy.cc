@@ -5,9 +5,11 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,8 +21,24 @@ namespace
 /** The distance of a factor with a state from one without, over the bound. */
 constexpr double smallest_width = 1e-6;
 
-/** The shares of the bound that are tried before the bisection. */
-constexpr unsigned int n_shares = 8;
+/**
+ * The factors that are tried, as shares: of a collapse that was found; of the
+ * way from there to the bound; of the bound, if none was found.
+ */
+const std::vector<double> shares_of_collapse = {
+    0., 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9, 0.99};
+const std::vector<double> shares_of_way = {0.25, 0.5, 0.75, 1.};
+const std::vector<double> shares_of_bound = {0.,    0.125, 0.25,  0.375, 0.5,
+                                             0.625, 0.75,  0.875, 1.};
+
+/** The iterations of all programmes of a collapse, over those of a solver. */
+constexpr unsigned int n_times_of_collapse = 10;
+/** The closing of its motion that is rounding, over its size. */
+constexpr double largest_closing_of_collapse = 1e-10;
+/** The difference of what it proves from its factor, over the bound. */
+constexpr double largest_error_of_collapse = 1e-7;
+/** The imbalance of its forces that is rounding. */
+constexpr double largest_imbalance = 1e-11;
 
 /** The search for states at factors of the live loads; see CoulombState. */
 class StatesAtFactors
@@ -30,73 +48,170 @@ public:
                   const Scene &live,
                   const CoulombState &formulation,
                   const SolverControls &controls,
+                  const double sense,
                   Terminal &terminal)
-      : problem(discretise(dead.is_loaded() ? dead : live)),
+      : dead_scene(dead), live_scene(live),
+        problem(discretise(dead.is_loaded() ? dead : live)),
         dead(discretise_loads(problem, dead)),
         live(discretise_loads(problem, live)), formulation(formulation),
-        controls(controls), terminal(terminal)
+        controls(controls), sense(sense), terminal(terminal)
   {}
 
-  /** Look for a state at @p factor, and keep it if there is one. */
-  bool has_state(double factor);
-  /** Look at shares of @p bound, and then beside the greatest with a state. */
-  double find_greatest(double bound);
-  /** The factors that were looked at so far. */
-  FactorTrials trials() const;
-
-  const DiscreteProblem problem;
-  /** The last state. */
-  std::optional<Solution> found;
-  unsigned int n_iterations = 0;
+  /** Put what was found in the place of the factor with dilatancy. */
+  void find(LoadFactor &factor);
 
 private:
+  std::vector<double> loads_at(double factor) const
+  {
+    std::vector<double> loads = dead;
+    add(loads, factor, live);
+    return loads;
+  }
+  std::vector<double> forces_near(double factor) const;
+  bool has_state(double factor);
+  void look_at(double from, double to, const std::vector<double> &shares);
+  void look_beside(double bound);
+  void find_collapse(const LoadFactor &factor);
+  FactorTrials trials() const;
+
+  const Scene &dead_scene, &live_scene;
+  const DiscreteProblem problem;
   const std::vector<double> dead, live;
   const CoulombState &formulation;
   SolverControls controls;
+  const double sense;
   Terminal &terminal;
+  /** Those tried, in any order. */
   std::vector<double> with_state, without_state;
+  /** The last state that was found. */
+  double last_factor = 0.;
+  Solution last;
+  /** The state of the greatest factor that has one. */
+  double greatest = -sense * std::numeric_limits<double>::infinity();
+  std::optional<Solution> found;
+  unsigned int n_iterations = 0;
+  /** The collapse, if one was found. */
+  std::optional<FactorBound> collapse;
+  InterfaceForces collapse_forces;
+  Motion motion;
 };
 
+/**
+ * Admissible forces that balance the loads at @p factor: between those of the
+ * last state and of the greatest factor.
+ */
+std::vector<double> StatesAtFactors::forces_near(const double factor) const
+{
+  if (!found || last.forces.empty() || greatest == last_factor)
+    return {};
+  const double share = (factor - last_factor) / (greatest - last_factor);
+  if (!(share > 0. && share < 1.))
+    return {};
+  std::vector<double> forces(last.forces.size(), 0.);
+  add(forces, 1. - share, last.forces);
+  add(forces, share, found->forces);
+  return forces;
+}
+
+/** Look for a state, and keep it if it is that of the greatest factor. */
 bool StatesAtFactors::has_state(const double factor)
 {
-  std::vector<double> loads = dead;
-  add(loads, factor, live);
-  const DiscreteProblem at_factor = problem.with_loads(loads);
-  controls.start = found ? &*found : nullptr;
+  const DiscreteProblem at_factor = problem.with_loads(loads_at(factor));
+  controls.start = last.u.empty() ? nullptr : &last;
   std::string failure;
-  std::optional<Solution> state =
-      formulation.find(at_factor, controls, failure, terminal);
-  terminal.iteration(
-      "Load factor",
-      text("factor ", factor, ": ",
-           state ? text(state->passes.n, " passes") : "no state, " + failure));
-  (state ? with_state : without_state).push_back(factor);
-  if (!state)
+  Solution state = formulation.find(at_factor, controls, forces_near(factor),
+                                    failure, terminal);
+  n_iterations += state.n_iterations;
+  terminal.iteration("Load factor",
+                     text("factor ", factor, ": ",
+                          state.converged() ? text(state.passes.n, " passes")
+                          : state.mechanism ? "collapse"
+                                            : "no state, " + failure));
+  (state.converged() ? with_state : without_state).push_back(factor);
+  if (!state.converged())
     return false;
-  n_iterations += state->n_iterations;
-  found = std::move(state);
+  last_factor = factor;
+  last = std::move(state);
+  if (!found || sense * (factor - greatest) > 0.)
+  {
+    greatest = factor;
+    found = last;
+  }
   return true;
 }
 
-double StatesAtFactors::find_greatest(const double bound)
+void StatesAtFactors::look_at(const double from,
+                              const double to,
+                              const std::vector<double> &shares)
 {
-  if (bound == 0.)
-    return 0.;
-  const auto share = [bound](const unsigned int k) {
-    return bound * k / n_shares;
-  };
-  unsigned int greatest = 0;
-  for (unsigned int k = 1; k <= n_shares; ++k)
-    if (has_state(share(k)))
-      greatest = k;
-  double carried = share(greatest);
-  double beyond = share(std::min(greatest + 1, n_shares));
-  while (std::abs(beyond - carried) > smallest_width * std::abs(bound))
-  {
-    const double middle = 0.5 * (carried + beyond);
-    (has_state(middle) ? carried : beyond) = middle;
-  }
-  return carried;
+  for (const double share : shares)
+    has_state(from + share * (to - from));
+}
+
+/** Bisect between the greatest factor with a state and the next one. */
+void StatesAtFactors::look_beside(const double bound)
+{
+  double beyond = bound;
+  for (const double factor : without_state)
+    if (sense * (factor - greatest) > 0. && sense * (beyond - factor) > 0.)
+      beyond = factor;
+  while (std::abs(beyond - greatest) > smallest_width * std::abs(bound))
+    if (const double middle = 0.5 * (greatest + beyond); !has_state(middle))
+      beyond = middle;
+}
+
+/** The scene with Tresca's friction and the strengths of @p forces. */
+Scene with_own_strengths(Scene scene, const InterfaceForces &forces)
+{
+  for (unsigned int e = 0; e < scene.strength.size(); ++e)
+    scene.strength[e] =
+        std::max(scene.strength[e] - scene.coefficient[e] * forces.normal[e] /
+                                         scene.packing.interfaces()[e].length,
+                 0.);
+  scene.coefficient.clear();
+  scene.dilates = true;
+  return scene;
+}
+
+/** Find a collapse from the forces at the factor with dilatancy. */
+void StatesAtFactors::find_collapse(const LoadFactor &factor)
+{
+  std::vector<double> live_of_size_one = live;
+  for (double &load : live_of_size_one)
+    load *= factor.unit;
+  CollapsePair pair = find_collapse_pair(
+      problem, dead, live_of_size_one, sense,
+      nondimensional_forces(problem, factor.forces),
+      n_times_of_collapse * controls.n_max_iterations, terminal);
+  n_iterations += pair.n_iterations;
+  if (!pair.is_found)
+    return;
+  const double alpha = pair.alpha * factor.unit;
+  Solution state;
+  const DiscreteProblem at_factor = problem.with_loads(loads_at(alpha));
+  state.forces = equilibrate(at_factor, pair.forces, slack_beside_changes);
+  state.stop = Stop::Reason::converged;
+  collapse_forces = dimensional_forces(problem, state);
+  Motion found_motion = dimensional_motion(problem, pair.u, 1.);
+  const FactorBound proof =
+      bound_of_factor(with_own_strengths(dead_scene, collapse_forces),
+                      live_scene, found_motion);
+  terminal.iteration("Collapse without dilatancy",
+                     text("factor ", alpha, ", ", pair.n_programmes,
+                          " programmes, its motion proves it to ",
+                          std::abs(proof.factor - alpha)));
+  if (!(proof.closing_violation <= largest_closing_of_collapse &&
+        sense * proof.live_work > 0. &&
+        std::abs(proof.factor - alpha) <=
+            largest_error_of_collapse * std::abs(factor.bound) &&
+        largest_component(imbalance(at_factor, state.forces)) <=
+            largest_imbalance))
+    return;
+  collapse = proof;
+  motion = std::move(found_motion);
+  with_state.push_back(alpha);
+  greatest = alpha;
+  found = std::move(state);
 }
 
 FactorTrials StatesAtFactors::trials() const
@@ -108,6 +223,43 @@ FactorTrials StatesAtFactors::trials() const
                 return std::abs(a) < std::abs(b);
               });
   return sorted;
+}
+
+void StatesAtFactors::find(LoadFactor &factor)
+{
+  // A factor that is not known well may have states beyond it.
+  const double bound = factor.has_mechanism() && factor.width() > smallest_width
+                           ? factor.bound
+                           : factor.carried;
+  find_collapse(factor);
+  const double of_collapse = greatest;
+  if (collapse)
+  {
+    look_at(0., of_collapse, shares_of_collapse);
+    if (sense * (bound - of_collapse) > smallest_width * std::abs(bound))
+      look_at(of_collapse, bound, shares_of_way);
+  }
+  else if (bound != 0.)
+    look_at(0., bound, shares_of_bound);
+  else
+    has_state(0.);
+  if (!found)
+    throw SolverError("The load factor was not found: no factor that was tried "
+                      "has a state with Coulomb's friction. Look at the loads "
+                      "in 'Loads' with 'Analysis = state', or set "
+                      "'Friction/Law = associated Coulomb'.");
+  if (!collapse || greatest != of_collapse)
+    look_beside(bound);
+  if (collapse && greatest == of_collapse)
+  {
+    factor.own_collapse = collapse;
+    factor.mechanism = std::move(motion);
+  }
+  factor.carried = greatest;
+  factor.trials = trials();
+  factor.passes = found->passes;
+  factor.n_iterations += n_iterations;
+  factor.forces = dimensional_forces(problem, *found);
 }
 } // namespace
 
@@ -122,32 +274,10 @@ find_factor_without_dilatancy(const Scene &dead,
   LoadFactorAnswer answer =
       find_load_factor(dead, live, factor_controls, terminal);
   // Where pressure alone balances the live loads there is nothing to look for.
-  if (!answer.factor || answer.factor->is_unbounded)
-    return answer;
-  LoadFactor &factor = *answer.factor;
-  {
-    const DiscreteProblem p(discretise(dead.is_loaded() ? dead : live));
-    std::vector<double> d = discretise_loads(p, dead), l = discretise_loads(p, live);
-    for (double &x : l) x *= factor.unit;
-    const std::optional<CollapsePair> pair = find_collapse_pair(p, d, l, factor_controls.greatest ? 1. : -1., nondimensional_forces(p, factor.forces), 5000, terminal);
-    if (pair) fprintf(stderr, "PAIR %.8g of %.8g : %.6f excess %g programmes %u its %u\n", pair->alpha * factor.unit, factor.carried, pair->alpha * factor.unit / factor.carried, pair->excess, pair->n_programmes, pair->n_iterations);
-    else fprintf(stderr, "PAIR none\n");
-  }
-  StatesAtFactors states(dead, live, formulation, controls, terminal);
-  if (!states.has_state(0.))
-    throw SolverError("The load factor was not found: the loads in 'Loads' "
-                      "alone have no state with Coulomb's friction. Look at "
-                      "them with 'Analysis = state', or set 'Friction/Law = "
-                      "associated Coulomb'.");
-  // A factor that is not known well may have states beyond it.
-  factor.carried = states.find_greatest(factor.has_mechanism() &&
-                                                factor.width() > smallest_width
-                                            ? factor.bound
-                                            : factor.carried);
-  factor.trials = states.trials();
-  factor.passes = states.found->passes;
-  factor.n_iterations += states.n_iterations;
-  factor.forces = dimensional_forces(states.problem, *states.found);
+  if (answer.factor && !answer.factor->is_unbounded)
+    StatesAtFactors(dead, live, formulation, controls,
+                    factor_controls.greatest ? 1. : -1., terminal)
+        .find(*answer.factor);
   return answer;
 }
 } // namespace Voussoir

@@ -28,8 +28,6 @@ constexpr double small_change = 1e-12;
 constexpr double acceptable_change = 1e-8;
 /** The imbalance of the last pass; others have that of the solver. */
 constexpr double tolerance_of_last = 1e-13;
-/** The distance from a limit, nondimensional, that no change uses up. */
-constexpr double slack_beside_changes = 1e-3;
 constexpr unsigned int n_patience_of_limits = 10;
 constexpr unsigned int n_max_passes = 200, n_max_retreats = 8;
 
@@ -47,8 +45,8 @@ public:
     this->controls.equilibrate = false;
   }
 
-  /** The state, or none. */
-  std::optional<Solution> find();
+  /** The state, or none, from the state of some strengths. */
+  std::optional<Solution> find(const std::vector<double> &limits);
   /** Why there is none. */
   std::string failure() const { return reason; }
 
@@ -143,11 +141,11 @@ void FixedPoint::iterate()
                 " of the largest force");
 }
 
-std::optional<Solution> FixedPoint::find()
+std::optional<Solution> FixedPoint::find(const std::vector<double> &limits)
 {
-  if (!solve(std::vector<double>(problem.joints().size(), ample_strength)))
+  if (!solve(limits))
   {
-    reason = "joints that do not slide carry nothing";
+    reason = "the strengths that it starts from carry nothing";
     return {};
   }
   iterate();
@@ -181,15 +179,39 @@ std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
   return limits;
 }
 
-std::optional<Solution> CoulombState::find(const DiscreteProblem &problem,
-                                           const SolverControls &controls,
-                                           std::string &failure,
-                                           Terminal &terminal) const
+Solution CoulombState::find(const DiscreteProblem &problem,
+                            const SolverControls &controls,
+                            const std::vector<double> &start,
+                            std::string &failure,
+                            Terminal &terminal) const
 {
-  FixedPoint passes(problem, of_passes, controls, terminal);
-  std::optional<Solution> found = passes.find();
-  failure = passes.failure();
-  return found;
+  const auto from = [&](const std::vector<double> &limits) {
+    FixedPoint passes(problem, of_passes, controls, terminal);
+    std::optional<Solution> found = passes.find(limits);
+    failure = passes.failure();
+    return found;
+  };
+  if (std::optional<Solution> found =
+          from(std::vector<double>(problem.joints().size(), ample_strength)))
+    return std::move(*found);
+  if (!start.empty())
+    if (std::optional<Solution> found = from(limits_of_coulomb(problem, start)))
+      return std::move(*found);
+  // Forces that are admitted are so whether blocks dilate or not: if there are
+  // none, the mechanism of those that do is a proof; if there are, their
+  // strengths carry the loads.
+  Solution any =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  if (!any.converged())
+    return any;
+  if (std::optional<Solution> found =
+          from(limits_of_coulomb(problem, any.forces)))
+    return std::move(*found);
+  failure +=
+      ". Forces that friction admits balance the loads; but where blocks "
+      "slide without lifting, no theorem says that such loads are "
+      "carried";
+  return {};
 }
 
 Solution CoulombState::select(const DiscreteProblem &problem,
@@ -197,26 +219,14 @@ Solution CoulombState::select(const DiscreteProblem &problem,
                               Terminal &terminal) const
 {
   std::string failure;
-  if (std::optional<Solution> found =
-          find(problem, controls, failure, terminal))
-  {
-    if (!found->selection.empty())
-      found->selection = selection_with(found->selection);
-    return std::move(*found);
-  }
-  // Forces that are admitted are so whether blocks dilate or not: if there are
-  // none, the mechanism of those that do is a proof.
-  Solution any =
-      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
-  if (any.mechanism)
-    return any;
-  throw SolverError(text(
-      "No state with Coulomb's friction was found: ", failure,
-      any.converged() ? ". Forces that friction admits balance the loads; but "
-                        "where blocks slide without lifting, no theorem says "
-                        "that such loads are carried"
-                      : "",
-      ". Take smaller loads, or set 'Friction/Law = associated "
-      "Coulomb'."));
+  Solution found = find(problem, controls, {}, failure, terminal);
+  if (!found.converged() && !found.mechanism)
+    throw SolverError(
+        text("No state with Coulomb's friction was found: ", failure,
+             ". Take smaller loads, or set 'Friction/Law = associated "
+             "Coulomb'."));
+  if (!found.selection.empty())
+    found.selection = selection_with(found.selection);
+  return found;
 }
 } // namespace Voussoir

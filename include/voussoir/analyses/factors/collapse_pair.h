@@ -5,7 +5,6 @@
 #include <voussoir/statics/problem/discrete_problem.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <optional>
 #include <vector>
 
 namespace Voussoir
@@ -22,13 +21,18 @@ namespace Voussoir
 struct CollapsePair
 {
   /** The factor. */
-  double alpha;
+  double alpha = 0.;
   /** Of each row of each joint, nondimensional. */
   std::vector<double> forces;
-  /** The strengths, one for each joint, nondimensional. */
-  std::vector<double> limits;
-  /** By how much they differ from those of the forces at most. */
-  double excess;
+  /** The motion, n_dofs() numbers, of which the largest is one. */
+  std::vector<double> u;
+  /**
+   * The largest difference of a strength from that which the forces give, over
+   * the largest load.
+   */
+  double excess = 0.;
+  /** True if it is one; otherwise the sequence has not ended there. */
+  bool is_found = false;
   /** The number of programmes. */
   unsigned int n_programmes = 0;
   /** The number of iterations in them. */
@@ -37,14 +41,15 @@ struct CollapsePair
 
 /**
  * Find a collapse by a sequence of programmes with Tresca's friction, of which
- * each has the strengths that the normal forces of the one before give: Gilbert,
- * Casapulla and Ahmed, *Computers and Structures* 84 (2006), 873. Of many optima
- * each takes the one whose normal forces are closest to those before, by
+ * each has the strengths that the normal forces of the one before give:
+ * Gilbert, Casapulla and Ahmed, *Computers and Structures* 84 (2006), 873. Of
+ * many optima each takes the one whose normal forces are closest to those
+ * before, by
  *
  *     maximise  sense alpha - delta sum_e c_e^n sum_k (p_k - p_k^0)^2 / 2,
  *
- * whose last term vanishes where the sequence ends; steps are those of Irons and
- * Tuck.
+ * whose last term vanishes where the sequence ends; steps are those of Irons
+ * and Tuck.
  *
  * @param problem with coefficients of friction.
  * @param dead, live the loads, n_dofs() numbers, of about one size.
@@ -52,16 +57,14 @@ struct CollapsePair
  * @param forces of each row of each joint to start from.
  * @param n_max_iterations in all programmes together.
  * @param terminal sees the programmes.
- * @return nothing if a programme has no answer.
  */
-std::optional<CollapsePair>
-find_collapse_pair(const DiscreteProblem &problem,
-                   const std::vector<double> &dead,
-                   const std::vector<double> &live,
-                   double sense,
-                   const std::vector<double> &forces,
-                   unsigned int n_max_iterations,
-                   Terminal &terminal);
+CollapsePair find_collapse_pair(const DiscreteProblem &problem,
+                                const std::vector<double> &dead,
+                                const std::vector<double> &live,
+                                double sense,
+                                const std::vector<double> &forces,
+                                unsigned int n_max_iterations,
+                                Terminal &terminal);
 } // namespace Voussoir
 
 #endif

@@ -8,11 +8,14 @@
 namespace Voussoir
 {
 /**
- * Find the greatest factor at which CoulombState has a state, among those that
- * are tried: eighths of the factor of associated friction, which bounds it, and
- * then by bisection between the greatest of them with a state and the next one.
- * Forces that friction admits are the same whether blocks dilate or not, so
- * that beyond the bound there is nothing to be found.
+ * Find a factor at which the loads are carried, and blocks that slide without
+ * lifting collapse: that of find_collapse_pair(), from the forces at the factor
+ * of associated friction. States of CoulombState are looked for at shares of
+ * it, and between it and the factor of associated friction, beyond which there
+ * is nothing to be found: forces that friction admits are the same whether
+ * blocks dilate or not. Where one of these has a state, or no collapse is
+ * found, it is the greatest factor with a state among those that are tried, the
+ * last of them by bisection.
  *
  * A state proves nothing but itself: no theorem says that such loads cannot
  * move the blocks, that a greater factor has no other state, or that a smaller
@@ -24,8 +27,9 @@ namespace Voussoir
  * @param controls of both methods.
  * @param factor_controls of the search for the bound.
  * @param terminal sees the iterations.
- * @return LoadFactor::bound and its mechanism by the associated friction; if
- *   LoadFactor::trials is empty, all of it, since there was nothing to try.
+ * @return LoadFactor::bound by the associated friction, and its mechanism, if
+ *   there is none of LoadFactor::own_collapse; if LoadFactor::trials is empty,
+ *   all of it, since there was nothing to try.
  * @throws InputError, SolverError as find_load_factor() does, or if there is no
  *   state at all.
  */

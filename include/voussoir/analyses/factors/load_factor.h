@@ -62,6 +62,12 @@ struct LoadFactor
   /** Of find_factor_without_dilatancy(). */
   Passes passes = {};
   FactorTrials trials = {};
+  /**
+   * What the mechanism proves for Tresca's friction with the strengths that the
+   * forces at `carried` give, where they collapse without dilatancy; then
+   * `mechanism` is this one, and not that of `bound`.
+   */
+  std::optional<FactorBound> own_collapse = {};
   /** @} */
   /** The number of iterations. */
   unsigned int n_iterations = 0;

@@ -11,6 +11,12 @@
 namespace Voussoir
 {
 /**
+ * The distance from a limit, as in equilibrate(), that no change of strengths
+ * uses up where they are nearly their own.
+ */
+inline constexpr double slack_beside_changes = 1e-3;
+
+/**
  * The strengths c_e |e| + mu_e p_e that @p forces (of each row of each joint)
  * give to the joints, nondimensional; tension takes from cohesion.
  */
@@ -52,14 +58,17 @@ public:
    *
    * @param problem with coefficients of friction.
    * @param controls of each pass.
-   * @param failure says why there is none.
+   * @param start forces whose strengths are tried as well; possibly empty.
+   * @param failure says why there is neither.
    * @param terminal sees the passes.
-   * @return the state, if it was found.
+   * @return the state, if it has converged(); the mechanism, if no admissible
+   *   forces balance the loads; or neither.
    */
-  std::optional<Solution> find(const DiscreteProblem &problem,
-                               const SolverControls &controls,
-                               std::string &failure,
-                               Terminal &terminal) const;
+  Solution find(const DiscreteProblem &problem,
+                const SolverControls &controls,
+                const std::vector<double> &start,
+                std::string &failure,
+                Terminal &terminal) const;
 
 private:
   static std::string selection_with(const std::string &of_passes)
