@@ -27,23 +27,26 @@ std::string description_without_dilatancy(const LoadFactor &factor)
                                             trials.with_state.end(), smaller);
   const unsigned int n_without = std::count_if(
       trials.without_state.begin(), trials.without_state.end(), smaller);
-  std::string words =
-      text(text_to_copy(factor.carried), " has a state without dilatancy, ");
-  if (n_without > 0)
-    words += text(
-        "but of ", n_with + n_without, " smaller factors tried ", n_without,
-        n_without > 1 ? " have none, the least of them " : " has none, ",
-        text_to_copy(trials.without_state.front()));
-  else if (n_with > 0)
-    words += n_with > 1
-                 ? text("and so have the ", n_with, " smaller factors tried")
-                 : "and so has the one smaller factor tried";
-  else
-    words += "the only factor tried that has one";
-  words += "; of others nothing is known, since no theorem holds";
+  const std::string without =
+      text("of ", n_with + n_without, " smaller factors tried ", n_without,
+           n_without > 1 ? " have none, the least of them " : " has none, ",
+           n_without > 0 ? text_to_copy(trials.without_state.front()) : "");
+  std::string words = text_to_copy(factor.carried);
   if (factor.own_collapse)
-    words += "; with the strengths of its own forces it collapses, and the "
-             "mechanism is this one";
+    words += text(
+        " is a collapse without dilatancy, by its own forces and mechanism, ",
+        n_without > 0
+            ? "and no factor up to which states are known: " + without
+            : text("and the ", n_with, " smaller factors tried have states"));
+  else if (n_without > 0)
+    words += " has a state without dilatancy, but " + without;
+  else
+    words += text(
+        " has a state without dilatancy, ",
+        n_with > 1 ? text("and so have the ", n_with, " smaller factors tried")
+        : n_with == 1 ? "and so has the one smaller factor tried"
+                      : "the only factor tried that has one");
+  words += "; of others nothing is known, since no theorem holds";
   return std::isfinite(factor.bound)
              ? text(words, "; ", text_to_copy(factor.bound),
                     " collapses, with it or without, which is proven")

@@ -81,10 +81,12 @@ def main():
            max(without) > 0.999 * factor["bound"])
 
     meaning = factor["meaning"]
-    expect("it is called a state", "has a state without dilatancy" in meaning)
+    expect("it is called a collapse",
+           "is a collapse without dilatancy" in meaning, meaning)
     n = len(smaller) + sum(x < carried for x in with_state)
-    said = f"and so have the {n} smaller factors tried" if not smaller else \
-        f"but of {n} smaller factors tried {len(smaller)} ha"
+    said = f"and the {n} smaller factors tried have states" if not smaller \
+        else "and no factor up to which states are known: " \
+        f"of {n} smaller factors tried {len(smaller)} ha"
     expect("what was tried is counted", said in meaning, meaning)
     for words in ("of others nothing is known", "collapses, with it or without,"
                   " which is proven"):
@@ -92,6 +94,12 @@ def main():
     expect("the terminal has it", meaning in found.stdout, found.stdout)
     page = unescape((RESULTS / "report.html").read_text())
     expect("the report has it", meaning in page)
+
+    own = factor["own_collapse"]
+    expect("its mechanism is the one that is written",
+           abs(own["factor"] - carried) < 1e-6 * carried and
+           own["closing_violation"] < 1e-11 and
+           (RESULTS / "mechanism.csv").exists(), own)
 
     # Close to the limit a state from the one beside may be found, or not.
     far = [x for x in with_state if x < 0.9 * carried][1:]

@@ -36,7 +36,7 @@ constexpr unsigned int n_times_of_collapse = 10;
 /** The closing of its motion that is rounding, over its size. */
 constexpr double largest_closing_of_collapse = 1e-10;
 /** The difference of what it proves from its factor, over the bound. */
-constexpr double largest_error_of_collapse = 1e-7;
+constexpr double largest_error_of_collapse = 1e-4;
 /** The imbalance of its forces that is rounding. */
 constexpr double largest_imbalance = 1e-11;
 
@@ -67,7 +67,6 @@ private:
     add(loads, factor, live);
     return loads;
   }
-  std::vector<double> forces_near(double factor) const;
   bool has_state(double factor);
   void look_at(double from, double to, const std::vector<double> &shares);
   void look_beside(double bound);
@@ -78,49 +77,26 @@ private:
   const DiscreteProblem problem;
   const std::vector<double> dead, live;
   const CoulombState &formulation;
-  SolverControls controls;
+  const SolverControls &controls;
   const double sense;
   Terminal &terminal;
   /** Those tried, in any order. */
   std::vector<double> with_state, without_state;
-  /** The last state that was found. */
-  double last_factor = 0.;
-  Solution last;
   /** The state of the greatest factor that has one. */
   double greatest = -sense * std::numeric_limits<double>::infinity();
   std::optional<Solution> found;
   unsigned int n_iterations = 0;
   /** The collapse, if one was found. */
   std::optional<FactorBound> collapse;
-  InterfaceForces collapse_forces;
   Motion motion;
 };
-
-/**
- * Admissible forces that balance the loads at @p factor: between those of the
- * last state and of the greatest factor.
- */
-std::vector<double> StatesAtFactors::forces_near(const double factor) const
-{
-  if (!found || last.forces.empty() || greatest == last_factor)
-    return {};
-  const double share = (factor - last_factor) / (greatest - last_factor);
-  if (!(share > 0. && share < 1.))
-    return {};
-  std::vector<double> forces(last.forces.size(), 0.);
-  add(forces, 1. - share, last.forces);
-  add(forces, share, found->forces);
-  return forces;
-}
 
 /** Look for a state, and keep it if it is that of the greatest factor. */
 bool StatesAtFactors::has_state(const double factor)
 {
   const DiscreteProblem at_factor = problem.with_loads(loads_at(factor));
-  controls.start = last.u.empty() ? nullptr : &last;
   std::string failure;
-  Solution state = formulation.find(at_factor, controls, forces_near(factor),
-                                    failure, terminal);
+  Solution state = formulation.find(at_factor, controls, failure, terminal);
   n_iterations += state.n_iterations;
   terminal.iteration("Load factor",
                      text("factor ", factor, ": ",
@@ -130,12 +106,10 @@ bool StatesAtFactors::has_state(const double factor)
   (state.converged() ? with_state : without_state).push_back(factor);
   if (!state.converged())
     return false;
-  last_factor = factor;
-  last = std::move(state);
   if (!found || sense * (factor - greatest) > 0.)
   {
     greatest = factor;
-    found = last;
+    found = std::move(state);
   }
   return true;
 }
@@ -182,6 +156,7 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   CollapsePair pair = find_collapse_pair(
       problem, dead, live_of_size_one, sense,
       nondimensional_forces(problem, factor.forces),
+      factor.carried / factor.unit,
       n_times_of_collapse * controls.n_max_iterations, terminal);
   n_iterations += pair.n_iterations;
   if (!pair.is_found)
@@ -191,11 +166,10 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   const DiscreteProblem at_factor = problem.with_loads(loads_at(alpha));
   state.forces = equilibrate(at_factor, pair.forces, slack_beside_changes);
   state.stop = Stop::Reason::converged;
-  collapse_forces = dimensional_forces(problem, state);
+  const InterfaceForces forces = dimensional_forces(problem, state);
   Motion found_motion = dimensional_motion(problem, pair.u, 1.);
-  const FactorBound proof =
-      bound_of_factor(with_own_strengths(dead_scene, collapse_forces),
-                      live_scene, found_motion);
+  const FactorBound proof = bound_of_factor(
+      with_own_strengths(dead_scene, forces), live_scene, found_motion);
   terminal.iteration("Collapse without dilatancy",
                      text("factor ", alpha, ", ", pair.n_programmes,
                           " programmes, its motion proves it to ",
@@ -231,7 +205,8 @@ void StatesAtFactors::find(LoadFactor &factor)
   const double bound = factor.has_mechanism() && factor.width() > smallest_width
                            ? factor.bound
                            : factor.carried;
-  find_collapse(factor);
+  if (bound != 0.)
+    find_collapse(factor);
   const double of_collapse = greatest;
   if (collapse)
   {

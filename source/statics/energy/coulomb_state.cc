@@ -63,6 +63,7 @@ private:
   bool solve(const std::vector<double> &limits);
   void iterate();
   void polish(const std::vector<double> &limits);
+  std::vector<double> needed_limits(const std::vector<double> &own) const;
   std::vector<double> own_limits() const
   {
     return limits_of_coulomb(problem, state.forces);
@@ -100,17 +101,29 @@ void FixedPoint::polish(const std::vector<double> &limits)
   solve(limits);
 }
 
+/** The least strengths, of its own at least, with which the state is one. */
+std::vector<double>
+FixedPoint::needed_limits(const std::vector<double> &own) const
+{
+  std::vector<double> needed = own;
+  for (unsigned int e = 0; e < needed.size(); ++e)
+    needed[e] = std::max(
+        needed[e],
+        std::abs(state.forces[problem.first_row(e) + problem.n_contacts(e)]));
+  return needed;
+}
+
 /** Repeat until the strengths are those of their own state. */
 void FixedPoint::iterate()
 {
-  std::vector<double> limits = own_limits(), last;
+  std::vector<double> limits = own_limits(), last = needed_limits(limits);
   double before = best.change;
   unsigned int n_retreats = 0;
   for (unsigned int n = 1; n <= n_max_passes; ++n)
   {
     if (!solve(limits))
     {
-      if (last.empty() || ++n_retreats > n_max_retreats)
+      if (++n_retreats > n_max_retreats)
       {
         reason = text("the strengths of pass ", n, " carry nothing");
         return;
@@ -181,7 +194,6 @@ std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
 
 Solution CoulombState::find(const DiscreteProblem &problem,
                             const SolverControls &controls,
-                            const std::vector<double> &start,
                             std::string &failure,
                             Terminal &terminal) const
 {
@@ -194,9 +206,6 @@ Solution CoulombState::find(const DiscreteProblem &problem,
   if (std::optional<Solution> found =
           from(std::vector<double>(problem.joints().size(), ample_strength)))
     return std::move(*found);
-  if (!start.empty())
-    if (std::optional<Solution> found = from(limits_of_coulomb(problem, start)))
-      return std::move(*found);
   // Forces that are admitted are so whether blocks dilate or not: if there are
   // none, the mechanism of those that do is a proof; if there are, their
   // strengths carry the loads.
@@ -219,7 +228,7 @@ Solution CoulombState::select(const DiscreteProblem &problem,
                               Terminal &terminal) const
 {
   std::string failure;
-  Solution found = find(problem, controls, {}, failure, terminal);
+  Solution found = find(problem, controls, failure, terminal);
   if (!found.converged() && !found.mechanism)
     throw SolverError(
         text("No state with Coulomb's friction was found: ", failure,

@@ -40,7 +40,7 @@ struct CollapsePair
 };
 
 /**
- * Find a collapse by a sequence of programmes with Tresca's friction, of which
+ * Find a collapse by sequences of programmes with Tresca's friction, of which
  * each has the strengths that the normal forces of the one before give:
  * Gilbert, Casapulla and Ahmed, *Computers and Structures* 84 (2006), 873. Of
  * many optima each takes the one whose normal forces are closest to those
@@ -48,13 +48,18 @@ struct CollapsePair
  *
  *     maximise  sense alpha - delta sum_e c_e^n sum_k (p_k - p_k^0)^2 / 2,
  *
- * whose last term vanishes where the sequence ends; steps are those of Irons
- * and Tuck.
+ * whose last term vanishes where a sequence ends. Sequences start from the
+ * forces that are given, and from those with dilatancy that have the least
+ * pressures; the next strengths are by Anderson, or where that does not end, by
+ * the step of Irons and Tuck. Of the collapses that are found this is the one
+ * with the most extreme factor.
  *
  * @param problem with coefficients of friction.
  * @param dead, live the loads, n_dofs() numbers, of about one size.
  * @param sense 1 for great factors, -1 for small ones.
- * @param forces of each row of each joint to start from.
+ * @param forces of each row of each joint to start from: those at the factor
+ *   with dilatancy.
+ * @param alpha this factor.
  * @param n_max_iterations in all programmes together.
  * @param terminal sees the programmes.
  */
@@ -63,6 +68,7 @@ CollapsePair find_collapse_pair(const DiscreteProblem &problem,
                                 const std::vector<double> &live,
                                 double sense,
                                 const std::vector<double> &forces,
+                                double alpha,
                                 unsigned int n_max_iterations,
                                 Terminal &terminal);
 } // namespace Voussoir

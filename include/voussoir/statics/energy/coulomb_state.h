@@ -58,7 +58,6 @@ public:
    *
    * @param problem with coefficients of friction.
    * @param controls of each pass.
-   * @param start forces whose strengths are tried as well; possibly empty.
    * @param failure says why there is neither.
    * @param terminal sees the passes.
    * @return the state, if it has converged(); the mechanism, if no admissible
@@ -66,7 +65,6 @@ public:
    */
   Solution find(const DiscreteProblem &problem,
                 const SolverControls &controls,
-                const std::vector<double> &start,
                 std::string &failure,
                 Terminal &terminal) const;
 
