@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace Voussoir
@@ -15,6 +16,22 @@ namespace Voussoir
 namespace
 {
 using Json = nlohmann::ordered_json;
+
+/** Up to which of the factors that were tried there are states. */
+std::string states_that_end(const FactorTrials &trials)
+{
+  const double without = trials.without_state.front();
+  const auto beyond =
+      std::find_if(trials.with_state.begin(), trials.with_state.end(),
+                   [without](const double factor) {
+                     return std::abs(factor) > std::abs(without);
+                   });
+  return beyond == trials.with_state.begin()
+             ? text("but ", text_to_copy(without), " has no state")
+             : text("but states are known up to ",
+                    text_to_copy(*std::prev(beyond)), " only, and ",
+                    text_to_copy(without), " has none");
+}
 
 /** What the factors that were tried say of each other. */
 std::string description_without_dilatancy(const LoadFactor &factor)
@@ -27,19 +44,19 @@ std::string description_without_dilatancy(const LoadFactor &factor)
                                             trials.with_state.end(), smaller);
   const unsigned int n_without = std::count_if(
       trials.without_state.begin(), trials.without_state.end(), smaller);
-  const std::string without =
-      text("of ", n_with + n_without, " smaller factors tried ", n_without,
-           n_without > 1 ? " have none, the least of them " : " has none, ",
-           n_without > 0 ? text_to_copy(trials.without_state.front()) : "");
   std::string words = text_to_copy(factor.carried);
   if (factor.own_collapse)
     words += text(
         " is a collapse without dilatancy, by its own forces and mechanism, ",
         n_without > 0
-            ? "and no factor up to which states are known: " + without
+            ? states_that_end(trials)
             : text("and the ", n_with, " smaller factors tried have states"));
   else if (n_without > 0)
-    words += " has a state without dilatancy, but " + without;
+    words +=
+        text(" has a state without dilatancy, but of ", n_with + n_without,
+             " smaller factors tried ", n_without,
+             n_without > 1 ? " have none, the least of them " : " has none, ",
+             text_to_copy(trials.without_state.front()));
   else
     words += text(
         " has a state without dilatancy, ",

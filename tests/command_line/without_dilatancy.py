@@ -85,8 +85,7 @@ def main():
            "is a collapse without dilatancy" in meaning, meaning)
     n = len(smaller) + sum(x < carried for x in with_state)
     said = f"and the {n} smaller factors tried have states" if not smaller \
-        else "and no factor up to which states are known: " \
-        f"of {n} smaller factors tried {len(smaller)} ha"
+        else "but states are known up to"
     expect("what was tried is counted", said in meaning, meaning)
     for words in ("of others nothing is known", "collapses, with it or without,"
                   " which is proven"):

@@ -20,6 +20,8 @@ namespace
 {
 /** The distance of a factor with a state from one without, over the bound. */
 constexpr double smallest_width = 1e-6;
+/** The same where states end below a collapse that was found. */
+constexpr double width_of_end = 1e-4;
 
 /**
  * The factors that are tried, as shares: of a collapse that was found; of the
@@ -69,7 +71,9 @@ private:
   }
   bool has_state(double factor);
   void look_at(double from, double to, const std::vector<double> &shares);
+  void bisect(double carried, double beyond, double width);
   void look_beside(double bound);
+  void look_for_end(double bound);
   void find_collapse(const LoadFactor &factor);
   FactorTrials trials() const;
 
@@ -122,16 +126,40 @@ void StatesAtFactors::look_at(const double from,
     has_state(from + share * (to - from));
 }
 
-/** Bisect between the greatest factor with a state and the next one. */
+/** Bisect between a factor with a state and one without. */
+void StatesAtFactors::bisect(double carried, double beyond, const double width)
+{
+  while (std::abs(beyond - carried) > width)
+  {
+    const double middle = 0.5 * (carried + beyond);
+    (has_state(middle) ? carried : beyond) = middle;
+  }
+}
+
+/** Look between the greatest factor with a state and the next one. */
 void StatesAtFactors::look_beside(const double bound)
 {
   double beyond = bound;
   for (const double factor : without_state)
     if (sense * (factor - greatest) > 0. && sense * (beyond - factor) > 0.)
       beyond = factor;
-  while (std::abs(beyond - greatest) > smallest_width * std::abs(bound))
-    if (const double middle = 0.5 * (greatest + beyond); !has_state(middle))
-      beyond = middle;
+  bisect(greatest, beyond, smallest_width * std::abs(bound));
+}
+
+/** Look for the end of the factors that all have states, if there is one. */
+void StatesAtFactors::look_for_end(const double bound)
+{
+  double beyond = greatest, carried = 0.;
+  for (const double factor : without_state)
+    if (sense * (beyond - factor) > 0.)
+      beyond = factor;
+  if (beyond == greatest)
+    return;
+  for (const double factor : with_state)
+    if (sense * (beyond - factor) > 0. && sense * (factor - carried) > 0.)
+      carried = factor;
+  if (beyond != 0.)
+    bisect(carried, beyond, width_of_end * std::abs(bound));
 }
 
 /** The scene with Tresca's friction and the strengths of @p forces. */
@@ -227,6 +255,7 @@ void StatesAtFactors::find(LoadFactor &factor)
     look_beside(bound);
   if (collapse && greatest == of_collapse)
   {
+    look_for_end(bound);
     factor.own_collapse = collapse;
     factor.mechanism = std::move(motion);
   }
