@@ -104,7 +104,7 @@ class SlidingJudgement(Judgement):
             written_forces(run, self.joints).reshape(-1, 3), jumps)
         if not pair.error() <= LARGEST_ERROR or abs(
                 said["factor"] - self.factor) > \
-                LARGEST_MISS * self.programme.scale_of(self.factor):
+                LARGEST_ERROR * self.programme.scale_of(self.factor):
             self.report("fault", run, f"forces and mechanism are no collapse: "
                         f"{pair.excess:.1e}, {pair.idle_work:.1e}, "
                         f"{pair.closing:.1e}, {said}")

@@ -4,6 +4,7 @@
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
 #include <voussoir/statics/problem/equilibrate.h>
 
@@ -39,8 +40,14 @@ constexpr unsigned int n_times_of_collapse = 10;
 constexpr double largest_closing_of_collapse = 1e-10;
 /** The difference of what it proves from its factor, over the bound. */
 constexpr double largest_error_of_collapse = 1e-4;
-/** The imbalance of its forces that is rounding. */
+/** The imbalance of its forces, and their excess, that is rounding. */
 constexpr double largest_imbalance = 1e-11;
+/**
+ * A factor with forces within all limits, over that of a collapse, and the
+ * shares of these that are tried.
+ */
+constexpr double share_of_inner = 0.9;
+constexpr double shares_of_blend[] = {0., 1e-6, 1e-5, 1e-4};
 
 /** The search for states at factors of the live loads; see CoulombState. */
 class StatesAtFactors
@@ -74,6 +81,8 @@ private:
   void bisect(double carried, double beyond, double width);
   void look_beside(double bound);
   void look_for_end(double bound);
+  std::vector<double> balanced(const std::vector<double> &forces,
+                               double &alpha);
   void find_collapse(const LoadFactor &factor);
   FactorTrials trials() const;
 
@@ -175,6 +184,57 @@ Scene with_own_strengths(Scene scene, const InterfaceForces &forces)
   return scene;
 }
 
+/** How far friction is beyond its limit, over the largest load or more. */
+double excess_of_friction(const DiscreteProblem &problem,
+                          const std::vector<double> &forces)
+{
+  const std::vector<double> limits = limits_of_coulomb(problem, forces);
+  double excess = 0.;
+  for (unsigned int e = 0; e < limits.size(); ++e)
+    excess = std::max(
+        excess, std::abs(forces[problem.first_row(e) + problem.n_contacts(e)]) -
+                    limits[e]);
+  return excess / std::max(1., largest_component(problem.loads()));
+}
+
+/**
+ * The forces of a collapse, balanced and within their limits to rounding, if
+ * need be with a small share of forces within them at a smaller factor.
+ *
+ * @param alpha the factor, which becomes that much smaller.
+ * @return nothing if that cannot be had.
+ */
+std::vector<double> StatesAtFactors::balanced(const std::vector<double> &forces,
+                                              double &alpha)
+{
+  const double of_collapse = alpha, of_inner = share_of_inner * alpha;
+  std::vector<double> inner;
+  for (const double share : shares_of_blend)
+  {
+    if (share > 0. && inner.empty())
+    {
+      const DiscreteProblem at_inner = problem.with_loads(loads_at(of_inner));
+      RowProblem by_rows(at_inner);
+      const FeasibleForces any = find_feasible_forces(
+          by_rows, by_rows.loads(), controls.n_max_iterations, terminal);
+      n_iterations += any.n_iterations;
+      if (!any.state)
+        return {};
+      inner = by_rows.rows().forces_of(any.state->x);
+    }
+    alpha = of_collapse + share * (of_inner - of_collapse);
+    std::vector<double> blend = forces;
+    for (std::size_t k = 0; k < inner.size(); ++k)
+      blend[k] += share * (inner[k] - blend[k]);
+    const DiscreteProblem at_factor = problem.with_loads(loads_at(alpha));
+    blend = equilibrate(at_factor, blend, slack_beside_changes);
+    if (largest_component(imbalance(at_factor, blend)) <= largest_imbalance &&
+        excess_of_friction(at_factor, blend) <= largest_imbalance)
+      return blend;
+  }
+  return {};
+}
+
 /** Find a collapse from the forces at the factor with dilatancy. */
 void StatesAtFactors::find_collapse(const LoadFactor &factor)
 {
@@ -189,10 +249,11 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   n_iterations += pair.n_iterations;
   if (!pair.is_found)
     return;
-  const double alpha = pair.alpha * factor.unit;
+  double alpha = pair.alpha * factor.unit;
   Solution state;
-  const DiscreteProblem at_factor = problem.with_loads(loads_at(alpha));
-  state.forces = equilibrate(at_factor, pair.forces, slack_beside_changes);
+  state.forces = balanced(pair.forces, alpha);
+  if (state.forces.empty())
+    return;
   state.stop = Stop::Reason::converged;
   const InterfaceForces forces = dimensional_forces(problem, state);
   Motion found_motion = dimensional_motion(problem, pair.u, 1.);
@@ -205,9 +266,7 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   if (!(proof.closing_violation <= largest_closing_of_collapse &&
         sense * proof.live_work > 0. &&
         std::abs(proof.factor - alpha) <=
-            largest_error_of_collapse * std::abs(factor.bound) &&
-        largest_component(imbalance(at_factor, state.forces)) <=
-            largest_imbalance))
+            largest_error_of_collapse * std::abs(factor.bound)))
     return;
   collapse = proof;
   motion = std::move(found_motion);
