@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/equilibrate.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Voussoir
@@ -14,8 +18,57 @@ namespace
 {
 /** Strengths that much smaller, or greater, are none, or any. */
 constexpr double largest_divisor = 1e6;
+/** The step of a divisor where nothing says how long it is to be. */
+constexpr double usual_step = 4.;
+/** The largest step of Newton's, of log f. */
+constexpr double largest_step_of_log = 3.;
+/** A step of Newton's, over the divisor, behind which its error is rounding. */
+constexpr double short_step = 1e-4;
+constexpr unsigned int n_max_of_newton = 40;
+/** The distance of a proof from the limit, over the tolerance, and its growth.
+ */
+constexpr double first_distance = 0.4, growth_of_distance = 4.;
+/** Where the limit is not nearer than that, it is not known. */
+constexpr double largest_distance = 1e-2;
+/** The pressing force of the state that loads are blended with, nondimensional,
+ * and its part of what joints crush at. */
+constexpr double base_force = 1., part_of_crushing = 0.5;
+/** The distance of the two bounds of a share that is enough, over its distance
+ * from one, and where that is nothing. */
+constexpr double good_width = 1e-2, small_distance_from_one = 1e-6;
+constexpr double tolerance_of_share = 1e-10;
 
-/** The search by bisection. */
+/**
+ * Forces of pressure, far from all limits, whatever the strengths against
+ * sliding; of each row of each joint.
+ */
+std::vector<double> pressing_forces(const DiscreteProblem &problem)
+{
+  std::vector<double> forces(problem.n_all_rows(), 0.);
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    double force = base_force;
+    if (!problem.normal_limits().empty())
+      force = std::min(force,
+                       part_of_crushing * problem.normal_limits()[e].crushing);
+    const unsigned int n = problem.n_contacts(e);
+    std::fill_n(&forces[problem.first_row(e)], n, -force / n);
+  }
+  return forces;
+}
+
+/**
+ * The search. At a divisor f the loads F are blended with those of a state that
+ * all strengths carry,
+ *
+ *     L(t) = (1 - t) L_0 + t F,
+ *
+ * and the greatest share t that is carried is found between two proofs. If it
+ * is one or more F is carried, by forces between the two, and if it is less F
+ * collapses. Its derivative with log f is the work of friction in the mechanism
+ * in which the live loads do the work one, with which Newton's method finds
+ * where it is one.
+ */
 class StrengthSearch
 {
 public:
@@ -28,15 +81,17 @@ public:
   LoadFactorAnswer find();
 
 private:
-  enum class Verdict
+  /** What is known of one divisor. */
+  struct Share
   {
-    carried,
-    collapse,
-    unknown
+    bool is_carried = false, collapses = false;
+    /** One over t, and its derivative with log f; zero if not known. */
+    double inverse = 0., slope = 0.;
   };
-  Verdict judge(double divisor);
-  void bracket();
-  void bisect();
+  Share judge(double divisor);
+  double next(double divisor, const Share &share) const;
+  double find_limit();
+  void find_proofs(double limit);
 
   const Scene &scene;
   const LoadFactorControls &controls;
@@ -44,66 +99,139 @@ private:
   LoadFactor found;
 };
 
-/** What happens with the strengths divided, kept if it is a better proof. */
-StrengthSearch::Verdict StrengthSearch::judge(const double divisor)
+/** Look at one divisor, and keep proofs that are better. */
+StrengthSearch::Share StrengthSearch::judge(const double divisor)
 {
   const Scene divided = with_strengths_divided(scene, divisor);
   const DiscreteProblem problem = discretise(divided);
-  Solution any =
-      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
-  found.n_iterations += any.n_iterations;
-  terminal.iteration("Strength factor", text("divided by ", divisor, ": ",
-                                             any.mechanism     ? "collapse"
-                                             : any.converged() ? "carried"
-                                                               : "not known"));
-  if (any.mechanism)
-  {
-    Motion motion = dimensional_motion(problem, *any.mechanism);
-    const MechanismCertificate proof = certify_mechanism(divided, motion);
-    if (!proves_collapse(proof))
-      return Verdict::unknown;
-    found.mechanism = std::move(motion);
-    found.bound = divisor;
-    found.proof = {divisor, 0., proof.closing_violation};
-    return Verdict::collapse;
-  }
-  if (!any.converged())
-    return Verdict::unknown;
-  found.forces = dimensional_forces(problem, any);
-  found.carried = divisor;
-  return Verdict::carried;
-}
-
-/** Find a divisor that is carried, and one that is not. */
-void StrengthSearch::bracket()
-{
-  const Verdict at_one = judge(1.);
-  if (at_one != Verdict::carried)
-    for (double divisor = 0.5; divisor * largest_divisor >= 1.; divisor *= 0.5)
-      if (judge(divisor) == Verdict::carried)
-        break;
-  if (at_one != Verdict::collapse)
-    for (double divisor = 2.; divisor <= largest_divisor; divisor *= 2.)
-      if (judge(divisor) == Verdict::collapse)
-        break;
-}
-
-void StrengthSearch::bisect()
-{
-  const auto middle = [](const double a, const double b) {
-    return std::sqrt(a * b);
+  const std::vector<double> base = pressing_forces(problem);
+  std::vector<double> loads_of_base = problem.loads();
+  add(loads_of_base, -1., imbalance(problem, base));
+  std::vector<double> difference = problem.loads();
+  add(difference, -1., loads_of_base);
+  RowProblem by_rows(problem);
+  const SelfDual::Program program = {by_rows.loads(loads_of_base, true),
+                                     by_rows.loads(difference, false), 1.};
+  ProvenFactor factor(by_rows.forces(), program,
+                      {tolerance_of_share, 1., controls.n_max_iterations},
+                      terminal);
+  const auto carried = [&] {
+    return factor.carried() ? factor.carried()->alpha : 0.;
   };
-  double not_carried = found.bound;
-  while (not_carried / found.carried - 1. > controls.tolerance)
-    if (const double divisor = middle(found.carried, not_carried);
-        judge(divisor) != Verdict::carried)
-      not_carried = divisor;
-  // The same, unless it is not known what happens there.
-  double no_collapse = not_carried;
-  while (found.bound / no_collapse - 1. > controls.tolerance)
-    if (const double divisor = middle(no_collapse, found.bound);
-        judge(divisor) != Verdict::collapse)
-      no_collapse = divisor;
+  factor.find([&] {
+    const double distance =
+        carried() >= 1. ? carried() - 1. : 1. - factor.bound();
+    return distance > 0. &&
+           factor.bound() - carried() <=
+               good_width * std::max(distance, small_distance_from_one);
+  });
+  found.n_iterations += factor.n_iterations();
+  Share share;
+  const auto keep_forces = [&](const std::vector<double> &x,
+                               const double alpha) {
+    share.is_carried = true;
+    if (divisor <= found.carried)
+      return;
+    Solution state;
+    state.stop = Stop::Reason::converged;
+    state.forces = by_rows.rows().forces_of(x);
+    for (std::size_t k = 0; k < base.size(); ++k)
+      state.forces[k] = base[k] + (state.forces[k] - base[k]) / alpha;
+    found.forces = dimensional_forces(problem, state);
+    found.carried = divisor;
+  };
+  if (carried() >= 1.)
+    keep_forces(factor.carried()->x, carried());
+  else if (factor.mechanism() && factor.bound() < 1.)
+  {
+    Motion motion = dimensional_motion(
+        problem, by_rows.of_size_one(factor.mechanism()->u), 1.);
+    const MechanismCertificate proof = certify_mechanism(divided, motion);
+    share.collapses = proves_collapse(proof);
+    if (share.collapses && divisor < found.bound)
+    {
+      found.mechanism = std::move(motion);
+      found.bound = divisor;
+      found.proof = {divisor, 0., proof.closing_violation};
+    }
+  }
+  if (factor.carried() && factor.mechanism() && factor.bound() > 0.)
+  {
+    const std::vector<double> &u = factor.mechanism()->u;
+    const std::vector<double> forces =
+        by_rows.rows().forces_of(factor.carried()->x);
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+      share.slope +=
+          std::abs(forces[problem.first_row(e) + problem.n_contacts(e)] *
+                   problem.sliding(e, u.data()));
+    share.inverse = 1. / factor.bound();
+    share.slope *= share.inverse * share.inverse / dot(program.live, u);
+  }
+  if (!share.is_carried && !share.collapses)
+  {
+    // Where any share is carried none has been found.
+    const FeasibleForces any = find_feasible_forces(
+        by_rows, by_rows.loads(), controls.n_max_iterations, terminal);
+    found.n_iterations += any.n_iterations;
+    if (any.state)
+      keep_forces(any.state->x, 1.);
+  }
+  terminal.iteration("Strength factor",
+                     text("divided by ", divisor, ": share ", carried(), " to ",
+                          factor.bound()));
+  return share;
+}
+
+/** The divisor to look at behind one that was looked at. */
+double StrengthSearch::next(const double divisor, const Share &share) const
+{
+  if (share.slope > 0.)
+  {
+    const double wanted =
+        divisor *
+        std::exp(std::clamp((1. - share.inverse) / share.slope,
+                            -largest_step_of_log, largest_step_of_log));
+    if (wanted > found.carried && wanted < found.bound)
+      return wanted;
+  }
+  if (found.carried > 0. && std::isfinite(found.bound))
+    return std::sqrt(found.carried * found.bound);
+  return share.is_carried ? divisor * usual_step : divisor / usual_step;
+}
+
+/** Where by Newton's method the share is one; zero or infinite if nowhere. */
+double StrengthSearch::find_limit()
+{
+  double divisor = 1.;
+  for (unsigned int n = 0; n < n_max_of_newton; ++n)
+  {
+    const double last = divisor;
+    divisor = next(last, judge(last));
+    if (std::abs(divisor / last - 1.) < short_step)
+      return divisor;
+    if (divisor * largest_divisor < 1.)
+      return 0.;
+    if (divisor > largest_divisor)
+      return std::numeric_limits<double>::infinity();
+  }
+  return divisor;
+}
+
+/** Prove what is carried and what collapses, on both sides. */
+void StrengthSearch::find_proofs(const double limit)
+{
+  const double first = first_distance * controls.tolerance;
+  for (const double side : {-1., 1.})
+    for (double distance = first; distance < largest_distance;
+         distance *= growth_of_distance)
+    {
+      const double divisor = limit * (1. + side * distance);
+      if (side < 0. ? found.carried >= divisor : found.bound <= divisor)
+        break;
+      if (const Share share = judge(divisor);
+          side < 0. ? share.is_carried : share.collapses)
+        break;
+    }
 }
 
 LoadFactorAnswer StrengthSearch::find()
@@ -111,7 +239,8 @@ LoadFactorAnswer StrengthSearch::find()
   found.carried = 0.;
   found.bound = std::numeric_limits<double>::infinity();
   LoadFactorAnswer answer;
-  if (judge(std::numeric_limits<double>::infinity()) == Verdict::carried)
+  const double limit = find_limit();
+  if (std::isinf(limit) && !found.has_mechanism() && judge(limit).is_carried)
   {
     // Pressure alone carries the loads, with any strengths.
     found.is_unbounded = true;
@@ -120,9 +249,8 @@ LoadFactorAnswer StrengthSearch::find()
     answer.factor = std::move(found);
     return answer;
   }
-  found.bound = std::numeric_limits<double>::infinity();
-  found.mechanism = {};
-  bracket();
+  if (limit > 0. && std::isfinite(limit))
+    find_proofs(limit);
   if (!(found.carried > 0.) && found.has_mechanism())
   {
     answer.collapse = std::move(found.mechanism);
@@ -132,8 +260,6 @@ LoadFactorAnswer StrengthSearch::find()
     throw SolverError("The strength factor was not found: neither forces nor a "
                       "mechanism prove anything, whatever the strengths. Try a "
                       "larger 'Solver/Maximum iterations'.");
-  if (found.has_mechanism())
-    bisect();
   found.stop = found.width() <= controls.tolerance ? Stop::Reason::converged
                                                    : Stop::Reason::rounding;
   answer.factor = std::move(found);
