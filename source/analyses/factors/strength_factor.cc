@@ -37,6 +37,7 @@ constexpr double base_force = 1., part_of_crushing = 0.5;
  * from one, and where that is nothing. */
 constexpr double good_width = 1e-2, small_distance_from_one = 1e-6;
 constexpr double tolerance_of_share = 1e-10;
+constexpr unsigned int n_max_of_share = 100;
 
 /**
  * Forces of pressure, far from all limits, whatever the strengths against
@@ -113,7 +114,8 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   const SelfDual::Program program = {by_rows.loads(loads_of_base, true),
                                      by_rows.loads(difference, false), 1.};
   ProvenFactor factor(by_rows.forces(), program,
-                      {tolerance_of_share, 1., controls.n_max_iterations},
+                      {tolerance_of_share, 1.,
+                       std::min(n_max_of_share, controls.n_max_iterations)},
                       terminal);
   const auto carried = [&] {
     return factor.carried() ? factor.carried()->alpha : 0.;

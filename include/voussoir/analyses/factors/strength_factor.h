@@ -19,8 +19,8 @@ void check_strength_factor(const Scene &scene,
 /**
  * Find the greatest number by which the strengths against sliding may be
  * divided. What is carried with some strengths is so with greater ones, and
- * what collapses with some does so with smaller ones: it is found by bisection,
- * each end with its proof.
+ * what collapses with some does so with smaller ones: it is found by
+ * Newton's method, each end with its proof.
  *
  * @return LoadFactor::carried with forces for the strengths divided by it, and
  *   LoadFactor::bound with a mechanism for the strengths divided by that; or
