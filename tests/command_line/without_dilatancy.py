@@ -100,8 +100,9 @@ def main():
            own["closing_violation"] < 1e-11 and
            (RESULTS / "mechanism.csv").exists(), own)
 
-    # Close to the limit a state from the one beside may be found, or not.
-    far = [x for x in with_state if x < 0.9 * carried][1:]
+    # Close to the limit a state may be found or not, and where states end.
+    far = [x for x in with_state if x < 0.9 * carried and
+           not any(0.9 * end < x < end for end in without)][1:]
     expect("what has a state has it by itself", far and
            all(state_at(x) == 0 for x in far), [state_at(x) for x in far])
     beyond = [x for x in without if x > 1.2 * carried]
