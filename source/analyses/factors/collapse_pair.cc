@@ -5,7 +5,6 @@
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/coulomb_state.h>
-#include <voussoir/statics/energy/energy_program.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +75,10 @@ private:
     std::vector<double> limits;
     SelfDual::Point point;
     std::vector<double> forces;
-    /** CollapsePair::excess. */
+    /**
+     * The largest difference of a strength from that which the forces give,
+     * over the largest load.
+     */
     double excess = std::numeric_limits<double>::infinity();
   };
 
@@ -284,7 +286,6 @@ CollapsePair PairSearch::find(const double dilating)
   if (!pair.is_found)
     return pair;
   pair.u = motion();
-  pair.excess = found.excess;
   pair.alpha = found.point.alpha;
   pair.forces = std::move(found.forces);
   return pair;

@@ -58,6 +58,20 @@ std::vector<double> pressing_forces(const DiscreteProblem &problem)
   return forces;
 }
 
+/** The work of friction of forces @p x of rows in a motion. */
+double work_of_friction(const RowProblem &by_rows,
+                        const std::vector<double> &x,
+                        const std::vector<double> &u)
+{
+  const DiscreteProblem &problem = by_rows.of();
+  const std::vector<double> forces = by_rows.rows().forces_of(x);
+  double work = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    work += std::abs(forces[problem.first_row(e) + problem.n_contacts(e)] *
+                     problem.sliding(e, u.data()));
+  return work;
+}
+
 /**
  * The search. At a divisor f the loads F are blended with those of a state that
  * all strengths carry,
@@ -90,6 +104,14 @@ private:
     double inverse = 0., slope = 0.;
   };
   Share judge(double divisor);
+  void keep_forces(double divisor,
+                   const RowProblem &by_rows,
+                   const std::vector<double> &x,
+                   double share);
+  bool keep_mechanism(double divisor,
+                      const Scene &divided,
+                      const RowProblem &by_rows,
+                      const ProvenFactor &factor);
   double next(double divisor, const Share &share) const;
   double find_limit();
   void find_proofs(double limit);
@@ -105,9 +127,8 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
 {
   const Scene divided = with_strengths_divided(scene, divisor);
   const DiscreteProblem problem = discretise(divided);
-  const std::vector<double> base = pressing_forces(problem);
   std::vector<double> loads_of_base = problem.loads();
-  add(loads_of_base, -1., imbalance(problem, base));
+  add(loads_of_base, -1., imbalance(problem, pressing_forces(problem)));
   std::vector<double> difference = problem.loads();
   add(difference, -1., loads_of_base);
   RowProblem by_rows(problem);
@@ -129,45 +150,20 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   });
   found.n_iterations += factor.n_iterations();
   Share share;
-  const auto keep_forces = [&](const std::vector<double> &x,
-                               const double alpha) {
-    share.is_carried = true;
-    if (divisor <= found.carried)
-      return;
-    Solution state;
-    state.stop = Stop::Reason::converged;
-    state.forces = by_rows.rows().forces_of(x);
-    for (std::size_t k = 0; k < base.size(); ++k)
-      state.forces[k] = base[k] + (state.forces[k] - base[k]) / alpha;
-    found.forces = dimensional_forces(problem, state);
-    found.carried = divisor;
-  };
   if (carried() >= 1.)
-    keep_forces(factor.carried()->x, carried());
-  else if (factor.mechanism() && factor.bound() < 1.)
   {
-    Motion motion = dimensional_motion(
-        problem, by_rows.of_size_one(factor.mechanism()->u), 1.);
-    const MechanismCertificate proof = certify_mechanism(divided, motion);
-    share.collapses = proves_collapse(proof);
-    if (share.collapses && divisor < found.bound)
-    {
-      found.mechanism = std::move(motion);
-      found.bound = divisor;
-      found.proof = {divisor, 0., proof.closing_violation};
-    }
+    share.is_carried = true;
+    keep_forces(divisor, by_rows, factor.carried()->x, carried());
   }
+  else if (factor.mechanism() && factor.bound() < 1.)
+    share.collapses = keep_mechanism(divisor, divided, by_rows, factor);
   if (factor.carried() && factor.mechanism() && factor.bound() > 0.)
   {
     const std::vector<double> &u = factor.mechanism()->u;
-    const std::vector<double> forces =
-        by_rows.rows().forces_of(factor.carried()->x);
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      share.slope +=
-          std::abs(forces[problem.first_row(e) + problem.n_contacts(e)] *
-                   problem.sliding(e, u.data()));
     share.inverse = 1. / factor.bound();
-    share.slope *= share.inverse * share.inverse / dot(program.live, u);
+    share.slope = share.inverse * share.inverse *
+                  work_of_friction(by_rows, factor.carried()->x, u) /
+                  dot(program.live, u);
   }
   if (!share.is_carried && !share.collapses)
   {
@@ -175,13 +171,52 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
     const FeasibleForces any = find_feasible_forces(
         by_rows, by_rows.loads(), controls.n_max_iterations, terminal);
     found.n_iterations += any.n_iterations;
+    share.is_carried = any.state.has_value();
     if (any.state)
-      keep_forces(any.state->x, 1.);
+      keep_forces(divisor, by_rows, any.state->x, 1.);
   }
   terminal.iteration("Strength factor",
                      text("divided by ", divisor, ": share ", carried(), " to ",
                           factor.bound()));
   return share;
+}
+
+/** Keep forces @p x of rows at a share, with which all of the loads are. */
+void StrengthSearch::keep_forces(const double divisor,
+                                 const RowProblem &by_rows,
+                                 const std::vector<double> &x,
+                                 const double share)
+{
+  if (divisor <= found.carried)
+    return;
+  const std::vector<double> base = pressing_forces(by_rows.of());
+  Solution state;
+  state.stop = Stop::Reason::converged;
+  state.forces = by_rows.rows().forces_of(x);
+  for (std::size_t k = 0; k < base.size(); ++k)
+    state.forces[k] = base[k] + (state.forces[k] - base[k]) / share;
+  found.forces = dimensional_forces(by_rows.of(), state);
+  found.carried = divisor;
+}
+
+/** Whether the mechanism is a proof, kept if it is a better one. */
+bool StrengthSearch::keep_mechanism(const double divisor,
+                                    const Scene &divided,
+                                    const RowProblem &by_rows,
+                                    const ProvenFactor &factor)
+{
+  Motion motion = dimensional_motion(
+      by_rows.of(), by_rows.of_size_one(factor.mechanism()->u), 1.);
+  const MechanismCertificate proof = certify_mechanism(divided, motion);
+  if (!proves_collapse(proof))
+    return false;
+  if (divisor < found.bound)
+  {
+    found.mechanism = std::move(motion);
+    found.bound = divisor;
+    found.proof = {divisor, 0., proof.closing_violation};
+  }
+  return true;
 }
 
 /** The divisor to look at behind one that was looked at. */

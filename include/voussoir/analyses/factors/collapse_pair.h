@@ -26,11 +26,6 @@ struct CollapsePair
   std::vector<double> forces;
   /** The motion, n_dofs() numbers, of which the largest is one. */
   std::vector<double> u;
-  /**
-   * The largest difference of a strength from that which the forces give, over
-   * the largest load.
-   */
-  double excess = 0.;
   /** True if it is one; otherwise the sequence has not ended there. */
   bool is_found = false;
   /** The number of programmes. */
