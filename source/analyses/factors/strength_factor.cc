@@ -3,9 +3,8 @@
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/conic/blended_loads.h>
 #include <voussoir/statics/problem/discretise.h>
-#include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,33 +29,11 @@ constexpr unsigned int n_max_of_newton = 40;
 constexpr double first_distance = 0.4, growth_of_distance = 4.;
 /** Where the limit is not nearer than that, it is not known. */
 constexpr double largest_distance = 1e-2;
-/** The pressing force of the state that loads are blended with, nondimensional,
- * and its part of what joints crush at. */
-constexpr double base_force = 1., part_of_crushing = 0.5;
 /** The distance of the two bounds of a share that is enough, over its distance
  * from one, and where that is nothing. */
 constexpr double good_width = 1e-2, small_distance_from_one = 1e-6;
 constexpr double tolerance_of_share = 1e-10;
 constexpr unsigned int n_max_of_share = 100;
-
-/**
- * Forces of pressure, far from all limits, whatever the strengths against
- * sliding; of each row of each joint.
- */
-std::vector<double> pressing_forces(const DiscreteProblem &problem)
-{
-  std::vector<double> forces(problem.n_all_rows(), 0.);
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    double force = base_force;
-    if (!problem.normal_limits().empty())
-      force = std::min(force,
-                       part_of_crushing * problem.normal_limits()[e].crushing);
-    const unsigned int n = problem.n_contacts(e);
-    std::fill_n(&forces[problem.first_row(e)], n, -force / n);
-  }
-  return forces;
-}
 
 /** The work of friction of forces @p x of rows in a motion. */
 double work_of_friction(const RowProblem &by_rows,
@@ -73,15 +50,10 @@ double work_of_friction(const RowProblem &by_rows,
 }
 
 /**
- * The search. At a divisor f the loads F are blended with those of a state that
- * all strengths carry,
- *
- *     L(t) = (1 - t) L_0 + t F,
- *
- * and the greatest share t that is carried is found between two proofs. If it
- * is one or more F is carried, by forces between the two, and if it is less F
- * collapses. Its derivative with log f is the work of friction in the mechanism
- * in which the live loads do the work one, with which Newton's method finds
+ * The search. At a divisor f the greatest share t of loads that are blended,
+ * BlendedLoads, says whether they are carried or collapse. Its derivative with
+ * log f is the work of friction in the mechanism in which the live loads do the
+ * work one, with which Newton's method finds
  * where it is one.
  */
 class StrengthSearch
@@ -105,9 +77,8 @@ private:
   };
   Share judge(double divisor);
   void keep_forces(double divisor,
-                   const RowProblem &by_rows,
-                   const std::vector<double> &x,
-                   double share);
+                   const DiscreteProblem &problem,
+                   std::vector<double> forces);
   bool keep_mechanism(double divisor,
                       const Scene &divided,
                       const RowProblem &by_rows,
@@ -127,14 +98,9 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
 {
   const Scene divided = with_strengths_divided(scene, divisor);
   const DiscreteProblem problem = discretise(divided);
-  std::vector<double> loads_of_base = problem.loads();
-  add(loads_of_base, -1., imbalance(problem, pressing_forces(problem)));
-  std::vector<double> difference = problem.loads();
-  add(difference, -1., loads_of_base);
-  RowProblem by_rows(problem);
-  const SelfDual::Program program = {by_rows.loads(loads_of_base, true),
-                                     by_rows.loads(difference, false), 1.};
-  ProvenFactor factor(by_rows.forces(), program,
+  BlendedLoads blend(problem);
+  RowProblem &by_rows = blend.by_rows();
+  ProvenFactor factor(by_rows.forces(), blend.program(),
                       {tolerance_of_share, 1.,
                        std::min(n_max_of_share, controls.n_max_iterations)},
                       terminal);
@@ -153,7 +119,8 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   if (carried() >= 1.)
   {
     share.is_carried = true;
-    keep_forces(divisor, by_rows, factor.carried()->x, carried());
+    keep_forces(divisor, problem,
+                blend.forces_of_all(factor.carried()->x, carried()));
   }
   else if (factor.mechanism() && factor.bound() < 1.)
     share.collapses = keep_mechanism(divisor, divided, by_rows, factor);
@@ -163,7 +130,7 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
     share.inverse = 1. / factor.bound();
     share.slope = share.inverse * share.inverse *
                   work_of_friction(by_rows, factor.carried()->x, u) /
-                  dot(program.live, u);
+                  dot(blend.program().live, u);
   }
   if (!share.is_carried && !share.collapses)
   {
@@ -173,7 +140,7 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
     found.n_iterations += any.n_iterations;
     share.is_carried = any.state.has_value();
     if (any.state)
-      keep_forces(divisor, by_rows, any.state->x, 1.);
+      keep_forces(divisor, problem, by_rows.rows().forces_of(any.state->x));
   }
   terminal.iteration("Strength factor",
                      text("divided by ", divisor, ": share ", carried(), " to ",
@@ -181,21 +148,17 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   return share;
 }
 
-/** Keep forces @p x of rows at a share, with which all of the loads are. */
+/** Keep forces that carry the loads. */
 void StrengthSearch::keep_forces(const double divisor,
-                                 const RowProblem &by_rows,
-                                 const std::vector<double> &x,
-                                 const double share)
+                                 const DiscreteProblem &problem,
+                                 std::vector<double> forces)
 {
   if (divisor <= found.carried)
     return;
-  const std::vector<double> base = pressing_forces(by_rows.of());
   Solution state;
   state.stop = Stop::Reason::converged;
-  state.forces = by_rows.rows().forces_of(x);
-  for (std::size_t k = 0; k < base.size(); ++k)
-    state.forces[k] = base[k] + (state.forces[k] - base[k]) / share;
-  found.forces = dimensional_forces(by_rows.of(), state);
+  state.forces = std::move(forces);
+  found.forces = dimensional_forces(problem, state);
   found.carried = divisor;
 }
 

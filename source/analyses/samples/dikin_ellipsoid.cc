@@ -114,7 +114,7 @@ void BalancedForces::subtract(const std::vector<double> &imbalance,
                               std::vector<double> &x) const
 {
   const std::vector<double> along = by_rows.forces().along(
-      by_rows.forces().solve(imbalance, enough, n_centre_gradients));
+      by_rows.forces().solve(imbalance, 0., enough, n_centre_gradients).u);
   for (std::size_t r = 0; r < x.size(); ++r)
     x[r] -= weights[r] * along[r];
 }

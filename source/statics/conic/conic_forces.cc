@@ -244,6 +244,7 @@ bool ConicForces::prepare_diagonal(std::vector<double> k)
 
 bool ConicForces::factorise()
 {
+  border.clear();
   for (const double coefficient : coefficients)
     if (!std::isfinite(coefficient))
       return false;
@@ -321,37 +322,66 @@ std::vector<double> ConicForces::product(const std::vector<double> &u) const
   return on_bodies(x);
 }
 
-std::vector<double> ConicForces::solve(const std::vector<double> &right,
-                                       const double enough,
-                                       const unsigned int n_gradients)
+void ConicForces::set_border(std::vector<double> f)
 {
-  std::vector<double> u = factor.solve(right, 1), best = u;
+  border = std::move(f);
+  of_border = factor.solve(border, 1);
+  work_of_border = dot(border, of_border);
+}
+
+/** Without a border this changes nothing. */
+double ConicForces::clear_border_work(std::vector<double> &u,
+                                      const double work) const
+{
+  if (border.empty())
+    return 0.;
+  const double alpha = (work - dot(border, u)) / work_of_border;
+  add(u, alpha, of_border);
+  return alpha;
+}
+
+ConicForces::Bordered ConicForces::solve(const std::vector<double> &right,
+                                         const double work,
+                                         const double enough,
+                                         const unsigned int n_gradients)
+{
+  Bordered now = {factor.solve(right, 1), 0.};
+  now.alpha = clear_border_work(now.u, work);
   std::vector<double> left = right;
-  add(left, -1., product(u));
+  add(left, -1., product(now.u));
+  if (!border.empty())
+    add(left, now.alpha, border);
+  Bordered best = now;
   double least = largest_component(left), previous = 0.;
   std::vector<double> direction;
   unsigned int n_in_vain = 0;
   for (unsigned int k = 0;
        k < n_gradients && least > enough && n_in_vain < n_without_gain; ++k)
   {
-    const std::vector<double> z = factor.solve(left, 1);
-    const double now = dot(left, z);
+    // What is left is that of the best alpha, so that it does not grow.
+    std::vector<double> z = factor.solve(left, 1);
+    if (const double more = clear_border_work(z, 0.); more != 0.)
+    {
+      now.alpha += more;
+      add(left, more, border);
+    }
+    const double product_now = dot(left, z);
     if (direction.empty())
-      direction = z;
+      direction = std::move(z);
     else
       for (std::size_t i = 0; i < z.size(); ++i)
-        direction[i] = z[i] + now / previous * direction[i];
-    previous = now;
+        direction[i] = z[i] + product_now / previous * direction[i];
+    previous = product_now;
     const std::vector<double> force = product(direction);
     const double energy = dot(direction, force);
-    if (!(energy > 0.) || !(now > 0.))
+    if (!(energy > 0.) || !(product_now > 0.))
       break;
-    add(u, now / energy, direction);
-    add(left, -now / energy, force);
+    add(now.u, product_now / energy, direction);
+    add(left, -product_now / energy, force);
     ++n_in_vain;
     if (const double size = largest_component(left); size < least)
     {
-      best = u;
+      best = now;
       least = size;
       n_in_vain = 0;
     }

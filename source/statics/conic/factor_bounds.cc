@@ -22,28 +22,17 @@ constexpr double rounding_of_bound = 1e-14, rounding_of_motion = 1e-14;
 constexpr double reduction_of_imbalance = 1e-15;
 constexpr unsigned int n_bound_gradients = 15;
 
-/**
- * Solve S y + f_1 alpha = right, f_1 . y = work, with the matrix S that is
- * prepared; without live loads S y = right.
- */
-std::vector<double> solve(ConicForces &forces,
-                          const std::vector<double> &live,
-                          const std::vector<double> &right,
-                          const double work,
-                          double &alpha)
+/** Solve with the matrix that is prepared, and the live loads for a border. */
+ConicForces::Bordered solve(ConicForces &forces,
+                            const std::vector<double> &live,
+                            const std::vector<double> &right,
+                            const double work)
 {
-  const auto solve_for = [&](const std::vector<double> &load) {
-    return forces.solve(load, reduction_of_imbalance * largest_component(load),
-                        n_bound_gradients);
-  };
-  std::vector<double> y = solve_for(right);
-  alpha = 0.;
-  if (live.empty())
-    return y;
-  const std::vector<double> of_live = solve_for(live);
-  alpha = (dot(live, y) - work) / dot(live, of_live);
-  add(y, -alpha, of_live);
-  return y;
+  if (!live.empty())
+    forces.set_border(live);
+  return forces.solve(right, work,
+                      reduction_of_imbalance * largest_component(right),
+                      n_bound_gradients);
 }
 
 std::vector<double> missing(const ConicForces &forces,
@@ -248,9 +237,9 @@ FactorState state_near(ConicForces &forces,
     const std::vector<double> slack = slacks_of(forces, trial.x);
     if (!forces.prepare(weights_of_state(forces, slack, !anchor)))
       break;
-    double alpha;
-    std::vector<double> dx = forces.along(solve(
-        forces, program.live, missing(forces, program, trial), 0., alpha));
+    const ConicForces::Bordered change =
+        solve(forces, program.live, missing(forces, program, trial), 0.);
+    std::vector<double> dx = forces.along(change.u);
     forces.multiply(dx);
     std::vector<double> of_slacks = forces.at_slacks(dx);
     for (double &component : of_slacks)
@@ -259,7 +248,7 @@ FactorState state_near(ConicForces &forces,
     const double part =
         fastest > fraction_to_bound ? fraction_to_bound / fastest : 1.;
     add(trial.x, part, dx);
-    trial.alpha += part * alpha;
+    trial.alpha -= part * change.alpha;
     trial.residual = residual(trial);
     patience.see(trial.residual, best.residual);
     if (trial.residual < best.residual)
@@ -316,9 +305,8 @@ FactorMotion mechanism_near(ConicForces &forces,
     forces.multiply(left);
     for (double &component : left)
       component = -component;
-    double alpha;
     const std::vector<double> du =
-        solve(forces, program.live, forces.on_bodies(left), work, alpha);
+        solve(forces, program.live, forces.on_bodies(left), work).u;
     std::vector<double> change = forces.along(du);
     forces.multiply(change);
     for (std::size_t r = 0; r < left.size(); ++r)

@@ -2,6 +2,7 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/conic/blended_loads.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
@@ -108,10 +109,8 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
 
 namespace
 {
-/** The distance of the two bounds of a factor between which none decides. */
+/** The distance of the two bounds of a share between which none decides. */
 constexpr double distance_of_bounds = 1e-10;
-/** Work, over the size of its terms, that is rounding. */
-constexpr double rounding_of_work = 1e-12;
 
 /** The solution of a problem that collapses in a displacement @p u of rows. */
 Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
@@ -127,19 +126,6 @@ Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
   return solution;
 }
 
-/** Forces @p x of rows, over a factor that is not less than one. */
-Solution state_with(const RowProblem &problem,
-                    const std::vector<double> &x,
-                    const double factor)
-{
-  Solution solution;
-  solution.stop = Stop::Reason::converged;
-  solution.forces = problem.rows().forces_of(x);
-  for (double &force : solution.forces)
-    force /= factor;
-  return solution;
-}
-
 /** find_state_or_collapse() with the strengths as they are. */
 Solution find_at_once(const DiscreteProblem &problem,
                       const unsigned int n_max_iterations,
@@ -152,67 +138,41 @@ Solution find_at_once(const DiscreteProblem &problem,
   if (!found.collapse.empty())
     solution = collapse_with(by_rows, found.collapse);
   else if (found.state)
-    solution = state_with(by_rows, found.state->x, 1.);
+  {
+    solution.stop = Stop::Reason::converged;
+    solution.forces = by_rows.rows().forces_of(found.state->x);
+  }
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
   return solution;
 }
 
-/**
- * Whether the work of all loads, beyond what is dissipated, is more than
- * rounding, and than forces of their size do where joints close.
+/** Whether the greatest share of loads that are blended is above one, or below.
  */
-bool is_beyond_rounding(const SelfDual::Program &program,
-                        const FactorMotion &motion,
-                        const double bound)
+Solution decide_by_share(const DiscreteProblem &problem,
+                         const unsigned int n_max_iterations,
+                         Terminal &terminal)
 {
-  const double work = dot(program.live, motion.u);
-  double of_terms = 0., of_loads = 0.;
-  for (std::size_t k = 0; k < motion.u.size(); ++k)
-  {
-    of_terms += std::abs(program.live[k] * motion.u[k]);
-    of_loads += std::abs(program.live[k]);
-  }
-  return work * (1. - bound) >
-         rounding_of_work * of_terms +
-             motion.closing * largest_component(motion.u) * of_loads;
-}
-
-/**
- * Whether the factor of all loads is above one, or below. Without loads there
- * is a state, so that this has an optimum however near to one it is.
- */
-Solution decide_by_factor(const DiscreteProblem &problem,
-                          const unsigned int n_max_iterations,
-                          Terminal &terminal)
-{
-  RowProblem by_rows(problem);
-  const SelfDual::Program program = {
-      by_rows.loads(std::vector<double>(problem.n_dofs(), 0.), true),
-      by_rows.loads(problem.loads(), false)};
-  ProvenFactor factor(by_rows.forces(), program,
-                      {distance_of_bounds, 1., n_max_iterations}, terminal);
+  BlendedLoads blend(problem);
+  ProvenFactor share(blend.by_rows().forces(), blend.program(),
+                     {distance_of_bounds, 1., n_max_iterations}, terminal);
   const auto is_carried = [&] {
-    return factor.carried() && factor.carried()->alpha >= 1.;
+    return share.carried() && share.carried()->alpha >= 1.;
   };
   const auto collapses = [&] {
-    return factor.mechanism() &&
-           is_beyond_rounding(program, *factor.mechanism(), factor.bound());
+    return share.mechanism() &&
+           blend.collapse(*share.mechanism(), share.bound());
   };
-  factor.find([&] { return is_carried() || collapses(); });
+  share.find([&] { return is_carried() || collapses(); });
   Solution solution;
   if (is_carried())
-    solution =
-        state_with(by_rows, factor.carried()->x, factor.carried()->alpha);
-  else if (collapses())
-    solution = collapse_with(by_rows, factor.mechanism()->u);
-  else if (factor.state() == SelfDual::State::unbounded)
   {
-    const FeasibleForces any = find_feasible_forces(by_rows, by_rows.loads(),
-                                                    n_max_iterations, terminal);
-    if (any.state)
-      solution = state_with(by_rows, any.state->x, 1.);
+    solution.stop = Stop::Reason::converged;
+    solution.forces =
+        blend.forces_of_all(share.carried()->x, share.carried()->alpha);
   }
-  solution.n_iterations = solution.n_evaluations = factor.n_iterations();
+  else if (collapses())
+    solution = collapse_with(blend.by_rows(), share.mechanism()->u);
+  solution.n_iterations = solution.n_evaluations = share.n_iterations();
   return solution;
 }
 } // namespace
@@ -231,7 +191,7 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
   if (found.converged() || found.mechanism)
     return found;
   const unsigned int n_before = found.n_iterations;
-  found = decide_by_factor(problem, n_max_iterations, terminal);
+  found = decide_by_share(problem, n_max_iterations, terminal);
   found.n_iterations += n_before;
   found.n_evaluations += n_before;
   return found;
@@ -240,7 +200,7 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
 std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
                                        Terminal &terminal)
 {
-  return decide_by_factor(problem, SolverControls().n_max_iterations, terminal)
+  return decide_by_share(problem, SolverControls().n_max_iterations, terminal)
       .mechanism;
 }
 

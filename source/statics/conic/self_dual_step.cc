@@ -102,12 +102,7 @@ bool SelfDual::prepare()
   if (!forces.prepare(weights, program.has_curvature))
     return false;
   if (!program.live.empty())
-  {
-    u_of_live = forces.solve(
-        program.live, reduction_of_gradients * largest_component(program.live),
-        n_self_dual_gradients);
-    work_of_live = dot(program.live, u_of_live);
-  }
+    forces.set_border(program.live);
 
   // What a step depends on through tau, as a correction of the present point:
   // this keeps digits near the optimum.
@@ -159,54 +154,14 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
   const double enough =
       std::max(small_residual * size_of_loads * now.tau,
                share_of_residual * largest_component(residual.balance));
-  found.u = forces.solve(
-      right,
+  ConicForces::Bordered solution = forces.solve(
+      right, live_work,
       std::max(reduction_of_gradients * largest_component(right), enough),
       n_self_dual_gradients);
-  found.alpha = 0.;
-  if (!program.live.empty())
-  {
-    found.alpha = (live_work - dot(program.live, found.u)) / work_of_live;
-    add(found.u, found.alpha, u_of_live);
-  }
-  if (!lambda.empty())
-  {
-    found.x = forces.multiplied_difference(r1, found.u);
-    balance_forces(balance, live_work, enough, found);
-    return;
-  }
-  for (unsigned int n = 0; n < n_refined_steps && !program.live.empty(); ++n)
-  {
-    std::vector<double> left = right;
-    add(left, found.alpha, program.live);
-    add(left, -1., forces.product(found.u));
-    const double missing = live_work - dot(program.live, found.u);
-    if (largest_component(left) < enough && std::abs(missing) < small_residual)
-      break;
-    correct(left, missing, found);
-  }
-  found.x = forces.along(found.u);
-  forces.multiply(found.x);
-  for (std::size_t k = 0; k < found.x.size(); ++k)
-    found.x[k] = k_r1[k] - found.x[k];
-}
-
-/** Add to u and alpha what makes up for what is left; the change of u. */
-std::vector<double> SelfDual::correct(const std::vector<double> &left,
-                                      const double missing,
-                                      Variables &found)
-{
-  std::vector<double> du =
-      forces.solve(left, reduction_of_refinement * largest_component(left),
-                   n_self_dual_gradients);
-  add(found.u, 1., du);
-  if (program.live.empty())
-    return du;
-  const double more = (missing - dot(program.live, du)) / work_of_live;
-  add(found.u, more, u_of_live);
-  add(du, more, u_of_live);
-  found.alpha += more;
-  return du;
+  found.u = std::move(solution.u);
+  found.alpha = solution.alpha;
+  found.x = forces.multiplied_difference(r1, found.u);
+  balance_forces(balance, live_work, enough, found);
 }
 
 /**
@@ -230,7 +185,12 @@ void SelfDual::balance_forces(const std::vector<double> &balance,
     }
     if (largest_component(left) < enough && std::abs(missing) < small_residual)
       break;
-    std::vector<double> dx = forces.along(correct(left, missing, found));
+    const ConicForces::Bordered more = forces.solve(
+        left, missing, reduction_of_refinement * largest_component(left),
+        n_self_dual_gradients);
+    add(found.u, 1., more.u);
+    found.alpha += more.alpha;
+    std::vector<double> dx = forces.along(more.u);
     forces.multiply(dx);
     add(found.x, -1., dx);
   }

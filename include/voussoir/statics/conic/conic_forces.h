@@ -128,22 +128,43 @@ public:
    */
   std::vector<double> multiplied_difference(const std::vector<double> &r,
                                             const std::vector<double> &u) const;
+  /** Give that matrix a row and a column more, of loads @p f whose work is
+   * given and whose factor is sought, until it is prepared again. */
+  void set_border(std::vector<double> f);
+  /** A solution with the border. */
+  struct Bordered
+  {
+    /** The displacement, n_dofs() numbers. */
+    std::vector<double> u;
+    /** The factor of the loads; zero without a border. */
+    double alpha;
+  };
   /**
-   * Solve with that matrix without the shift, by conjugate gradients that the
-   * factors precondition.
+   * Solve
+   *
+   *     A K A^T u - alpha f = right,  f . u = work,
+   *
+   * without the shift, by conjugate gradients among displacements in which f
+   * does no work, which the factors precondition: where the only one that
+   * hardly any force resists is a mechanism in which f does work, as near the
+   * optimum of a factor, they do not see it (Gould, Hribar and Nocedal, *SIAM
+   * Journal on Scientific Computing* 23 (2001), 1376).
    *
    * @param right n_dofs() numbers.
+   * @param work ignored without a border.
    * @param enough the largest component of a residual to stop at.
    * @param n_gradients the largest number of steps.
    */
-  std::vector<double> solve(const std::vector<double> &right,
-                            double enough,
-                            unsigned int n_gradients);
+  Bordered solve(const std::vector<double> &right,
+                 double work,
+                 double enough,
+                 unsigned int n_gradients);
   /** A K A^T times @p u. */
   std::vector<double> product(const std::vector<double> &u) const;
 
 private:
   bool factorise();
+  double clear_border_work(std::vector<double> &u, double work) const;
   void invert_sets(const Weights &weights, bool with_curvature);
 
   const ForceRows &rows;
@@ -156,6 +177,9 @@ private:
   /** Of each row, or of each pair of a set: K. */
   std::vector<double> coefficients;
   SparseFactor factor;
+  /** f, the solution for it without one, and the work of f in that. */
+  std::vector<double> border, of_border;
+  double work_of_border = 0.;
 };
 } // namespace Voussoir
 

@@ -129,8 +129,6 @@ private:
                       const std::vector<double> &balance,
                       double live_work,
                       Variables &found);
-  std::vector<double>
-  correct(const std::vector<double> &left, double missing, Variables &found);
   void balance_forces(const std::vector<double> &balance,
                       double live_work,
                       double enough,
@@ -175,9 +173,6 @@ private:
   ConicForces::Weights weights;
   /** W z of each cone. */
   std::vector<QuadraticCone::Vector> lambda;
-  /** The solution for f_1. */
-  std::vector<double> u_of_live;
-  double work_of_live = 0.;
   /** The derivative by tau. */
   Step by_tau;
   double slope_of_tau = 0.;
