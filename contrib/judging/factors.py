@@ -4,7 +4,7 @@ import numpy
 
 from judging.packing import number
 from judging.program import COLLAPSE
-from judging.programme import CLEAR, NONE, IntervalProgramme
+from judging.programme import CLEAR, NONE
 from judging.proofs import mechanism_proof, state_proof
 from judging.turned_scenes import TurnedScene
 from judging.verdicts import LARGEST_ERROR, ROUNDING, Judgement
@@ -20,7 +20,6 @@ DIRECTIONS = {1.: "greatest", -1.: "least"}
 class FactorJudgement(Judgement):
     """One scene on its way through the program and HiGHS, twice."""
     scenes = TurnedScene
-    programme_of = IntervalProgramme
     is_propped = False
 
     def run(self, name, text):

@@ -5,7 +5,7 @@ import numpy
 
 from judging.packing import Loads
 from judging.program import COLLAPSE, SOLVED
-from judging.programme import Answer, Programme
+from judging.programme import NONE, Answer, IntervalProgramme
 from judging.proofs import mechanism_proof, state_proof
 from judging.scenes import Scene, draw_loads
 
@@ -47,6 +47,7 @@ class Judgement:
     run, words), where kind is "fault" or a word of what is tolerated.
     """
     scenes = Scene
+    programme_of = IntervalProgramme
     # How many of the distances each scene has.
     n_distances = len(DISTANCES)
 
@@ -71,7 +72,8 @@ class Judgement:
         self.judge_factor()
         if self.kind == "bounded":
             self.judge_beside_limit()
-        elif self.kind == "unbounded":
+        elif self.kind == "unbounded" and \
+                self.programme.shortage(self.programme.dead) < NONE:
             for factor in (1., 1e3):
                 self.state(factor * self.sense * self.programme.unit,
                            "carried", numpy.inf)
@@ -105,9 +107,9 @@ class Judgement:
             self.live = self.dead.plus(1., self.live)
             self.dead = Loads()
         self.entries.append("end")
-        self.programme = Programme(self.joints, self.packing,
-                                   self.dead.on(self.packing),
-                                   self.live.on(self.packing))
+        self.programme = self.programme_of(
+            self.joints, self.packing, self.dead.on(self.packing),
+            self.live.on(self.packing))
 
     def judge_factor(self):
         """Class and factor by both, and the program's proofs."""
@@ -233,8 +235,6 @@ class Judgement:
 
     def has_room(self, factor):
         """Whether a factor on the inner side is farther from the other end."""
-        if self.sense * factor > 0. or factor == 0.:
-            return factor != 0.
         other = self.programme.optimum(-self.sense, self.programme.unit,
                                        self.programme.unit)
         away = self.sense * (self.expected.factor - factor)

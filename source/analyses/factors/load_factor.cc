@@ -170,7 +170,7 @@ void LoadFactorSearch::keep(const ProvenFactor &factor)
     found.carried = factor.carried()->alpha * found.unit;
     found.forces = forces_of(factor.carried()->x);
   }
-  else if (!dead.is_loaded())
+  if (!dead.is_loaded() && !(program.sense * found.carried > 0.))
   {
     // Without loads there is nothing to be carried.
     found.carried = 0.;

@@ -3,6 +3,7 @@
 #include <voussoir/analyses/state/assess.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
@@ -91,6 +92,21 @@ void check_certificate(const Scene &scene,
   throw SolverError(
       forces_rejected(record, certificate, carried_by_centre(scene, terminal)));
 }
+
+/** Take another mechanism if that is a proof, as it may be near the limit. */
+void look_for_another(const Scene &scene, NotCarried &found)
+{
+  const DiscreteProblem problem = discretise(scene);
+  const auto mechanism = find_collapse(problem, Terminal::silent());
+  if (!mechanism)
+    return;
+  Motion motion = dimensional_motion(problem, *mechanism);
+  const MechanismCertificate proof = certify_mechanism(scene, motion);
+  if (!proves_collapse(proof))
+    return;
+  found.motion = std::move(motion);
+  found.proof = proof;
+}
 } // namespace
 
 NotCarried prove(const Scene &scene, Motion motion)
@@ -99,6 +115,8 @@ NotCarried prove(const Scene &scene, Motion motion)
   found.motion = std::move(motion);
   found.proof = certify_mechanism(scene, found.motion);
   check_loads(found.proof.load_residual);
+  if (!proves_collapse(found.proof))
+    look_for_another(scene, found);
   if (!proves_collapse(found.proof))
     throw SolverError(text("The solver proposes a collapse mechanism, but it "
                            "closes joints by ",

@@ -51,8 +51,9 @@ constexpr unsigned int n_centre_iterations = 100;
 /** The distance of forces from their limits that no accepted error uses up. */
 constexpr double slack_beside_errors = 1e-3;
 
-/** The shares of other forces in a correction, tried in turn. */
-constexpr std::array<double, 3> shares = {{1e-6, 1e-4, 1e-2}};
+/** The shares of other forces in a correction, tried in turn; at last these
+ * alone. */
+constexpr std::array<double, 4> shares = {{1e-6, 1e-4, 1e-2, 1.}};
 
 bool is_exact(const Scene &scene, const Certificate &certificate)
 {
@@ -88,6 +89,8 @@ std::vector<double> mixed(const std::vector<double> &forces,
 /**
  * Whether a correction makes forces exact: the smallest, or else one towards
  * any state within all limits, which takes forces back that are beyond theirs.
+ * Very close to the limit only that state itself may be left, which carries the
+ * loads all the same.
  */
 bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 {

@@ -15,7 +15,7 @@ constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
                  largest_force_shift = 1e-2;
 
 /** The steps of conjugate gradients that may bring nothing. */
-constexpr unsigned int n_without_gain = 3;
+constexpr unsigned int n_without_gain = 10;
 
 /** The cone N^2 <= 2 f |e| p_k of one end of a section. */
 ConicForces::Cone cone_of(const ForceRows::Section &section,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/newton.h>
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/barrier_problem.h>
 #include <voussoir/statics/paper/analytic_centre.h>
+#include <voussoir/statics/problem/equilibrate.h>
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
 #include <algorithm>
@@ -77,6 +79,30 @@ fixed_joints(const DiscreteProblem &problem,
   }
   return fixed;
 }
+
+/**
+ * Where no centre was found, as very close to the limit: the loads collapse, or
+ * forces that miss the balance give way to others that do not. The solution is
+ * not called a centre.
+ */
+void settle_near_limit(const DiscreteProblem &problem,
+                       const SolverControls &controls,
+                       Solution &solution,
+                       Terminal &terminal)
+{
+  Solution any =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  if (any.mechanism)
+  {
+    solution.mechanism = std::move(any.mechanism);
+    solution.stop = Stop::Reason::collapse;
+  }
+  else if (any.converged() &&
+           (solution.forces.empty() ||
+            largest_component(imbalance(problem, solution.forces)) >
+                controls.tolerance))
+    solution.forces = std::move(any.forces);
+}
 } // namespace
 
 std::string AnalyticCentre::selection() const
@@ -112,8 +138,7 @@ Solution AnalyticCentre::select(const DiscreteProblem &problem,
         return find_centre(at_most, rest, terminal);
       });
   if (!solution.converged() && !solution.mechanism)
-    if ((solution.mechanism = find_collapse(problem, terminal)))
-      solution.stop = Stop::Reason::collapse;
+    settle_near_limit(problem, controls, solution, terminal);
   return solution;
 }
 
