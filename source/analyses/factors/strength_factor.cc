@@ -7,6 +7,7 @@
 #include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,8 +20,9 @@ namespace
 constexpr double largest_divisor = 1e6;
 /** The step of a divisor where nothing says how long it is to be. */
 constexpr double usual_step = 4.;
-/** The largest step of Newton's, of log f. */
+/** The largest step of log f. */
 constexpr double largest_step_of_log = 3.;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 /** A step of Newton's, over the divisor, behind which its error is rounding. */
 constexpr double short_step = 1e-4;
 constexpr unsigned int n_max_of_newton = 40;
@@ -32,6 +34,9 @@ constexpr double largest_distance = 1e-2;
 /** The distance of the two bounds of a share that is enough, over its distance
  * from one, and where that is nothing. */
 constexpr double good_width = 1e-2, small_distance_from_one = 1e-6;
+/** The error of a point to go on from, over the change of log f, and at least.
+ */
+constexpr double error_of_change = 10., least_error_of_start = 1e-4;
 constexpr double tolerance_of_share = 1e-10;
 constexpr unsigned int n_max_of_share = 100;
 
@@ -52,9 +57,8 @@ double work_of_friction(const RowProblem &by_rows,
 /**
  * The search. At a divisor f the greatest share t of loads that are blended,
  * BlendedLoads, says whether they are carried or collapse. Its derivative with
- * log f is the work of friction in the mechanism in which the live loads do the
- * work one, with which Newton's method finds
- * where it is one.
+ * -log f is the work of friction in the mechanism in which the live loads do
+ * the work one, with which Newton's method finds where it is one.
  */
 class StrengthSearch
 {
@@ -72,8 +76,8 @@ private:
   struct Share
   {
     bool is_carried = false, collapses = false;
-    /** One over t, and its derivative with log f; zero if not known. */
-    double inverse = 0., slope = 0.;
+    /** t, and its derivative with -log f; zero if not known. */
+    double t = 0., slope = 0.;
   };
   Share judge(double divisor);
   void keep_forces(double divisor,
@@ -83,7 +87,8 @@ private:
                       const Scene &divided,
                       const RowProblem &by_rows,
                       const ProvenFactor &factor);
-  double next(double divisor, const Share &share) const;
+  double newton(double divisor, const Share &share) const;
+  double next(double divisor, const Share &share);
   double find_limit();
   void find_proofs(double limit);
 
@@ -91,6 +96,13 @@ private:
   const LoadFactorControls &controls;
   Terminal &terminal;
   LoadFactor found;
+  /** The way to the share of a divisor, which others begin with. */
+  ProvenFactor::Course course;
+  double divisor_of_course = 1.;
+  /** Of the last two steps of Newton's, of log f. */
+  std::array<double, 2> lengths = {{infinite, infinite}};
+  /** Whether no strengths at all were looked at. */
+  bool has_seen_none = false;
 };
 
 /** Look at one divisor, and keep proofs that are better. */
@@ -107,13 +119,26 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   const auto carried = [&] {
     return factor.carried() ? factor.carried()->alpha : 0.;
   };
-  factor.find([&] {
+  const auto is_enough = [&] {
     const double distance =
         carried() >= 1. ? carried() - 1. : 1. - factor.bound();
     return distance > 0. &&
            factor.bound() - carried() <=
                good_width * std::max(distance, small_distance_from_one);
-  });
+  };
+  course.cut(std::max(least_error_of_start,
+                      error_of_change *
+                          std::abs(std::log(divisor / divisor_of_course))));
+  const bool is_warm = !course.stops.empty();
+  divisor_of_course = divisor;
+  factor.follow(course);
+  factor.find(is_enough);
+  if (is_warm && factor.state() != SelfDual::State::unbounded && !is_enough())
+  {
+    // Once more from the usual start.
+    course.stops.clear();
+    factor.find(is_enough);
+  }
   found.n_iterations += factor.n_iterations();
   Share share;
   if (carried() >= 1.)
@@ -127,9 +152,8 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
   if (factor.carried() && factor.mechanism() && factor.bound() > 0.)
   {
     const std::vector<double> &u = factor.mechanism()->u;
-    share.inverse = 1. / factor.bound();
-    share.slope = share.inverse * share.inverse *
-                  work_of_friction(by_rows, factor.carried()->x, u) /
+    share.t = factor.bound();
+    share.slope = work_of_friction(by_rows, factor.carried()->x, u) /
                   dot(blend.program().live, u);
   }
   if (!share.is_carried && !share.collapses)
@@ -182,24 +206,43 @@ bool StrengthSearch::keep_mechanism(const double divisor,
   return true;
 }
 
-/** The divisor to look at behind one that was looked at. */
-double StrengthSearch::next(const double divisor, const Share &share) const
+/**
+ * Where by Newton's method t is one. With one mechanism t is linear in one over
+ * the divisor, and of Tresca's friction the least of such; of Coulomb's, in
+ * whose mechanisms joints open the less the greater the divisor is, one over t
+ * is nearly linear in its logarithm. Zero if nothing is known; infinite if no
+ * strengths are needed.
+ */
+double StrengthSearch::newton(const double divisor, const Share &share) const
 {
-  if (share.slope > 0.)
-  {
-    const double wanted =
-        divisor *
-        std::exp(std::clamp((1. - share.inverse) / share.slope,
-                            -largest_step_of_log, largest_step_of_log));
-    if (wanted > found.carried && wanted < found.bound)
-      return wanted;
-  }
-  if (found.carried > 0. && std::isfinite(found.bound))
+  if (!(share.slope > 0.))
+    return share.is_carried ? infinite : 0.;
+  if (!scene.coefficient.empty())
+    return divisor *
+           std::exp(std::clamp((share.t - 1.) * share.t / share.slope,
+                               -largest_step_of_log, largest_step_of_log));
+  const double part = 1. + (1. - share.t) / share.slope;
+  return part > 0. ? divisor / part : infinite;
+}
+
+/** The divisor to look at behind one that was looked at. */
+double StrengthSearch::next(const double divisor, const Share &share)
+{
+  const double wanted = newton(divisor, share);
+  const double length = std::abs(std::log(wanted / divisor));
+  // Where t jumps Newton's method goes to and fro.
+  const bool has_both = found.carried > 0. && std::isfinite(found.bound);
+  const bool is_slow = has_both && !(length < 0.5 * lengths[1]);
+  lengths = {{length, lengths[0]}};
+  if (!is_slow && wanted > found.carried && wanted <= found.bound &&
+      (std::isfinite(wanted) || !has_seen_none))
+    return wanted;
+  if (has_both)
     return std::sqrt(found.carried * found.bound);
   return share.is_carried ? divisor * usual_step : divisor / usual_step;
 }
 
-/** Where by Newton's method the share is one; zero or infinite if nowhere. */
+/** Where the share is one; infinite if no strengths are needed. */
 double StrengthSearch::find_limit()
 {
   double divisor = 1.;
@@ -207,12 +250,19 @@ double StrengthSearch::find_limit()
   {
     const double last = divisor;
     divisor = next(last, judge(last));
-    if (std::abs(divisor / last - 1.) < short_step)
+    if (std::isinf(divisor))
+    {
+      has_seen_none = true;
+      if (judge(divisor).is_carried)
+        return divisor;
+      divisor = last * usual_step;
+    }
+    divisor = std::clamp(divisor, 1. / largest_divisor, largest_divisor);
+    // The next error of Newton's method is rounding; or both proofs are there.
+    if (lengths[0] < short_step ||
+        found.bound - found.carried <= controls.tolerance * found.carried ||
+        divisor == last)
       return divisor;
-    if (divisor * largest_divisor < 1.)
-      return 0.;
-    if (divisor > largest_divisor)
-      return std::numeric_limits<double>::infinity();
   }
   return divisor;
 }
@@ -237,10 +287,10 @@ void StrengthSearch::find_proofs(const double limit)
 LoadFactorAnswer StrengthSearch::find()
 {
   found.carried = 0.;
-  found.bound = std::numeric_limits<double>::infinity();
+  found.bound = infinite;
   LoadFactorAnswer answer;
   const double limit = find_limit();
-  if (std::isinf(limit) && !found.has_mechanism() && judge(limit).is_carried)
+  if (std::isinf(limit))
   {
     // Pressure alone carries the loads, with any strengths.
     found.is_unbounded = true;
@@ -249,7 +299,7 @@ LoadFactorAnswer StrengthSearch::find()
     answer.factor = std::move(found);
     return answer;
   }
-  if (limit > 0. && std::isfinite(limit))
+  if (limit * largest_divisor > 1. && limit < largest_divisor)
     find_proofs(limit);
   if (!(found.carried > 0.) && found.has_mechanism())
   {

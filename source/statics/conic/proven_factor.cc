@@ -38,6 +38,14 @@ ProvenFactor::ProvenFactor(ConicForces &forces,
       least_bound(program.sense * std::numeric_limits<double>::infinity())
 {}
 
+void ProvenFactor::Course::cut(const double least)
+{
+  stops.erase(
+      std::find_if(stops.begin(), stops.end(),
+                   [least](const Stop &stop) { return stop.error < least; }),
+      stops.end());
+}
+
 double ProvenFactor::width() const
 {
   if (!best_state || !best_motion)
@@ -61,7 +69,10 @@ void ProvenFactor::find_anchors(const SelfDual::Point &point)
 
 void ProvenFactor::find(const std::function<bool()> &is_enough)
 {
-  SelfDual search(forces, program);
+  SelfDual search(forces, program,
+                  followed != nullptr && !followed->stops.empty()
+                      ? &followed->stops.back().at
+                      : nullptr);
   std::optional<SelfDual::Point> best;
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
@@ -76,6 +87,8 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
                        text("iteration ", search.n_iterations(), ", factor ",
                             search.alpha() * controls.unit, ", error ",
                             search.merit()));
+    if (followed != nullptr)
+      followed->stops.push_back({search.merit(), search.variables()});
     if (!(search.merit() < least))
       continue;
     least = search.merit();

@@ -38,12 +38,17 @@ double size_of(const SelfDual::Program &program)
 }
 } // namespace
 
-SelfDual::SelfDual(ConicForces &forces, Program program_in)
+SelfDual::SelfDual(ConicForces &forces,
+                   Program program_in,
+                   const Variables *start)
     : forces(forces), program(std::move(program_in)), limits(forces.limits()),
       n_bounds(forces.bounds().size()), size_of_loads(size_of(program)),
       least_mean(std::numeric_limits<double>::infinity())
 {
-  start();
+  if (start != nullptr)
+    now = *start;
+  else
+    take_usual_start();
   if (const double live = largest_component(program.live); live > 0.)
   {
     double strongest = 0.;
@@ -67,7 +72,7 @@ SelfDual::SelfDual(ConicForces &forces, Program program_in)
  * All products start from one. The displacement, with the work one, is small
  * beside the forces.
  */
-void SelfDual::start()
+void SelfDual::take_usual_start()
 {
   const ForceRows &rows = forces.of();
   const auto slack = [&](const std::size_t row, const double range) {

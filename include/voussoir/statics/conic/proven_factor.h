@@ -58,6 +58,23 @@ public:
   void set_anchor(FactorState state) { anchor = std::move(state); }
   /** Take forces within their limits, which prove their own factor. */
   void set_carried(FactorState state) { best_state = std::move(state); }
+  /** Points of the way to an optimum, each with its error. */
+  struct Course
+  {
+    struct Stop
+    {
+      double error;
+      SelfDual::Variables at;
+    };
+    std::vector<Stop> stops;
+    /** Leave the points before the first one with an error below @p least. */
+    void cut(double least);
+  };
+  /**
+   * Go on from the last point of @p course, if it has any, the way of another
+   * program of the same joints with other strengths, and add this one's.
+   */
+  void follow(Course &course) { followed = &course; }
   /** Look for both proofs, or until @p is_enough. */
   void find(const std::function<bool()> &is_enough = [] { return false; });
 
@@ -101,6 +118,7 @@ private:
   const SelfDual::Program program;
   const Controls controls;
   Terminal &terminal;
+  Course *followed = nullptr;
   SelfDual::State state_of_program = SelfDual::State::running;
   /** A state far from the limits, and a motion far from closing joints. */
   std::optional<FactorState> anchor;

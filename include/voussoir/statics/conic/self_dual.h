@@ -60,11 +60,22 @@ public:
     stalled
   };
 
+  /** A point and tau, kappa. */
+  struct Variables
+  {
+    std::vector<double> x, u, s, z;
+    double alpha, tau, kappa;
+  };
+
   /**
    * @param forces of the joints; it must outlive this object.
    * @param program what is asked of them.
+   * @param start the variables() of a program with the same joints and other
+   *   strengths or loads, to go on from; null for the usual start.
    */
-  SelfDual(ConicForces &forces, Program program);
+  SelfDual(ConicForces &forces,
+           Program program,
+           const Variables *start = nullptr);
 
   /** Take a step; what is known then. */
   State step();
@@ -85,6 +96,8 @@ public:
   };
   /** The present point. */
   Point point() const;
+  /** The same, not over tau. */
+  const Variables &variables() const { return now; }
   /**
    * The largest of all errors: the gap between the two objectives, relative to
    * alpha, and of the balance of forces, the bounds and the multipliers.
@@ -102,12 +115,6 @@ public:
   unsigned int n_iterations() const { return iterations; }
 
 private:
-  /** Point and tau, kappa; also of a step. */
-  struct Variables
-  {
-    std::vector<double> x, u, s, z;
-    double alpha, tau, kappa;
-  };
   using Step = Variables;
   /** The residuals of the five groups of equations. */
   struct Residuals
@@ -116,7 +123,7 @@ private:
     double live_work, gap;
   };
 
-  void start();
+  void take_usual_start();
   Residuals residuals() const;
   double curvature_of(const std::vector<double> &x,
                       const std::vector<double> &y) const;
