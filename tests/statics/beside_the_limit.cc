@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Arches closely on both sides of their limit: where an interior point for the
-// loads as they are finds neither forces nor a mechanism, the factor of all
-// loads decides.
+// Arches and dry piles closely on both sides of their limit: where an interior
+// point for the loads as they are finds neither forces nor a mechanism, the
+// share of loads that are blended decides.
 
 #include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/analyses/state/answer.h>
@@ -53,6 +53,27 @@ std::string verdict(const Scene &scene)
   }
 }
 
+/**
+ * A dry pile on its base, drawn at an angle from the vertical: whatever its
+ * weight it slides in its beds, or does not. There is no factor between.
+ */
+void check_pile(const Packing &pile, const double mu, const double distance)
+{
+  const auto is = [&](const double tangent, const std::string &wanted) {
+    Loads loads;
+    loads.traction.resize(pile.boundary_edges().size());
+    for (unsigned int c = 0; c < pile.n_cells(); ++c)
+      loads.body.add(pile, c, pile.area(c) * Tensor<1, 2>({tangent, -1.}));
+    const std::size_t n_joints = pile.interfaces().size();
+    Scene scene(pile, std::vector<double>(n_joints, 0.), loads);
+    scene.coefficient.assign(n_joints, mu);
+    return verdict(scene) == wanted;
+  };
+  check("a pile of " + std::to_string(pile.n_cells()) + " bricks",
+        is(mu * (1. - distance), "carried") &&
+            is(mu * (1. + distance), "collapse"));
+}
+
 void run()
 {
   for (const unsigned int n : {8, 9, 10, 11, 12})
@@ -75,6 +96,9 @@ void run()
             inside == "carried" && outside == "collapse");
     }
   }
+  for (const unsigned int n_courses : {1, 3, 8})
+    for (const double distance : {1e-3, 1e-6, 1e-8})
+      check_pile(on_ground(wall(n_courses, 3)), 0.2123, distance);
 }
 
 const RoomTest test("beside_the_limit", run);

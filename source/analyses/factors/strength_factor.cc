@@ -4,6 +4,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/blended_loads.h>
+#include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
 
 #include <algorithm>

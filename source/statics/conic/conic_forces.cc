@@ -218,7 +218,9 @@ std::vector<double> ConicForces::of_rows(const std::vector<double> &z) const
   return result;
 }
 
-bool ConicForces::prepare(const Weights &weights, const bool with_curvature)
+bool ConicForces::prepare(const Weights &weights,
+                          const bool with_curvature,
+                          const double proximal)
 {
   std::vector<double> &k = coefficients;
   k.assign(rows.n_all_rows(), 0.);
@@ -228,7 +230,7 @@ bool ConicForces::prepare(const Weights &weights, const bool with_curvature)
     k[all_bounds[b].row] += weights.of_bounds[b];
   for (double &sum : k)
     if (sum > 0.)
-      sum = 1. / sum;
+      sum = 1. / (sum + proximal);
   clear_without_force(k);
   if (rows.has_blocks())
     invert_sets(weights, with_curvature);

@@ -31,6 +31,14 @@ constexpr std::size_t many_bounds = 20000;
 constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
 
+/**
+ * The weight of |x - now|^2 / 2 without a quadratic cost. Where no row is near
+ * its limit K would grow without end beside that of rows that slide, and with
+ * several mechanisms at once, as of a dry pile, the systems would lose all
+ * digits; the optimum is the same.
+ */
+constexpr double proximal_weight = 1e-8;
+
 /** The residual at which the conjugate gradients of a step stop. */
 constexpr double reduction_of_gradients = 1e-11, share_of_residual = 1e-3;
 constexpr unsigned int n_self_dual_gradients = 12;
@@ -99,7 +107,8 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
 bool SelfDual::prepare()
 {
   find_scaling();
-  if (!forces.prepare(weights, program.has_curvature))
+  if (!forces.prepare(weights, program.has_curvature,
+                      program.has_curvature ? 0. : proximal_weight))
     return false;
   if (!program.live.empty())
     forces.set_border(program.live);

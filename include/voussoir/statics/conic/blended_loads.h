@@ -2,7 +2,8 @@
 #ifndef voussoir_statics_conic_blended_loads_h
 #define voussoir_statics_conic_blended_loads_h
 
-#include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/conic/factor_bounds.h>
+#include <voussoir/statics/conic/row_problem.h>
 
 #include <vector>
 

@@ -115,9 +115,13 @@ public:
    *     K = (Q + B^T W^-2 B)^-1.
    *
    * @param with_curvature true if Q counts.
+   * @param proximal is added to the diagonal of what is inverted, but for
+   * cones.
    * @return false if no shift helps.
    */
-  bool prepare(const Weights &weights, bool with_curvature = false);
+  bool prepare(const Weights &weights,
+               bool with_curvature = false,
+               double proximal = 0.);
   /** prepare() for a diagonal K, one number a row; there are no cones then. */
   bool prepare_diagonal(std::vector<double> k);
   /** K r, of what is prepared; zero for rows without a slack. */

@@ -2,8 +2,8 @@
 #ifndef voussoir_statics_conic_feasible_state_h
 #define voussoir_statics_conic_feasible_state_h
 
-#include <voussoir/statics/conic/force_rows.h>
 #include <voussoir/statics/conic/proven_factor.h>
+#include <voussoir/statics/conic/row_problem.h>
 #include <voussoir/statics/problem/formulation.h>
 
 #include <optional>
@@ -12,38 +12,6 @@
 
 namespace Voussoir
 {
-/** The joints of a problem by rows whose forces have bounds only. */
-class RowProblem
-{
-public:
-  /** @param problem must outlive this object. */
-  explicit RowProblem(const DiscreteProblem &problem);
-
-  /** The problem. */
-  const DiscreteProblem &of() const { return problem; }
-  /** Its rows. */
-  const ForceRows &rows() const { return of_rows; }
-  /** Their forces; the ground and one cell of each group are held. */
-  ConicForces &forces() { return of_forces; }
-  /** The forces of the rows. */
-  const ConicForces &forces() const { return of_forces; }
-  /** The loads of the rows, without those on held bodies. */
-  std::vector<double> loads() const;
-  /**
-   * The loads of the rows with other loads on the bodies of the problem,
-   * n_dofs() numbers, and @p with_offset for those of ForceRows::offset().
-   */
-  std::vector<double> loads(std::vector<double> of_problem,
-                            bool with_offset) const;
-  /** The displacement of the cells in @p u, of any size, as Mechanism::u. */
-  std::vector<double> of_size_one(std::vector<double> u) const;
-
-private:
-  const DiscreteProblem &problem;
-  ForceRows of_rows;
-  ConicForces of_forces;
-};
-
 /** What find_feasible_forces() found: one of the two, or neither. */
 struct FeasibleForces
 {
@@ -66,7 +34,7 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
 
 /**
  * Find any admissible forces of a problem, or its collapse; near the limit by
- * the factor of all loads, ProvenFactor.
+ * the share of BlendedLoads.
  *
  * @return forces, if it has converged(), or a mechanism, or neither.
  */
@@ -75,7 +43,7 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 Terminal &terminal);
 
 /**
- * Look for a mechanism, by the factor of all loads.
+ * Look for a mechanism, by the share of BlendedLoads.
  *
  * @return none if there is none, or none was found.
  */
