@@ -27,6 +27,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /** A step of Newton's, over the divisor, behind which its error is rounding. */
 constexpr double short_step = 1e-4;
 constexpr unsigned int n_max_of_newton = 40;
+/** Where an interval is cut, in turn. */
+constexpr std::array<double, 5> places = {{0.5, 0.25, 0.75, 0.05, 0.95}};
 /** The distance of a proof from the limit, over the tolerance, and its growth.
  */
 constexpr double first_distance = 0.4, growth_of_distance = 4.;
@@ -92,6 +94,7 @@ private:
   double next(double divisor, const Share &share);
   double find_limit();
   void find_proofs(double limit);
+  void bisect();
 
   const Scene &scene;
   const LoadFactorControls &controls;
@@ -285,6 +288,25 @@ void StrengthSearch::find_proofs(const double limit)
     }
 }
 
+/**
+ * Close in on a limit that Newton's method has missed; where a divisor is left
+ * undecided others are looked at.
+ */
+void StrengthSearch::bisect()
+{
+  unsigned int n_undecided = 0;
+  for (unsigned int n = 0; n < n_max_of_newton && n_undecided < places.size() &&
+                           found.carried > 0. && std::isfinite(found.bound) &&
+                           found.width() > controls.tolerance;
+       ++n)
+  {
+    const Share share =
+        judge(found.carried *
+              std::pow(found.bound / found.carried, places[n_undecided]));
+    n_undecided = share.is_carried || share.collapses ? 0 : n_undecided + 1;
+  }
+}
+
 LoadFactorAnswer StrengthSearch::find()
 {
   found.carried = 0.;
@@ -302,6 +324,7 @@ LoadFactorAnswer StrengthSearch::find()
   }
   if (limit * largest_divisor > 1. && limit < largest_divisor)
     find_proofs(limit);
+  bisect();
   if (!(found.carried > 0.) && found.has_mechanism())
   {
     answer.collapse = std::move(found.mechanism);

@@ -35,9 +35,9 @@ constexpr double outlying = 10.;
  * The weight of |x - now|^2 / 2 without a quadratic cost. Where no row is near
  * its limit K would grow without end beside that of rows that slide, and with
  * several mechanisms at once, as of a dry pile, the systems would lose all
- * digits; the optimum is the same.
+ * digits; the optimum is the same. Far from it rays must grow freely.
  */
-constexpr double proximal_weight = 1e-8;
+constexpr double proximal_weight = 1e-8, near_optimum_of_forces = 1e-4;
 
 /** The residual at which the conjugate gradients of a step stop. */
 constexpr double reduction_of_gradients = 1e-11, share_of_residual = 1e-3;
@@ -107,8 +107,9 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
 bool SelfDual::prepare()
 {
   find_scaling();
+  const bool is_near = error < near_optimum_of_forces;
   if (!forces.prepare(weights, program.has_curvature,
-                      program.has_curvature ? 0. : proximal_weight))
+                      is_near && !program.has_curvature ? proximal_weight : 0.))
     return false;
   if (!program.live.empty())
     forces.set_border(program.live);
