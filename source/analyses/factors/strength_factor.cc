@@ -254,13 +254,14 @@ double StrengthSearch::find_limit()
   {
     const double last = divisor;
     divisor = next(last, judge(last));
-    if (std::isinf(divisor))
+    if (divisor > largest_divisor && !has_seen_none)
     {
       has_seen_none = true;
-      if (judge(divisor).is_carried)
-        return divisor;
-      divisor = last * usual_step;
+      if (judge(infinite).is_carried)
+        return infinite;
     }
+    if (std::isinf(divisor))
+      divisor = last * usual_step;
     divisor = std::clamp(divisor, 1. / largest_divisor, largest_divisor);
     // The next error of Newton's method is rounding; or both proofs are there.
     if (lengths[0] < short_step ||
