@@ -61,11 +61,15 @@ public:
   /** Points of the way to an optimum, each with its error. */
   struct Course
   {
+    /** One of them. */
     struct Stop
     {
+      /** SelfDual::merit(). */
       double error;
+      /** Where. */
       SelfDual::Variables at;
     };
+    /** In their order. */
     std::vector<Stop> stops;
     /** Leave the points before the first one with an error below @p least. */
     void cut(double least);

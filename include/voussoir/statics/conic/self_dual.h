@@ -63,8 +63,11 @@ public:
   /** A point and tau, kappa. */
   struct Variables
   {
+    /** @{ */
+    /** As in Point, times tau. */
     std::vector<double> x, u, s, z;
     double alpha, tau, kappa;
+    /** @} */
   };
 
   /**
