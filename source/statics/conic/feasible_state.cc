@@ -31,7 +31,8 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
                                     const unsigned int n_max_iterations,
                                     Terminal &terminal)
 {
-  const SelfDual::Program fixed = {loads};
+  SelfDual::Program fixed = {loads};
+  fixed.is_verdict = true;
   SelfDual program(problem.forces(), fixed);
   SelfDual::State state = SelfDual::State::running;
   FeasibleForces found;
@@ -100,7 +101,9 @@ Solution decide_by_share(const DiscreteProblem &problem,
                          Terminal &terminal)
 {
   BlendedLoads blend(problem);
-  ProvenFactor share(blend.by_rows().forces(), blend.program(),
+  SelfDual::Program of_share = blend.program();
+  of_share.is_verdict = true;
+  ProvenFactor share(blend.by_rows().forces(), of_share,
                      {distance_of_bounds, 1., n_max_iterations}, terminal);
   const auto is_carried = [&] {
     return share.carried() && share.carried()->alpha >= 1.;

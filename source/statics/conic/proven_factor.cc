@@ -77,6 +77,7 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
   double least = merit_worth_correcting;
   unsigned int last_trial = 0;
   bool is_last = false;
+  state_of_program = SelfDual::State::running;
   while (state_of_program == SelfDual::State::running && !is_last &&
          !is_enough() && search.n_iterations() < controls.n_max_iterations)
   {

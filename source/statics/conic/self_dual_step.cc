@@ -32,10 +32,12 @@ constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
 
 /**
- * The weight of |x - now|^2 / 2 without a quadratic cost. Where no row is near
- * its limit K would grow without end beside that of rows that slide, and with
- * several mechanisms at once, as of a dry pile, the systems would lose all
- * digits; the optimum is the same. Far from it rays must grow freely.
+ * The weight of |x - now|^2 / 2 where a verdict is asked for. Where no row is
+ * near its limit K would grow without end beside that of rows that slide, and
+ * with several mechanisms at once, as of a dry pile, the systems would lose all
+ * digits; the optimum is the same. Far from it rays must grow freely. A factor
+ * has one mechanism, and does with half of the steps without it (measured, a
+ * dry wall of 10,000 bricks: 73 instead of 182).
  */
 constexpr double proximal_weight = 1e-8, near_optimum_of_forces = 1e-4;
 
@@ -107,9 +109,9 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
 bool SelfDual::prepare()
 {
   find_scaling();
-  const bool is_near = error < near_optimum_of_forces;
+  const bool is_proximal = program.is_verdict && error < near_optimum_of_forces;
   if (!forces.prepare(weights, program.has_curvature,
-                      is_near && !program.has_curvature ? proximal_weight : 0.))
+                      is_proximal ? proximal_weight : 0.))
     return false;
   if (!program.live.empty())
     forces.set_border(program.live);

@@ -43,6 +43,9 @@ public:
     std::vector<double> cost = {};
     /** True if Q counts, ConicForces::curvature(). */
     bool has_curvature = false;
+    /** True if what counts is whether the loads are carried, however closely;
+     * there is no quadratic cost then. */
+    bool is_verdict = false;
   };
 
   /** What is known. */
