@@ -47,14 +47,14 @@ list_of(const std::vector<std::vector<dealii::Point<2>>> &rings)
 }
 
 /** Polygons that are joined over gaps up to @p width, as a file's would be. */
-inline Voussoir::Packing
+inline Voussoir::Packing<2>
 joined(const std::vector<std::vector<dealii::Point<2>>> &rings,
        const double width,
        const double tolerance = 1e-10)
 {
   constexpr double fifteen_degrees = 0.2617993877991494;
   Voussoir::PolygonList polygons = list_of(rings);
-  return Voussoir::Packing(Voussoir::join_facing_sides(
+  return Voussoir::Packing<2>(Voussoir::join_facing_sides(
       polygons, {width, fifteen_degrees, tolerance}));
 }
 
@@ -73,7 +73,8 @@ struct Counts
   unsigned int n_boundary_edges;
 };
 
-inline bool has_counts(const Voussoir::Packing &packing, const Counts &counts)
+inline bool has_counts(const Voussoir::Packing<2> &packing,
+                       const Counts &counts)
 {
   return packing.n_cells() == counts.n_cells &&
          packing.interfaces().size() == counts.n_interfaces &&

@@ -84,12 +84,12 @@ inline CellLoops voronoi_cells(const PointList &generators,
 }
 } // namespace Voussoir
 
-inline Voussoir::Packing random_packing(const unsigned int n,
-                                        const unsigned int seed,
-                                        const Voussoir::Rectangle &rectangle = {
-                                            {0., 0.}, {1., 1.}})
+inline Voussoir::Packing<2>
+random_packing(const unsigned int n,
+               const unsigned int seed,
+               const Voussoir::Rectangle &rectangle = {{0., 0.}, {1., 1.}})
 {
-  return Voussoir::Packing(
+  return Voussoir::Packing<2>(
       voronoi_cells(Voussoir::random_points(n, seed, rectangle), rectangle));
 }
 
@@ -105,10 +105,10 @@ tensor(const double xx, const double xy, const double yx, const double yy)
 }
 
 /** A running bond wall from the names and values of its parameters. */
-inline Voussoir::Packing wall(const unsigned int n_courses,
-                              const unsigned int n_bricks,
-                              const double width = 1.,
-                              const double height = 1.)
+inline Voussoir::Packing<2> wall(const unsigned int n_courses,
+                                 const unsigned int n_bricks,
+                                 const double width = 1.,
+                                 const double height = 1.)
 {
   Voussoir::WallGenerator generator;
   dealii::ParameterHandler prm;
@@ -117,12 +117,12 @@ inline Voussoir::Packing wall(const unsigned int n_courses,
   prm.set("Bricks per course", static_cast<long int>(n_bricks));
   prm.set("Width", width);
   prm.set("Height", height);
-  return Voussoir::Packing(
+  return Voussoir::Packing<2>(
       generator.generate("", Voussoir::Terminal::silent()));
 }
 
 /** Unit squares on top of each other, from y = 0 on. */
-inline Voussoir::Packing stack_of_squares(const unsigned int n)
+inline Voussoir::Packing<2> stack_of_squares(const unsigned int n)
 {
   Voussoir::CellLoops cells;
   for (unsigned int k = 0; k <= n; ++k)
@@ -136,11 +136,11 @@ inline Voussoir::Packing stack_of_squares(const unsigned int n)
       cells.loops.push_back(v);
     cells.first.push_back(cells.loops.size());
   }
-  return Voussoir::Packing(cells);
+  return Voussoir::Packing<2>(cells);
 }
 
 /** The packing with supports along y = 0. */
-inline Voussoir::Packing on_ground(Voussoir::Packing packing)
+inline Voussoir::Packing<2> on_ground(Voussoir::Packing<2> packing)
 {
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
@@ -152,7 +152,7 @@ inline Voussoir::Packing on_ground(Voussoir::Packing packing)
 /** A scene with one strength everywhere, under the tractions g(x, n). */
 template <typename Traction>
 Voussoir::Scene
-scene_with(Voussoir::Packing packing,
+scene_with(Voussoir::Packing<2> packing,
            const double strength,
            const Traction &g,
            const Voussoir::Kinematics &kinematics = Voussoir::translations())
@@ -167,7 +167,7 @@ scene_with(Voussoir::Packing packing,
 
 /** A scene with one strength everywhere, under the tractions S n. */
 inline Voussoir::Scene scene_under_stress(
-    Voussoir::Packing packing,
+    Voussoir::Packing<2> packing,
     const double strength,
     const dealii::Tensor<2, 2> &S,
     const Voussoir::Kinematics &kinematics = Voussoir::translations())
@@ -182,7 +182,7 @@ inline Voussoir::Scene scene_under_stress(
 
 /** A scene under a body force, with the coefficient of friction @p mu. */
 inline Voussoir::Scene under_weight(
-    Voussoir::Packing packing,
+    Voussoir::Packing<2> packing,
     const double strength,
     const double mu,
     const Voussoir::Kinematics &kinematics,
@@ -206,7 +206,7 @@ inline Voussoir::Scene under_weight(
  */
 inline Voussoir::Scene crushing_beside_smooth_wall()
 {
-  Voussoir::Packing packing = wall(1, 1);
+  Voussoir::Packing<2> packing = wall(1, 1);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
@@ -220,8 +220,8 @@ inline Voussoir::Scene crushing_beside_smooth_wall()
 }
 
 /** The straight-sided voussoirs of a semicircle of mean radius 1. */
-inline Voussoir::Packing semicircle(const unsigned int n,
-                                    const double thickness)
+inline Voussoir::Packing<2> semicircle(const unsigned int n,
+                                       const double thickness)
 {
   Voussoir::ArchGenerator generator;
   dealii::ParameterHandler prm;
@@ -229,7 +229,7 @@ inline Voussoir::Packing semicircle(const unsigned int n,
   prm.set("Mean radius", 1.);
   prm.set("Thickness", thickness);
   prm.set("Voussoirs", static_cast<long int>(n));
-  return Voussoir::Packing(
+  return Voussoir::Packing<2>(
       generator.generate("", Voussoir::Terminal::silent()));
 }
 
@@ -248,14 +248,14 @@ inline Voussoir::Scene shear_wall(const double strength,
 }
 
 /** n^2 / 2 squares, the points of a lattice turned by 45 degrees. */
-inline Voussoir::Packing turned_squares(const int n)
+inline Voussoir::Packing<2> turned_squares(const int n)
 {
   Voussoir::PointList list;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       if ((i + j) % 2 == 0)
         list.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
-  return Voussoir::Packing(voronoi_cells(list, {{0, 0}, {1, 1}}));
+  return Voussoir::Packing<2>(voronoi_cells(list, {{0, 0}, {1, 1}}));
 }
 
 /** A formulation with settings "set Entry = value" of its own subsection. */

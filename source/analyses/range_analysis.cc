@@ -19,7 +19,7 @@ const std::string parameter_where = "Ranges/Where";
 const std::string parameter_joints = "Ranges/Joints";
 
 /** Choose the interfaces where the condition holds. */
-void choose_where(const Packing &packing,
+void choose_where(const Packing<2> &packing,
                   const std::string &where,
                   const Condition &holds,
                   std::vector<bool> &chosen)
@@ -27,7 +27,7 @@ void choose_where(const Packing &packing,
   bool any = false;
   for (unsigned int e = 0; e < chosen.size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     const dealii::Point<2> x = i.midpoint();
     chosen[e] = holds({x[0], x[1], i.normal[0], i.normal[1]});
     any |= chosen[e];
@@ -40,7 +40,7 @@ void choose_where(const Packing &packing,
 }
 
 /** For each cell and the ground, whether it has the name. */
-std::vector<bool> are_named(const Packing &packing, const std::string &name)
+std::vector<bool> are_named(const Packing<2> &packing, const std::string &name)
 {
   std::vector<bool> named(packing.n_cells() + 1, false);
   for (const unsigned int c : cells_of_name(packing, name, parameter_joints))
@@ -49,7 +49,7 @@ std::vector<bool> are_named(const Packing &packing, const std::string &name)
 }
 
 /** Choose the interfaces of one name, or between two. */
-void choose_named(const Packing &packing,
+void choose_named(const Packing<2> &packing,
                   const std::string &names,
                   std::vector<bool> &chosen)
 {
@@ -186,7 +186,8 @@ void RangeAnalysis::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-std::optional<RangesWanted> RangeAnalysis::wanted(const Packing &packing) const
+std::optional<RangesWanted>
+RangeAnalysis::wanted(const Packing<2> &packing) const
 {
   const Condition holds(where, {"x", "y", "nx", "ny"}, parameter_where);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),

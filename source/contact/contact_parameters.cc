@@ -12,11 +12,11 @@ namespace Voussoir
 namespace
 {
 /** Refuse tension at which Coulomb's friction admits no forces at all. */
-void check_tension(const Packing &packing, const Strengths &strengths)
+void check_tension(const Packing<2> &packing, const Strengths &strengths)
 {
   for (unsigned int e = 0; e < strengths.coefficient.size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     const double cohesion = strengths.of_interface[e];
     const double least = strengths.coefficient[e] * strengths.tensile[e];
     if (least > cohesion)
@@ -59,7 +59,7 @@ void ContactParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-void ContactParameters::add_strengths(const Packing &packing,
+void ContactParameters::add_strengths(const Packing<2> &packing,
                                       Strengths &strengths) const
 {
   strengths.tensile = means(packing, tensile, strengths.warnings);

@@ -42,7 +42,7 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-Strengths FrictionParameters::strengths(const Packing &packing) const
+Strengths FrictionParameters::strengths(const Packing<2> &packing) const
 {
   Strengths found = laws[chosen]->strengths(packing);
   found.law = laws[chosen]->name();

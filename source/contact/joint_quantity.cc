@@ -34,7 +34,7 @@ public:
   {}
 
   /** The mean over the interface @p i. */
-  double mean(const Packing &packing, const Packing::Interface &i)
+  double mean(const Packing<2> &packing, const Packing<2>::Interface &i)
   {
     const auto value_at = [&](const dealii::Point<2> &p) {
       const double at_p = value({p[0], p[1], i.normal[0], i.normal[1]});
@@ -81,7 +81,7 @@ struct OfPair
 using GroupPair = std::pair<unsigned int, unsigned int>;
 
 /** The groups that a user names as "one, other", or as one with itself. */
-GroupPair pair_of_names(const Packing &packing,
+GroupPair pair_of_names(const Packing<2> &packing,
                         const std::string &names,
                         const std::string &parameter)
 {
@@ -105,7 +105,7 @@ void JointQuantity::add_parameters(dealii::ParameterHandler &prm,
                     Anything());
 }
 
-std::vector<double> means(const Packing &packing,
+std::vector<double> means(const Packing<2> &packing,
                           const JointQuantity &quantity,
                           std::vector<std::string> &warnings)
 {
@@ -130,7 +130,7 @@ std::vector<double> means(const Packing &packing,
 
   std::vector<double> result;
   result.reserve(packing.interfaces().size());
-  for (const Packing::Interface &i : packing.interfaces())
+  for (const Packing<2>::Interface &i : packing.interfaces())
   {
     const auto found =
         of_pair.empty()

@@ -39,7 +39,7 @@ std::string all_of(const Point<2> &p)
 }
 
 /** The difference of two coordinates that may be rounding. */
-double rounding_in(const Packing &packing)
+double rounding_in(const Packing<2> &packing)
 {
   double largest = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -146,7 +146,7 @@ CsvReader EarlierRun::open(const std::string &name) const
   return CsvReader(directory / name);
 }
 
-void EarlierRun::check_size(const Packing &packing) const
+void EarlierRun::check_size(const Packing<2> &packing) const
 {
   const auto check = [&](const std::string &things, const std::size_t there,
                          const std::size_t here) {
@@ -184,7 +184,7 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
     if (!interfaces.next())
       refuse(text("its ", interfaces_csv, " ends after ",
                   counted(e, "interface"), " of ", origin.n_interfaces, "."));
-    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const Packing<2>::Interface &i = scene.packing.interfaces()[e];
     const double plus =
         i.cell_plus == scene.packing.ground() ? -1. : i.cell_plus;
     if (line[0] != i.cell_minus || line[1] != plus)
@@ -215,7 +215,7 @@ void EarlierRun::read_interfaces(const Scene &scene, Carried &found)
                      " interfaces of that run."));
 }
 
-void EarlierRun::read_cells(const Packing &packing, Carried &found)
+void EarlierRun::read_cells(const Packing<2> &packing, Carried &found)
 {
   const double rounding = rounding_in(packing);
   for (unsigned int c = 0; c < origin.n_cells; ++c)

@@ -6,7 +6,7 @@ namespace Voussoir
 {
 using dealii::Tensor;
 
-AreaMoments area_moments(const Packing &packing, const unsigned int cell)
+AreaMoments area_moments(const Packing<2> &packing, const unsigned int cell)
 {
   AreaMoments of = {packing.area(cell), {}, {}};
   const dealii::Point<2> &centre = packing.centre(cell);

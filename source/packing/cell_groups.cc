@@ -13,7 +13,7 @@
 
 namespace Voussoir
 {
-unsigned int group_of_name(const Packing &packing,
+unsigned int group_of_name(const Packing<2> &packing,
                            const std::string &name,
                            const std::string &parameter)
 {
@@ -27,7 +27,7 @@ unsigned int group_of_name(const Packing &packing,
                    "; 'Packing/Groups' makes others.");
 }
 
-std::vector<unsigned int> cells_of_name(const Packing &packing,
+std::vector<unsigned int> cells_of_name(const Packing<2> &packing,
                                         const std::string &name,
                                         const std::string &parameter)
 {
@@ -50,7 +50,7 @@ std::vector<unsigned int> cells_of_name(const Packing &packing,
   return cells;
 }
 
-void assign_groups(Packing &packing, const std::string &groups)
+void assign_groups(Packing<2> &packing, const std::string &groups)
 {
   const std::string parameter = "Packing/Groups";
   for (const auto &[name, condition] : split_named_list(groups, parameter))

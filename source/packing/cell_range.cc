@@ -6,7 +6,7 @@
 
 namespace Voussoir
 {
-CellLoops cut_free(const Packing &packing, const CellRange &cells)
+CellLoops cut_free(const Packing<2> &packing, const CellRange &cells)
 {
   CellLoops result;
   // They have been checked: none is to be listed as not convex again.

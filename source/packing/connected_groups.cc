@@ -4,18 +4,18 @@
 
 namespace Voussoir
 {
-std::vector<unsigned int> connected_groups(const Packing &packing,
+std::vector<unsigned int> connected_groups(const Packing<2> &packing,
                                            const Ground ground)
 {
   const unsigned int n = packing.n_cells() + 1;
   boost::disjoint_sets_with_storage<> sets(n);
-  for (const Packing::Interface &interface : packing.interfaces())
+  for (const Packing<2>::Interface &interface : packing.interfaces())
     if (ground == Ground::connects || interface.cell_plus != packing.ground())
       sets.union_set(interface.cell_minus, interface.cell_plus);
   return lowest_in_sets(sets, n);
 }
 
-unsigned int static_indeterminacy(const Packing &packing,
+unsigned int static_indeterminacy(const Packing<2> &packing,
                                   const unsigned int n_per_cell)
 {
   const std::vector<unsigned int> group = connected_groups(packing);

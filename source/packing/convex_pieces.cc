@@ -61,7 +61,8 @@ convex_pieces(const std::vector<Point<2>> &ring)
   return pieces;
 }
 
-std::vector<Point<2>> ring_of(const Packing &packing, const unsigned int cell)
+std::vector<Point<2>> ring_of(const Packing<2> &packing,
+                              const unsigned int cell)
 {
   std::vector<Point<2>> ring;
   for (unsigned int i = 0; i < packing.n_sides(cell); ++i)

@@ -45,7 +45,7 @@ struct Halfedge
 };
 } // namespace
 
-Tensor<1, 2> Packing::Interface::tangent() const
+Tensor<1, 2> Packing<2>::Interface::tangent() const
 {
   Tensor<1, 2> t;
   t[0] = 0. - normal[1]; // not -0
@@ -53,12 +53,12 @@ Tensor<1, 2> Packing::Interface::tangent() const
   return t;
 }
 
-Packing::Packing(CellLoops cells) : mesh(std::move(cells))
+Packing<2>::Packing(CellLoops cells) : mesh(std::move(cells))
 {
   const bool take_centroids = mesh.centres.empty();
   mesh.centres.resize(n_cells());
   areas.resize(n_cells());
-  name_groups();
+  mesh.name_groups();
   for (unsigned int c = 0; c < n_cells(); ++c)
   {
     measure(c, take_centroids);
@@ -67,17 +67,7 @@ Packing::Packing(CellLoops cells) : mesh(std::move(cells))
   find_edges();
 }
 
-void Packing::name_groups()
-{
-  auto &names = mesh.group_names;
-  if (names.empty())
-    names = {"block"};
-  for (const std::string &name : names)
-    check_group_name(name);
-  names.push_back(ground_name);
-}
-
-void Packing::measure(const unsigned int c, const bool take_centroid)
+void Packing<2>::measure(const unsigned int c, const bool take_centroid)
 {
   const unsigned int n = n_sides(c);
   if (n < 3)
@@ -113,7 +103,7 @@ void Packing::measure(const unsigned int c, const bool take_centroid)
     mesh.centres[c] = origin + moment / area;
 }
 
-void Packing::check_shape(const unsigned int c)
+void Packing<2>::check_shape(const unsigned int c)
 {
   const double size = std::sqrt(areas[c]);
   const double tolerance = tolerance_of_chords * size + mesh.tolerance;
@@ -152,12 +142,12 @@ void Packing::check_shape(const unsigned int c)
     hiding.push_back(c);
 }
 
-bool Packing::is_seen_whole(const unsigned int cell) const
+bool Packing<2>::is_seen_whole(const unsigned int cell) const
 {
   return !std::binary_search(hiding.begin(), hiding.end(), cell);
 }
 
-std::vector<unsigned int> Packing::find_opposite_sides() const
+std::vector<unsigned int> Packing<2>::find_opposite_sides() const
 {
   std::vector<unsigned int> opposite = find_shared_sides();
   for (const auto &[one, other] : mesh.facing)
@@ -170,7 +160,7 @@ std::vector<unsigned int> Packing::find_opposite_sides() const
   return opposite;
 }
 
-std::vector<unsigned int> Packing::find_shared_sides() const
+std::vector<unsigned int> Packing<2>::find_shared_sides() const
 {
   std::vector<Halfedge> halfedges;
   halfedges.reserve(mesh.loops.size());
@@ -201,7 +191,7 @@ std::vector<unsigned int> Packing::find_shared_sides() const
   return opposite;
 }
 
-void Packing::find_edges()
+void Packing<2>::find_edges()
 {
   const std::vector<unsigned int> opposite = find_opposite_sides();
   std::vector<unsigned int> cell_of_side(mesh.loops.size());
@@ -249,7 +239,7 @@ void Packing::find_edges()
   }
 }
 
-void Packing::support(const std::vector<bool> &is_support)
+void Packing<2>::support(const std::vector<bool> &is_support)
 {
   AssertDimension(is_support.size(), boundary_list.size());
   std::vector<unsigned int> number(boundary_list.size());
@@ -276,16 +266,16 @@ void Packing::support(const std::vector<bool> &is_support)
   boundary_list = std::move(free);
 }
 
-void Packing::refuse(const unsigned int cell,
-                     const Point<2> &place,
-                     const std::string &fault) const
+void Packing<2>::refuse(const unsigned int cell,
+                        const Point<2> &place,
+                        const std::string &fault) const
 {
   std::string name = describe(cell);
   name.front() = 'C';
   throw InputError(text(name, " at ", text_of_point(place), " ", fault));
 }
 
-dealii::BoundingBox<2> Packing::box() const
+dealii::BoundingBox<2> Packing<2>::box() const
 {
   std::pair<dealii::Point<2>, dealii::Point<2>> corners = {vertex(0, 0),
                                                            vertex(0, 0)};
@@ -300,19 +290,19 @@ dealii::BoundingBox<2> Packing::box() const
   return dealii::BoundingBox<2>(corners);
 }
 
-double Packing::area() const
+double Packing<2>::area() const
 {
   return std::accumulate(areas.begin(), areas.end(), 0.);
 }
 
-unsigned int Packing::group(const unsigned int cell) const
+unsigned int Packing<2>::group(const unsigned int cell) const
 {
   if (cell == ground())
     return mesh.group_names.size() - 1;
   return mesh.group.empty() ? 0 : mesh.group[cell];
 }
 
-void Packing::set_group(const unsigned int cell, const std::string &name)
+void Packing<2>::set_group(const unsigned int cell, const std::string &name)
 {
   check_group_name(name);
   auto &names = mesh.group_names;
@@ -323,7 +313,7 @@ void Packing::set_group(const unsigned int cell, const std::string &name)
   mesh.group[cell] = found - names.begin();
 }
 
-double Packing::distance(const Interface &interface) const
+double Packing<2>::distance(const Interface &interface) const
 {
   const unsigned int minus = interface.cell_minus, plus = interface.cell_plus;
   if (!is_seen_whole(minus) || !is_seen_whole(plus))
@@ -333,8 +323,8 @@ double Packing::distance(const Interface &interface) const
 }
 
 /** The part of d_e that lies in a cell. */
-double Packing::half_distance(const unsigned int cell,
-                              const Interface &interface) const
+double Packing<2>::half_distance(const unsigned int cell,
+                                 const Interface &interface) const
 {
   if (cell == ground())
     return 0.;
@@ -346,14 +336,8 @@ double Packing::half_distance(const unsigned int cell,
   return 2. * area(cell) / perimeter;
 }
 
-std::string Packing::describe(const unsigned int cell) const
+std::string Packing<2>::describe(const unsigned int cell) const
 {
-  if (cell == ground())
-    return "the ground";
-  std::string name = text("cell ", cell);
-  if (!mesh.records.empty())
-    name += text(" (", mesh.record_name, " ", mesh.records[cell], " of '",
-                 mesh.file, "')");
-  return name;
+  return cell == ground() ? "the ground" : mesh.describe(cell);
 }
 } // namespace Voussoir

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/honeycomb.h>
@@ -14,36 +13,21 @@
 
 namespace Voussoir
 {
-PackingParameters::PackingParameters()
+PackingParameters<2>::PackingParameters()
 {
   // The one place where a generator is registered.
-  generators.push_back(std::make_unique<VoronoiGenerator>());
-  generators.push_back(std::make_unique<WallGenerator>());
-  generators.push_back(std::make_unique<ArchGenerator>());
-  generators.push_back(std::make_unique<HoneycombGenerator>());
-  generators.push_back(std::make_unique<PerturbedGridGenerator>());
-  auto of_polygons = std::make_unique<PolygonGenerator>();
-  polygons = of_polygons.get();
-  generators.push_back(std::move(of_polygons));
+  generators.add<VoronoiGenerator>();
+  generators.add<WallGenerator>();
+  generators.add<ArchGenerator>();
+  generators.add<HoneycombGenerator>();
+  generators.add<PerturbedGridGenerator>();
+  polygons = generators.add<PolygonGenerator>();
 }
 
-void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
+void PackingParameters<2>::add_parameters(dealii::ParameterHandler &prm)
 {
-  std::vector<Choice<unsigned int>> choices;
-  for (unsigned int i = 0; i < generators.size(); ++i)
-    choices.push_back({i, generators[i]->name(), generators[i]->meaning(),
-                       generators[i]->name()});
-
   prm.enter_subsection("Packing");
-  add_choice(prm, "Generator", chosen, choices,
-             "Where the cells come from; the parameters are in the subsection "
-             "of the same name.");
-  for (const auto &generator : generators)
-  {
-    prm.enter_subsection(generator->name());
-    generator->add_parameters(prm);
-    prm.leave_subsection();
-  }
+  generators.add_parameters(prm);
   prm.add_parameter(
       "Groups", groups,
       "Names for groups of cells, \"name: condition | name: condition\", with "
@@ -54,15 +38,16 @@ void PackingParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-Packing PackingParameters::make_packing(const std::filesystem::path &directory,
-                                        const bool joins_corners,
-                                        Terminal &terminal) const
+Packing<2>
+PackingParameters<2>::make_packing(const std::filesystem::path &directory,
+                                   const bool joins_corners,
+                                   Terminal &terminal) const
 {
-  CellLoops cells = generators[chosen]->generate(directory, terminal);
-  if (joins_corners && generators[chosen].get() == polygons)
+  CellLoops cells = generators.chosen().generate(directory, terminal);
+  if (joins_corners && &generators.chosen() == polygons)
     join_corners(cells);
   terminal.progress("looking for interfaces");
-  Packing packing(std::move(cells));
+  Packing<2> packing(std::move(cells));
   assign_groups(packing, groups);
   return packing;
 }

@@ -14,7 +14,7 @@ constexpr double straightness = 1e-9;
 
 /** For each edge the one that follows it on a straight line, or none. */
 std::vector<unsigned int>
-followers(const std::vector<Packing::BoundaryEdge> &edges)
+followers(const std::vector<Packing<2>::BoundaryEdge> &edges)
 {
   using Coordinates = std::pair<double, double>;
   std::multimap<Coordinates, unsigned int> by_start;
@@ -35,7 +35,7 @@ followers(const std::vector<Packing::BoundaryEdge> &edges)
 } // namespace
 
 std::vector<StraightRun>
-straight_runs(const std::vector<Packing::BoundaryEdge> &edges)
+straight_runs(const std::vector<Packing<2>::BoundaryEdge> &edges)
 {
   const std::vector<unsigned int> next = followers(edges);
   std::vector<bool> follows(edges.size(), false);

@@ -18,18 +18,18 @@ namespace py = pybind11;
 
 /** @{ */
 /** The number of elements of a packing. */
-std::size_t n_interfaces(const Packing &packing)
+std::size_t n_interfaces(const Packing<2> &packing)
 {
   return packing.interfaces().size();
 }
-std::size_t n_cells(const Packing &packing)
+std::size_t n_cells(const Packing<2> &packing)
 {
   return packing.n_cells();
 }
 /** @} */
 
 /** The polygons of a packing as arrays. */
-std::vector<py::array_t<double>> polygons_of(const Packing &packing)
+std::vector<py::array_t<double>> polygons_of(const Packing<2> &packing)
 {
   std::vector<py::array_t<double>> polygons;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)

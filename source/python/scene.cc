@@ -102,7 +102,7 @@ std::string PyScene::get(const std::string &name) const
   return tree.at(place).at("value");
 }
 
-std::shared_ptr<const Packing> PyScene::get_packing()
+std::shared_ptr<const Packing<2>> PyScene::get_packing()
 {
   return run.shared_packing(directory, packings);
 }

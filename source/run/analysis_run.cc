@@ -81,7 +81,7 @@ void AnalysisRun::warn_of_unused() const
     terminal.warning(warning);
 }
 
-std::shared_ptr<const Packing>
+std::shared_ptr<const Packing<2>>
 AnalysisRun::shared_packing(const std::filesystem::path &directory,
                             SharedPackings &packings) const
 {
@@ -138,8 +138,8 @@ AnalysisRun::open(const std::filesystem::path &directory)
   return files;
 }
 
-Packing AnalysisRun::read_packing(const std::filesystem::path &directory,
-                                  ResultDirectory *const files)
+Packing<2> AnalysisRun::read_packing(const std::filesystem::path &directory,
+                                     ResultDirectory *const files)
 {
   try
   {

@@ -180,7 +180,7 @@ bool ResultWriter::writes(const ResultFiles kind) const
          (kind == ResultFiles::csv && keeps_forces);
 }
 
-bool ResultWriter::reports(const Packing &packing) const
+bool ResultWriter::reports(const Packing<2> &packing) const
 {
   return report == Report::always ||
          (report == Report::automatic && result_files == ResultFiles::all &&
@@ -332,13 +332,13 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
 }
 
 void ResultWriter::write_packing(ResultDirectory &files,
-                                 const Packing &packing) const
+                                 const Packing<2> &packing) const
 {
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, packing); });
   };
   if (writes(ResultFiles::vtu) && !packing.gaps().empty())
-    add(drawing_check_vtu, [](std::ostream &out, const Packing &of) {
+    add(drawing_check_vtu, [](std::ostream &out, const Packing<2> &of) {
       write_drawing_check_vtu(out, check_of_gaps(of));
     });
   if (packing_file == PackingFile::wkt)

@@ -90,7 +90,7 @@ std::optional<EarlierRun> SceneAnalysis::earlier_run() const
   return EarlierRun(earlier_directory);
 }
 
-SceneData SceneAnalysis::data(Packing packing) const
+SceneData SceneAnalysis::data(Packing<2> packing) const
 {
   SceneData data =
       of_scene.data(std::move(packing), analysis().has_live_loads(), terminal);

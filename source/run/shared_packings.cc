@@ -7,9 +7,9 @@
 
 namespace Voussoir
 {
-std::shared_ptr<const Packing>
+std::shared_ptr<const Packing<2>>
 SharedPackings::get(const std::string &key,
-                    const std::function<Packing()> &make,
+                    const std::function<Packing<2>()> &make,
                     Terminal &terminal)
 {
   const auto has_key = [&key](const Kept &one) { return one.key == key; };
@@ -37,7 +37,7 @@ SharedPackings::get(const std::string &key,
   try
   {
     const std::size_t n_before = terminal.warnings().size();
-    auto packing = std::make_shared<const Packing>(make());
+    auto packing = std::make_shared<const Packing<2>>(make());
     promise.set_value(
         {std::move(packing),
          {terminal.warnings().begin() + n_before, terminal.warnings().end()}});

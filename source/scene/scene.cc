@@ -58,7 +58,7 @@ constexpr double touches = 1e-9;
 constexpr double widest_joint = 0.2;
 
 /** A sentence on the cell that is the nearest to a connected group of cells. */
-std::string describe_nearest(const Packing &packing,
+std::string describe_nearest(const Packing<2> &packing,
                              const std::vector<unsigned int> &group,
                              const unsigned int g)
 {
@@ -69,7 +69,7 @@ std::string describe_nearest(const Packing &packing,
   const CellTree cells(std::move(rings));
   std::optional<NearestCell> found;
   unsigned int of = g;
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  for (const Packing<2>::BoundaryEdge &edge : packing.boundary_edges())
   {
     if (group[edge.cell] != g)
       continue;
@@ -106,7 +106,7 @@ std::string share_in_words(const double share)
 }
 
 /** The message that the groups @p floating, by their first cells, move. */
-std::string describe_unbalanced(const Packing &packing,
+std::string describe_unbalanced(const Packing<2> &packing,
                                 const std::vector<GroupLoad> &loads,
                                 const std::vector<unsigned int> &group,
                                 const std::vector<unsigned int> &floating)
@@ -141,7 +141,7 @@ std::string describe_unbalanced(const Packing &packing,
 }
 
 /** The largest distance of a point of a cell from its centre. */
-double reach(const Packing &packing, const unsigned int c)
+double reach(const Packing<2> &packing, const unsigned int c)
 {
   double largest = 0.;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
@@ -151,7 +151,7 @@ double reach(const Packing &packing, const unsigned int c)
 }
 } // namespace
 
-Scene::Scene(Packing packing_in,
+Scene::Scene(Packing<2> packing_in,
              std::vector<double> strength_in,
              Loads loads,
              const Kinematics &kinematics_in)
@@ -305,14 +305,15 @@ double Scene::residual_of_loads(const Resultant &requested) const
          size;
 }
 
-Tensor<1, 2> InterfaceForces::on_cell_minus(const Packing::Interface &interface,
-                                            const unsigned int e) const
+Tensor<1, 2>
+InterfaceForces::on_cell_minus(const Packing<2>::Interface &interface,
+                               const unsigned int e) const
 {
   return normal[e] * interface.normal + tangential[e] * interface.tangent();
 }
 
 double
-InterfaceForces::torque_on_cell_minus(const Packing::Interface &interface,
+InterfaceForces::torque_on_cell_minus(const Packing<2>::Interface &interface,
                                       const unsigned int e,
                                       const dealii::Point<2> &centre) const
 {
@@ -327,11 +328,11 @@ InterfaceForces::torque_on_cell_minus(const Packing::Interface &interface,
 std::vector<double> residual_torques(const Scene &scene,
                                      const InterfaceForces &forces)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::vector<double> torques(packing.n_cells(), 0.);
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     torques[i.cell_minus] +=
         forces.torque_on_cell_minus(i, e, packing.centre(i.cell_minus));
     if (i.cell_plus != packing.ground())
@@ -340,7 +341,7 @@ std::vector<double> residual_torques(const Scene &scene,
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {
-    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
     torques[edge.cell] +=
         cross(edge.midpoint() - packing.centre(edge.cell),
               edge.length * scene.traction[b]) +

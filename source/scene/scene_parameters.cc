@@ -24,10 +24,10 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
   contact.add_parameters(prm);
 }
 
-Packing SceneParameters::read_packing(const std::filesystem::path &directory,
-                                      Terminal &terminal) const
+Packing<2> SceneParameters::read_packing(const std::filesystem::path &directory,
+                                         Terminal &terminal) const
 {
-  Packing blocks = packing.make_packing(directory, blocks_turn, terminal);
+  Packing<2> blocks = packing.make_packing(directory, blocks_turn, terminal);
   for (const std::string &notice : blocks.notices())
     terminal.warning(notice);
   supports.support(blocks);
@@ -42,7 +42,7 @@ std::string SceneParameters::packing_key(const nlohmann::ordered_json &tree)
   return key;
 }
 
-SceneData SceneParameters::data(Packing blocks,
+SceneData SceneParameters::data(Packing<2> blocks,
                                 const bool with_live_loads,
                                 Terminal &terminal) const
 {

@@ -17,7 +17,7 @@ namespace
 const std::vector<std::string> boundary_variables = {"x", "y", "nx", "ny"};
 
 /** The supports under the cells of a name, which have had no motion yet. */
-std::vector<unsigned int> supports_of(const Packing &packing,
+std::vector<unsigned int> supports_of(const Packing<2> &packing,
                                       const std::string &name,
                                       const std::string &parameter,
                                       std::vector<bool> &has_own)
@@ -47,7 +47,7 @@ std::vector<unsigned int> supports_of(const Packing &packing,
 }
 
 /** Let supports move by "u_x; u_y" or "u_x; u_y; angle". */
-void move(const Packing &packing,
+void move(const Packing<2> &packing,
           const std::vector<unsigned int> &supports,
           const std::string &value,
           const std::string &parameter,
@@ -60,7 +60,7 @@ void move(const Packing &packing,
   const std::size_t first = packing.interfaces().size() - packing.n_supports();
   for (const unsigned int k : supports)
   {
-    const Packing::Interface &i = packing.interfaces()[first + k];
+    const Packing<2>::Interface &i = packing.interfaces()[first + k];
     const dealii::Point<2> x = i.midpoint();
     const auto component = [&](const unsigned int j) {
       return u.component(j, {x[0], x[1], i.normal[0], i.normal[1]}, [&] {
@@ -101,7 +101,7 @@ void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-void SupportParameters::support(Packing &packing) const
+void SupportParameters::support(Packing<2> &packing) const
 {
   const std::string parameter = "Supports/Where";
   if (!Condition(where, boundary_variables, parameter).is_never())
@@ -109,7 +109,7 @@ void SupportParameters::support(Packing &packing) const
 }
 
 std::vector<SupportMotion>
-SupportParameters::motion(const Packing &packing) const
+SupportParameters::motion(const Packing<2> &packing) const
 {
   const std::string parameter = "Supports/Displacement";
   const std::string of_groups = "Supports/Group displacements";
@@ -143,14 +143,14 @@ SupportParameters::motion(const Packing &packing) const
   return motion;
 }
 
-std::vector<bool> boundary_edges_where(const Packing &packing,
+std::vector<bool> boundary_edges_where(const Packing<2> &packing,
                                        const std::string &condition,
                                        const std::string &parameter)
 {
   const Condition holds(condition, boundary_variables, parameter);
   std::vector<bool> chosen;
   chosen.reserve(packing.boundary_edges().size());
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  for (const Packing<2>::BoundaryEdge &edge : packing.boundary_edges())
   {
     const dealii::Point<2> x = edge.midpoint();
     chosen.push_back(holds({x[0], x[1], edge.normal[0], edge.normal[1]}));

@@ -9,7 +9,7 @@ using dealii::Tensor;
 std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
                                              const InterfaceForces &forces)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::vector<Tensor<2, 2>> mean(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {

@@ -68,7 +68,7 @@ Tensor<1, 2> shift_of_couple(const double couple, const Tensor<1, 2> &along)
 class Cutting
 {
 public:
-  Cutting(const Packing &packing,
+  Cutting(const Packing<2> &packing,
           const unsigned int cell,
           const std::vector<std::vector<unsigned int>> &pieces)
       : packing(packing), cell(cell), pieces(pieces), on_piece(pieces.size())
@@ -192,7 +192,7 @@ private:
     return behind;
   }
 
-  const Packing &packing;
+  const Packing<2> &packing;
   const unsigned int cell;
   const std::vector<std::vector<unsigned int>> pieces;
   std::vector<Wrench> on_piece;
@@ -203,7 +203,7 @@ private:
 };
 } // namespace
 
-CellPieces::CellPieces(const Packing &packing)
+CellPieces::CellPieces(const Packing<2> &packing)
     : packing(packing), pieces(loops())
 {}
 

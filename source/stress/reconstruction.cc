@@ -20,7 +20,7 @@ using dealii::Tensor;
 namespace
 {
 /** Set @p cell to cell @p c of a packing. */
-void read(const Packing &packing,
+void read(const Packing<2> &packing,
           const CellForces &of_all,
           const unsigned int c,
           LoadedCell &cell)
@@ -137,7 +137,7 @@ Reconstruction::cell_stress(const unsigned int n_sides) const
   return std::make_unique<Fan>(n_sides);
 }
 
-StressField reconstruct_stress(const Packing &packing,
+StressField reconstruct_stress(const Packing<2> &packing,
                                const CellForces &forces,
                                const Reconstruction &how,
                                Terminal &terminal)

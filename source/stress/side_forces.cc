@@ -11,8 +11,8 @@ SideForce side_force(const Scene &scene,
                      const unsigned int cell,
                      const unsigned int i)
 {
-  const Packing &packing = scene.packing;
-  const Packing::Side &side = packing.sides(cell)[i];
+  const Packing<2> &packing = scene.packing;
+  const Packing<2>::Side &side = packing.sides(cell)[i];
   if (side.on_boundary)
   {
     const double length = packing.boundary_edges()[side.index].length;
@@ -20,7 +20,7 @@ SideForce side_force(const Scene &scene,
             2. / length * scene.traction_moment[side.index]};
   }
 
-  const Packing::Interface &interface = packing.interfaces()[side.index];
+  const Packing<2>::Interface &interface = packing.interfaces()[side.index];
   const double sign = interface.cell_minus == cell ? 1. : -1.;
   SideForce of_side;
   of_side.force = sign * forces.on_cell_minus(interface, side.index);
@@ -43,7 +43,7 @@ CellForces cell_forces(const Scene &scene,
                        const InterfaceForces &forces,
                        const CellRange &cells)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const std::size_t n_sides =
       packing.first_side(cells.end) - packing.first_side(cells.begin);
   CellForces result;

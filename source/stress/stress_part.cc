@@ -84,7 +84,7 @@ StressPart reconstruct(Message message,
                        const ProcessGroup &processes,
                        Terminal &terminal)
 {
-  Packing packing(std::move(message.cells));
+  Packing<2> packing(std::move(message.cells));
   StressField stress =
       reconstruct_stress(packing, message.forces, how, terminal);
   for (unsigned int &c : stress.undetermined)

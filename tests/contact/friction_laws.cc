@@ -13,7 +13,7 @@ namespace test_friction_laws
 {
 using namespace Voussoir;
 
-Strengths strengths(const Packing &packing, const std::string &settings)
+Strengths strengths(const Packing<2> &packing, const std::string &settings)
 {
   FrictionParameters friction;
   dealii::ParameterHandler prm;
@@ -32,7 +32,7 @@ double distance(const std::vector<double> &a, const std::vector<double> &b)
 
 void run()
 {
-  const Packing packing = wall(4, 4);
+  const Packing<2> packing = wall(4, 4);
   const Strengths tresca = strengths(packing, "set Strength = 1 + y");
   check("Tresca has no coefficient", tresca.coefficient.empty());
   check("  and is associated", tresca.dilate);

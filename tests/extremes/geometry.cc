@@ -51,7 +51,7 @@ std::array<double, 2> errors_inside(const Scene &scene,
                                     const dealii::Tensor<2, 2> &S,
                                     const Reconstruction &how)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   InterfaceForces forces;
   for (const auto &i : packing.interfaces())
   {
@@ -86,7 +86,7 @@ std::array<double, 2> errors_inside(const Scene &scene,
 }
 
 /** Uniform stresses come back inside the cells, and nothing is NaN. */
-void reconstruct(const std::string &name, const Packing &packing)
+void reconstruct(const std::string &name, const Packing<2> &packing)
 {
   for (const auto &S : {pressure, tensor(-1.3, 0.2, 0.2, -0.7)})
   {
@@ -109,7 +109,7 @@ void reconstruct(const std::string &name, const Packing &packing)
  * the residual times the cells' @p aspect.
  */
 void carry_pressure(const std::string &name,
-                    const Packing &packing,
+                    const Packing<2> &packing,
                     const double aspect = 1.)
 {
   Worst certificate, mean;
@@ -135,9 +135,9 @@ void carry_pressure(const std::string &name,
 // ------------------------------------------------------------- short edges
 
 /** Four cells around an edge of length h in the middle of a square. */
-Packing around_short_edge(const double h)
+Packing<2> around_short_edge(const double h)
 {
-  return Packing(
+  return Packing<2>(
       cells_of({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -h / 2}, {0, h / 2}},
                {{0, 1, 4}, {1, 2, 5, 4}, {2, 3, 5}, {3, 0, 4, 5}}));
 }
@@ -172,12 +172,12 @@ void try_close_generators()
 {
   for (const double distance : {1e-3, 1e-6, 1e-9, 1e-11})
     carry_pressure(text("generators ", distance, " apart"),
-                   Packing(voronoi_cells(points({{0.5, 0.5},
-                                                 {0.5 + distance, 0.5},
-                                                 {0.2, 0.3},
-                                                 {0.8, 0.2},
-                                                 {0.3, 0.8}}),
-                                         unit)));
+                   Packing<2>(voronoi_cells(points({{0.5, 0.5},
+                                                    {0.5 + distance, 0.5},
+                                                    {0.2, 0.3},
+                                                    {0.8, 0.2},
+                                                    {0.3, 0.8}}),
+                                            unit)));
   for (const double distance : {1e-13, 1e-15, 0.})
     show_refusal([&] {
       voronoi_cells(points({{0.25, 0.5}, {0.25 + distance, 0.5}}), unit);
@@ -199,13 +199,13 @@ void try_meeting_cells()
                                0.5 + radius * std::sin(angle));
     }
     carry_pressure(text("five cells at a point but for ", perturbation),
-                   Packing(voronoi_cells(list, unit)));
+                   Packing<2>(voronoi_cells(list, unit)));
   }
   PointList grid;
   for (unsigned int i = 0; i < 7; ++i)
     for (unsigned int j = 0; j < 7; ++j)
       grid.points.emplace_back((i + 0.5) / 7, (j + 0.5) / 7);
-  const Packing squares(voronoi_cells(grid, unit));
+  const Packing<2> squares(voronoi_cells(grid, unit));
   check("cocircular seeds: 84 interfaces", squares.interfaces().size() == 84);
   carry_pressure("cocircular seeds", squares);
 }
@@ -234,7 +234,7 @@ void try_shear(const std::string &name,
 }
 
 /** Two columns in courses of height 1 and 1e-6 in turn. */
-Packing uneven_courses()
+Packing<2> uneven_courses()
 {
   std::vector<double> y = {0.};
   for (unsigned int k = 0; k < 5; ++k)
@@ -251,13 +251,13 @@ Packing uneven_courses()
       const unsigned int v = 3 * k + i;
       loops.push_back({v, v + 1, v + 4, v + 3});
     }
-  return Packing(cells_of(vertices, loops));
+  return Packing<2>(cells_of(vertices, loops));
 }
 
 // ------------------------------------------------------- sides and counts
 
 /** A regular polygon of n sides, and a ring of n cells around it. */
-Packing ring_around(const unsigned int n)
+Packing<2> ring_around(const unsigned int n)
 {
   std::vector<Point<2>> vertices;
   for (const double radius : {1., 1.05})
@@ -272,12 +272,12 @@ Packing ring_around(const unsigned int n)
     const unsigned int next = (i + 1) % n;
     loops.push_back({i, i + n, next + n, next});
   }
-  return Packing(cells_of(vertices, loops));
+  return Packing<2>(cells_of(vertices, loops));
 }
 
 void try_few_cells()
 {
-  const Packing one(voronoi_cells(points({{0.3, 0.8}}), unit));
+  const Packing<2> one(voronoi_cells(points({{0.3, 0.8}}), unit));
   const Scene alone = scene_under_stress(one, 1., pressure);
   for (const Method &method : all_methods)
     check("one cell, " + method.name,
@@ -291,9 +291,10 @@ void try_few_cells()
     for (const Method &method : all_methods)
     {
       // The joints are as long as the sides: |f^n| = 1, f^t = 0.
-      const Judgement found = judge(
-          scene_under_stress(Packing(voronoi_cells(row, unit)), 1., pressure),
-          method);
+      const Judgement found =
+          judge(scene_under_stress(Packing<2>(voronoi_cells(row, unit)), 1.,
+                                   pressure),
+                method);
       check(std::to_string(n) + " cells, " + method.name,
             found.verdict == Verdict::carried);
       for (unsigned int e = 0; e < found.forces.normal.size(); ++e)

@@ -32,7 +32,7 @@ Scene arch(const double strength)
   prm.set("Mean radius", 1.);
   prm.set("Thickness", 0.1);
   prm.set("Voussoirs", 10L);
-  Packing packing(generator.generate("", Terminal::silent()));
+  Packing<2> packing(generator.generate("", Terminal::silent()));
   packing.support(boundary_edges_where(packing, "ny < -0.99 && y < 1e-9", ""));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());

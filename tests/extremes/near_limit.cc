@@ -59,7 +59,7 @@ void approach(const std::string &name,
 }
 
 /** Under weight and horizontal tractions on the left, held at the bottom. */
-Scene pushed(Packing packing, const double strength)
+Scene pushed(Packing<2> packing, const double strength)
 {
   packing.support(boundary_edges_where(packing, "ny < -0.99 && y < 1e-9", ""));
   Loads loads;

@@ -50,7 +50,7 @@ Forces forces_by_pair(const CellLoops &cells,
                       const Method &method)
 {
   const Scene scene =
-      scene_under_stress(Packing(renumbered(cells, old_number, turn)), 0.35,
+      scene_under_stress(Packing<2>(renumbered(cells, old_number, turn)), 0.35,
                          tensor(-1.2, 0.1, 0.1, -0.8));
   const Judgement found = judge(scene, method);
   Forces forces;

@@ -30,7 +30,7 @@ const std::vector<Scale> scales = {{1e-9, 1.},    {1e9, 1.},   {1., 1e-9},
 const auto pressure = tensor(-1., 0., 0., -1.);
 const auto sheared = tensor(-1.2, 0.1, 0.1, -0.8);
 
-Packing packing_of_size(const double length)
+Packing<2> packing_of_size(const double length)
 {
   return random_packing(n_cells, 1, {{0., 0.}, {length, length}});
 }
@@ -39,7 +39,7 @@ Scene scene_at(const Scale &scale,
                const std::function<double(unsigned int)> &strength,
                const dealii::Tensor<2, 2> &S)
 {
-  Packing packing = packing_of_size(scale.length);
+  Packing<2> packing = packing_of_size(scale.length);
   std::vector<double> strengths;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
     strengths.push_back(strength(e) * scale.stress);
@@ -108,10 +108,10 @@ void try_offset(const double offset)
   const double rounding = 1e-15 * offset / 1e-4;
   const double sensitive = 20.; // hard contact presses short sides as hard
   PointList points = random_points(n_cells, 1, Rectangle{{0., 0.}, {1., 1.}});
-  const Packing here(voronoi_cells(points, Rectangle{{0., 0.}, {1., 1.}}));
+  const Packing<2> here(voronoi_cells(points, Rectangle{{0., 0.}, {1., 1.}}));
   for (auto &p : points.points)
     p += dealii::Point<2>(offset, -offset);
-  const Packing there(voronoi_cells(
+  const Packing<2> there(voronoi_cells(
       points, Rectangle{{offset, -offset}, {offset + 1., 1. - offset}}));
   for (const Method &method : all_methods)
   {
@@ -144,7 +144,7 @@ void try_supported_wall(const double strength, const bool stands)
     Judgement reference;
     for (const Scale &scale : scales)
     {
-      Packing packing = wall(6, 3, scale.length, scale.length);
+      Packing<2> packing = wall(6, 3, scale.length, scale.length);
       packing.support(boundary_edges_where(packing, "ny < -0.5", ""));
       Loads loads;
       for (const auto &edge : packing.boundary_edges())
@@ -212,7 +212,7 @@ void try_groups(const double ratio, const bool on_ground)
   for (const Method &method : all_methods)
   {
     // What is enough for the large load is more than enough for the other.
-    Packing packing(both);
+    Packing<2> packing(both);
     if (on_ground)
       packing.support(
           boundary_edges_where(packing, "ny < -0.5 && y < 1e-9", ""));

@@ -19,7 +19,7 @@ using namespace Voussoir;
 Scene heavy_wall(const double strength,
                  const Kinematics &kinematics = translations())
 {
-  Packing bricks = wall(60, 60);
+  Packing<2> bricks = wall(60, 60);
   std::vector<bool> is_support;
   for (const auto &edge : bricks.boundary_edges())
     is_support.push_back(edge.midpoint()[1] < 1e-9);
@@ -53,7 +53,7 @@ Scene apart(const unsigned int n_left, const unsigned int n_right)
     cells.loops.push_back(n_vertices + v);
   for (unsigned int c = 1; c < right.first.size(); ++c)
     cells.first.push_back(n_loops + right.first[c]);
-  return scene_under_stress(Packing(cells), 0.3, tensor(-1.45, 0, 0, -0.55));
+  return scene_under_stress(Packing<2>(cells), 0.3, tensor(-1.45, 0, 0, -0.55));
 }
 
 double largest_force(const InterfaceForces &forces)

@@ -24,7 +24,7 @@ int main(int argc, char **argv)
   // Enough sub-cells for several blocks of compression.
   const unsigned int n_cells = 30000;
   const ConvexPolygon square(Rectangle{{0., 0.}, {1., 1.}});
-  const Packing packing(voronoi_cells(random_points(n_cells, 1), square));
+  const Packing<2> packing(voronoi_cells(random_points(n_cells, 1), square));
   Motion motion;
   StressField stress;
   for (unsigned int c = 0; c < n_cells; ++c)
@@ -55,7 +55,7 @@ int main(int argc, char **argv)
   {
     names.push_back("stress_" + std::to_string(names.size()) + ".vtu");
     auto piece = file(names.back());
-    const Packing cells(cut_free(packing, {begin, end}));
+    const Packing<2> cells(cut_free(packing, {begin, end}));
     StressField inside;
     inside.sub_cells.assign(
         stress.sub_cells.begin() + stress.first(packing, begin, 0),

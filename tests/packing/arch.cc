@@ -27,14 +27,14 @@ void check_arch(const CellLoops &cells,
                 const unsigned int n_voussoirs,
                 const unsigned int n_courses)
 {
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   const unsigned int n = packing.n_cells();
   check("  cells", n == n_voussoirs + 2 * n_courses);
   check("  one interface from cell to cell, in order",
         packing.interfaces().size() == n - 1 &&
             std::all_of(packing.interfaces().begin(),
                         packing.interfaces().end(),
-                        [](const Packing::Interface &i) {
+                        [](const Packing<2>::Interface &i) {
                           return i.cell_plus == i.cell_minus + 1;
                         }));
   bool mirrored = true, named = true;
@@ -57,7 +57,7 @@ void check_arch(const CellLoops &cells,
   check("  groups", named);
 }
 
-double boundary_length(const Packing &packing)
+double boundary_length(const Packing<2> &packing)
 {
   double length = 0.;
   for (const auto &edge : packing.boundary_edges())
@@ -74,7 +74,7 @@ void check_circular(const unsigned int n, const double embrace)
                     "set Voussoirs = ",
                     n, "\nset Embrace = ", embrace));
   check_arch(cells, n, 0);
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   const double angle = embrace / 180. * PI / n;
   check_error("  area n sin(E/n) R t",
               std::abs(packing.area() - n * std::sin(angle) * 2. * 0.5), 1e-13);
@@ -100,7 +100,7 @@ void check_pointed(const unsigned int n, const double ratio)
                     "set Voussoirs = ",
                     n, "\nset Radius over span = ", ratio));
   check_arch(cells, n, 0);
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   const double radius = 4. * ratio, offset = radius - 2.;
   const double half_angle = std::acos(offset / radius);
 
@@ -141,7 +141,7 @@ void check_piers(const double embrace)
                     "set Abutment height = 1.5\nset Embrace = ",
                     embrace));
   check_arch(cells, 9, 3);
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   check_error("  courses of equal height",
               std::abs(packing.area(0) - 0.25) +
                   std::abs(packing.area(1) - 0.25),
@@ -189,9 +189,9 @@ void run()
   check_piers(120.);
   check_piers(30.);
   // The ledge would be 0.5 (1 - sin(85 degrees)) = 0.0019 wide.
-  check("no ledge so narrow", Packing(generate("set Thickness = 0.5\n"
-                                               "set Abutments = 1\n"
-                                               "set Embrace = 170"))
+  check("no ledge so narrow", Packing<2>(generate("set Thickness = 0.5\n"
+                                                  "set Abutments = 1\n"
+                                                  "set Embrace = 170"))
                                       .n_sides(0) == 4);
 
   refuse("set Thickness = 0");

@@ -13,7 +13,7 @@ using namespace Voussoir;
 
 void run()
 {
-  Packing packing = wall(4, 3);
+  Packing<2> packing = wall(4, 3);
   const unsigned int ground = packing.ground();
   check("the ground is a group of its own",
         packing.group_name(ground) == "ground" &&

@@ -21,18 +21,18 @@ using dealii::Tensor;
 
 using Ring = std::vector<Point<2>>;
 
-Packing packing_of(const std::vector<Ring> &rings)
+Packing<2> packing_of(const std::vector<Ring> &rings)
 {
   PolygonList polygons = list_of(rings);
   CellLoops cells = match_polygons(polygons, 1e-10);
   join_corners(cells);
   for (const std::string &notice : cells.notices)
     std::cout << notice << std::endl;
-  return Packing(std::move(cells));
+  return Packing<2>(std::move(cells));
 }
 
 /** A force on one cell, at a place. */
-Scene scene_of(const Packing &packing,
+Scene scene_of(const Packing<2> &packing,
                const unsigned int cell,
                const Tensor<1, 2> &force,
                const Point<2> &place,
@@ -52,11 +52,11 @@ Scene scene_of(const Packing &packing,
 void diamond()
 {
   std::cout << "A diamond on its tip" << std::endl;
-  const Packing packing = on_ground(
+  const Packing<2> packing = on_ground(
       packing_of({rectangle(0, 0, 4, 1), {{2, 1}, {3, 2}, {2, 3}, {1, 2}}}));
   check("a joint and the ground", packing.interfaces().size() == 2);
   check_error("areas", std::abs(packing.area() - 6.), 1e-11);
-  const Packing::Interface &tip = packing.interfaces()[0];
+  const Packing<2>::Interface &tip = packing.interfaces()[0];
   check_error("where they touch", tip.midpoint().distance({2., 1.}), 1e-5);
   check_error("its normal", std::abs(tip.normal[0]), 1e-9);
   const Scene scene =
@@ -69,9 +69,9 @@ void diamond()
 void plank()
 {
   std::cout << "A plank on two edges, loaded at its end" << std::endl;
-  const Packing packing = on_ground(packing_of({{{0.5, 0}, {1.5, 0}, {1, 1}},
-                                                {{2.5, 0}, {3.5, 0}, {3, 1}},
-                                                rectangle(0, 1, 4, 0.2)}));
+  const Packing<2> packing = on_ground(packing_of({{{0.5, 0}, {1.5, 0}, {1, 1}},
+                                                   {{2.5, 0}, {3.5, 0}, {3, 1}},
+                                                   rectangle(0, 1, 4, 0.2)}));
   check("two joints on the edges", packing.interfaces().size() == 4);
   const LoadFactorAnswer answer = find_load_factor(
       scene_of(packing, 2, Tensor<1, 2>({0., -1.}), {2., 1.1}, 0.5),

@@ -97,7 +97,7 @@ void run(const std::string &content, const std::string &settings)
 /** Distances by all pairs of vertices and sides, of random cells apart. */
 void nearest()
 {
-  const Packing packing = random_packing(60, 1);
+  const Packing<2> packing = random_packing(60, 1);
   std::vector<std::vector<Point<2>>> rings(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)

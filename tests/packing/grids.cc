@@ -14,17 +14,17 @@ namespace test_grids
 using namespace Voussoir;
 
 template <typename Generator>
-Packing generate(const std::string &settings)
+Packing<2> generate(const std::string &settings)
 {
   Generator generator;
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate(".", Terminal::silent()));
+  return Packing<2>(generator.generate(".", Terminal::silent()));
 }
 
 /** How far lengths and angles are from those of a regular hexagon. */
-double irregularity(const Packing &packing, const double size)
+double irregularity(const Packing<2> &packing, const double size)
 {
   double largest = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -39,7 +39,7 @@ double irregularity(const Packing &packing, const double size)
   return largest;
 }
 
-unsigned int n_neighbours(const Packing &packing, const unsigned int cell)
+unsigned int n_neighbours(const Packing<2> &packing, const unsigned int cell)
 {
   unsigned int n = 0;
   for (const auto &side : packing.sides(cell))
@@ -52,7 +52,7 @@ void check_honeycomb(const unsigned int columns,
                      const bool pointed)
 {
   const double size = 0.3;
-  const Packing packing = generate<HoneycombGenerator>(
+  const Packing<2> packing = generate<HoneycombGenerator>(
       "set Columns = " + std::to_string(columns) +
       "\nset Rows = " + std::to_string(rows) + "\nset Cell size = 0.3" +
       "\nset Orientation = " + (pointed ? "pointed top" : "flat top"));
@@ -101,7 +101,7 @@ std::string grid(const unsigned int columns,
 }
 
 /** The smallest sine of an angle, in a grid of squares. */
-double smallest_sine(const Packing &packing)
+double smallest_sine(const Packing<2> &packing)
 {
   double smallest = 1.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -122,7 +122,7 @@ void check_grids()
   bool counts = true;
   for (unsigned int seed = 0; seed < 50; ++seed)
   {
-    const Packing packing =
+    const Packing<2> packing =
         generate<PerturbedGridGenerator>(grid(columns, rows, "0.35", seed));
     counts &= packing.n_cells() == columns * rows &&
               packing.interfaces().size() ==
@@ -144,7 +144,7 @@ void check_grids()
 
   const auto vertices = [](const std::string &perturbation,
                            const unsigned int seed) {
-    const Packing packing =
+    const Packing<2> packing =
         generate<PerturbedGridGenerator>(grid(9, 9, perturbation, seed));
     std::vector<dealii::Point<2>> all;
     for (unsigned int c = 0; c < packing.n_cells(); ++c)

@@ -60,7 +60,7 @@ CellLoops generated(const std::vector<Ring> &rings,
 Joints joints_of(const CellLoops &cells, const std::vector<unsigned int> &order)
 {
   Joints joints;
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   for (const auto &i : packing.interfaces())
     ++joints[std::minmax({order[i.cell_minus], order[i.cell_plus]})];
   return joints;
@@ -246,7 +246,7 @@ void test_stones()
   unsigned int n_same = 0, n_joined = 0, n_inside = 0;
   for (unsigned int trial = 0; trial < 200; ++trial)
   {
-    const Packing packing = random_packing(40, trial + 1);
+    const Packing<2> packing = random_packing(40, trial + 1);
     std::vector<Ring> rings(packing.n_cells());
     for (unsigned int c = 0; c < packing.n_cells(); ++c)
     {

@@ -18,7 +18,7 @@ void refuse(const std::vector<dealii::Point<2>> &vertices,
     cells.loops.push_back(v);
   cells.first.push_back(vertices.size());
   cells.centres = centres;
-  show_refusal([&] { Packing packing(cells); });
+  show_refusal([&] { Packing<2> packing(cells); });
 }
 
 void run()
@@ -43,7 +43,7 @@ void run()
   cells.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   cells.loops = {0, 1, 2, 3, 0, 1, 2, 3};
   cells.first = {0, 4, 8};
-  show_refusal([&] { Packing packing(cells); });
+  show_refusal([&] { Packing<2> packing(cells); });
 }
 
 const RoomTest test("packing_failures", run);

@@ -23,7 +23,7 @@ CellLoops three_blocks()
 
 void run()
 {
-  const Packing packing(three_blocks());
+  const Packing<2> packing(three_blocks());
   std::cout << packing.n_cells() << " cells, " << packing.interfaces().size()
             << " interfaces, " << packing.boundary_edges().size()
             << " boundary edges, static indeterminacy "
@@ -62,7 +62,7 @@ void run()
   corner.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {2, 2}, {1, 2}};
   corner.loops = {0, 1, 2, 3, 2, 4, 5, 6};
   corner.first = {0, 4, 8};
-  const Packing two(corner);
+  const Packing<2> two(corner);
   std::cout << "touching in a point: " << two.interfaces().size()
             << " interfaces, groups " << connected_groups(two)[0] << " and "
             << connected_groups(two)[1] << ", static indeterminacy "

@@ -19,7 +19,7 @@ using namespace Voussoir;
 /** Two squares beside each other, in this order, that are groups a and b. */
 bool is_pair_of_squares(const CellLoops &cells, const bool with_groups)
 {
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   bool right = has_counts(packing, {2, 1, 6});
   right = right && std::abs(packing.interfaces()[0].length - 1.) < 1e-14 &&
           packing.interfaces()[0].normal[0] == 1. &&

@@ -74,7 +74,7 @@ Contacts contacts(const CellLoops &cells)
   return found;
 }
 
-Contacts contacts(const Packing &packing)
+Contacts contacts(const Packing<2> &packing)
 {
   Contacts found;
   for (const auto &i : packing.interfaces())
@@ -106,23 +106,23 @@ void test_contacts()
   CellLoops cells =
       matched({below, rectangle(0, 1, 1, 2), rectangle(1, 1, 2, 2)}, t);
   check("T-junction: three interfaces of length 1",
-        has_counts(Packing(cells), {3, 3, 7}) &&
+        has_counts(Packing<2>(cells), {3, 3, 7}) &&
             agree(contacts(cells),
                   {{{0, 1}, {1}}, {{0, 2}, {1}}, {{1, 2}, {1}}}, 1e-15));
 
   cells = matched({below, rectangle(1, 1, 3, 2)}, t);
   check("partial contact: one interface of length 1",
-        has_counts(Packing(cells), {2, 1, 8}) &&
+        has_counts(Packing<2>(cells), {2, 1, 8}) &&
             agree(contacts(cells), {{{0, 1}, {1}}}, 1e-15));
 
   cells = matched({below, rectangle(0.5, 1, 1.25, 2)}, t);
   check("contact in the middle of a side",
-        has_counts(Packing(cells), {2, 1, 8}) &&
+        has_counts(Packing<2>(cells), {2, 1, 8}) &&
             agree(contacts(cells), {{{0, 1}, {0.75}}}, 1e-15));
 
   cells = matched({below, rectangle(2, 1, 3, 2)}, t);
   check("cells that meet in a corner are no neighbours",
-        has_counts(Packing(cells), {2, 0, 8}));
+        has_counts(Packing<2>(cells), {2, 0, 8}));
 
   check("a gap of half the tolerance is closed",
         agree(contacts(matched({below, rectangle(1, 1.0005, 3, 2)}, t)),
@@ -166,7 +166,7 @@ void test_small_sides()
                    {{0.0012, -1}, {1, -1}, {1, 0}, {0.0012, 0}}},
                   t);
   check("a vertex near a sharp corner splits one side",
-        has_counts(Packing(cells), {2, 1, 6}) &&
+        has_counts(Packing<2>(cells), {2, 1, 6}) &&
             agree(contacts(cells), {{{0, 1}, {0.9988}}}, 1e-15));
 
   // An L with a square in its notch: of the notch only the L is not convex.
@@ -197,7 +197,7 @@ void test_moves()
 }
 
 /** The rings of a packing without the vertices within a straight side. */
-std::vector<Ring> drawn(const Packing &packing)
+std::vector<Ring> drawn(const Packing<2> &packing)
 {
   std::vector<Ring> rings(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -239,9 +239,9 @@ void test_noise()
   boost::random::mt19937 engine(1);
   for (unsigned int trial = 0; trial < 20; ++trial)
   {
-    const Packing voronoi = random_packing(50, trial);
-    const Packing bond = wall(4, 3);
-    for (const Packing *packing : {&voronoi, &bond})
+    const Packing<2> voronoi = random_packing(50, trial);
+    const Packing<2> bond = wall(4, 3);
+    for (const Packing<2> *packing : {&voronoi, &bond})
       n_same += agree(
           contacts(*packing),
           contacts(matched(disturbed(drawn(*packing), t, engine), t)), 10 * t);
@@ -250,7 +250,7 @@ void test_noise()
 }
 
 /** Equal to the last bit. */
-bool same(const Packing &a, const Packing &b)
+bool same(const Packing<2> &a, const Packing<2> &b)
 {
   const auto same_edge = [](const auto &i, const auto &j) {
     return i.start == j.start && i.end == j.end && i.length == j.length &&
@@ -274,7 +274,7 @@ bool same(const Packing &a, const Packing &b)
 }
 
 void test_round_trip(const std::string &what,
-                     const Packing &packing,
+                     const Packing<2> &packing,
                      const std::vector<std::string> &files = {"trip.wkt",
                                                               "trip.off"})
 {
@@ -287,7 +287,7 @@ void test_round_trip(const std::string &what,
   {
     const CellLoops cells =
         imported_cells(file, {{"Centres file", "trip.txt"}});
-    const Packing again(cells);
+    const Packing<2> again(cells);
     check(what + " through " + file,
           cells.notices.empty() && same(packing, again));
     if (packing.n_cells() > 1000)
@@ -310,7 +310,7 @@ void test_round_trip(const std::string &what,
 
 void test_groups()
 {
-  Packing packing = wall(2, 2);
+  Packing<2> packing = wall(2, 2);
   packing.set_group(0, "base");
   for (const unsigned int c : {2, 3, 4})
     packing.set_group(c, "top stone");
@@ -329,12 +329,12 @@ void test_star_shapes()
 {
   write_file("star.wkt", "POLYGON((0 0,4 0,4 2,2 1.5,0 2,0 0))\n"
                          "POLYGON((0 2,2 1.5,4 2,4 4,0 4,0 2))\n");
-  const Packing packing(imported_cells("star.wkt"));
+  const Packing<2> packing(imported_cells("star.wkt"));
   check("a dented cell that its centre sees whole",
         packing.not_convex() == std::vector<unsigned int>({0}) &&
             packing.interfaces().size() == 2);
   write_file("hook.wkt", "POLYGON((0 0,4 0,4 4,3 4,3 1,0 1,0 0))\n");
-  const Packing hook(imported_cells("hook.wkt"));
+  const Packing<2> hook(imported_cells("hook.wkt"));
   check("and one that it does not",
         hook.not_seen_whole() == std::vector<unsigned int>({0}) &&
             packing.not_seen_whole().empty() && !hook.is_seen_whole(0));

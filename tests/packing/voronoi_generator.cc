@@ -12,17 +12,17 @@ namespace test_voronoi_generator
 {
 using namespace Voussoir;
 
-Packing generate(const std::string &settings)
+Packing<2> generate(const std::string &settings)
 {
   VoronoiGenerator generator;
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate(".", Terminal::silent()));
+  return Packing<2>(generator.generate(".", Terminal::silent()));
 }
 
 /** Standard deviation of the areas over their mean. */
-double spread(const Packing &packing)
+double spread(const Packing<2> &packing)
 {
   const double mean = packing.area() / packing.n_cells();
   double variance = 0.;
@@ -34,9 +34,9 @@ double spread(const Packing &packing)
 void run()
 {
   const std::string number = "set Number of points = 400\n";
-  const Packing first = generate(number + "set Seed = 5");
-  const Packing second = generate(number + "set Seed = 5");
-  const Packing other = generate(number + "set Seed = 6");
+  const Packing<2> first = generate(number + "set Seed = 5");
+  const Packing<2> second = generate(number + "set Seed = 5");
+  const Packing<2> other = generate(number + "set Seed = 6");
   double same = 0., different = 0.;
   for (unsigned int c = 0; c < 400; ++c)
   {
@@ -51,7 +51,7 @@ void run()
   check("fifty Lloyd steps leave less than a third of that",
         spread(generate(number + "set Lloyd steps = 50")) < 0.53 / 3);
 
-  const Packing large =
+  const Packing<2> large =
       generate(number + "set Seed = 5\nset Lower left = 1000, 0\n"
                         "set Upper right = 3000, 2000");
   double error = 0.;

@@ -13,17 +13,17 @@ const std::string hexagon = "set Domain = polygon\n"
                             "set Polygon = 1, 0; 2, 0; 2.5, 0.8; 2, 1.6; "
                             "1, 1.6; 0.5, 0.8\n";
 
-Packing generate(const std::string &settings)
+Packing<2> generate(const std::string &settings)
 {
   VoronoiGenerator generator;
   dealii::ParameterHandler prm;
   generator.add_parameters(prm);
   prm.parse_input_from_string(settings);
-  return Packing(generator.generate(".", Terminal::silent()));
+  return Packing<2>(generator.generate(".", Terminal::silent()));
 }
 
 /** The root of the mean area of the cells with centres between two x. */
-double mean_size(const Packing &packing, const double from, const double to)
+double mean_size(const Packing<2> &packing, const double from, const double to)
 {
   double area = 0.;
   unsigned int n = 0;
@@ -37,7 +37,7 @@ double mean_size(const Packing &packing, const double from, const double to)
 }
 
 /** The relative standard deviation of sqrt(area) / h. */
-double spread(const Packing &packing, const std::string &formula)
+double spread(const Packing<2> &packing, const std::string &formula)
 {
   const CellSize size(formula, "size");
   double sum = 0., squares = 0.;
@@ -50,7 +50,7 @@ double spread(const Packing &packing, const std::string &formula)
   return std::sqrt(squares - sum * sum) / sum;
 }
 
-double largest_distance(const Packing &a, const Packing &b)
+double largest_distance(const Packing<2> &a, const Packing<2> &b)
 {
   double largest = 0.;
   for (unsigned int c = 0; c < a.n_cells(); ++c)
@@ -95,24 +95,24 @@ void check_density()
 void check_gradation()
 {
   const std::string many = hexagon + "set Number of points = 3000\n";
-  const Packing equal = generate(many);
+  const Packing<2> equal = generate(many);
   check("equal cells left and right",
         std::abs(mean_size(equal, 0., 1.5) / mean_size(equal, 1.5, 3.) - 1.) <
             0.05);
   const std::string jump = "set Cell size = x < 1.5 ? 1 : 3\n";
-  const Packing halves = generate(many + jump);
+  const Packing<2> halves = generate(many + jump);
   check("cells three times as large on the right",
         std::abs(mean_size(halves, 1.5, 3.) / mean_size(halves, 0., 1.5) - 3.) <
             0.2);
 
   const std::string smooth = "set Cell size = 1 + 2*x\n";
-  const Packing random = generate(many + smooth);
-  const Packing lloyd = generate(many + smooth + "set Lloyd steps = 60\n");
+  const Packing<2> random = generate(many + smooth);
+  const Packing<2> lloyd = generate(many + smooth + "set Lloyd steps = 60\n");
   check("spread about the wanted size at random",
         std::abs(spread(random, "1 + 2*x") - 0.27) < 0.03);
   check("a third of that after Lloyd steps",
         spread(lloyd, "1 + 2*x") < 0.27 / 3);
-  const auto ratio = [](const Packing &packing) {
+  const auto ratio = [](const Packing<2> &packing) {
     return mean_size(packing, 2., 2.5) / mean_size(packing, 0.5, 1.);
   };
   check("cells twice as large at the right corner",
@@ -120,7 +120,7 @@ void check_gradation()
   check("which Lloyd steps keep",
         std::abs(ratio(lloyd) / ratio(random) - 1.) < 0.03);
 
-  const Packing scaled = generate(many + "set Cell size = (1 + 2*x) / 8\n");
+  const Packing<2> scaled = generate(many + "set Cell size = (1 + 2*x) / 8\n");
   check_error("only ratios matter", largest_distance(random, scaled), 1e-15);
   const std::string rectangle = "set Number of points = 500\n";
   check_error("a constant is no gradation",

@@ -15,7 +15,8 @@ using namespace Voussoir;
 using dealii::Point;
 
 /** How far @p p lies beyond the sides of a cell at most; negative inside. */
-double beyond(const Packing &packing, const unsigned int c, const Point<2> &p)
+double
+beyond(const Packing<2> &packing, const unsigned int c, const Point<2> &p)
 {
   double largest = -1e300;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
@@ -38,7 +39,7 @@ double diameter(const ConvexPolygon &polygon)
 }
 
 /** Points that are nearest to a generator lie in its cell. */
-double probe(const Packing &packing, const ConvexPolygon &polygon)
+double probe(const Packing<2> &packing, const ConvexPolygon &polygon)
 {
   const PointList probes =
       random_points(300, 99, polygon, CellSize("1", "size"));
@@ -65,7 +66,7 @@ Errors errors_of(const std::vector<Point<2>> &points,
 {
   PointList list;
   list.points = points;
-  const Packing packing(voronoi_cells(list, polygon));
+  const Packing<2> packing(voronoi_cells(list, polygon));
   const double size = diameter(polygon);
   Errors errors;
   errors.area = std::abs(packing.area() / polygon.area() - 1.);

@@ -14,7 +14,7 @@ void check_voronoi(const std::string &name,
                    const PointList &points,
                    const Rectangle &rectangle)
 {
-  const Packing packing(voronoi_cells(points, rectangle));
+  const Packing<2> packing(voronoi_cells(points, rectangle));
   const double size = std::sqrt(rectangle.area());
   std::cout << name << ": " << packing.n_cells() << " cells" << std::endl;
   check_error("  area", std::abs(packing.area() / rectangle.area() - 1.),
@@ -96,7 +96,7 @@ void run()
     for (const Rectangle &part : {Rectangle{{0., 0.3}, {1., 0.3}},
                                   Rectangle{{0.4, 0.4}, {0.401, 0.401}},
                                   Rectangle{{0.9, 0.1}, {0.91, 0.11}}})
-      Packing packing(voronoi_cells(random_points(40, seed, part), unit));
+      Packing<2> packing(voronoi_cells(random_points(40, seed, part), unit));
   std::cout << "slender triangles: OK" << std::endl;
 
   // A square grid: every inner vertex is on the circle of four points.
@@ -107,7 +107,7 @@ void run()
       grid.points.emplace_back((i + 0.5) / n, (j + 0.5) / n);
   check_voronoi("grid", grid, unit);
   check("  four neighbours at most",
-        Packing(voronoi_cells(grid, unit)).interfaces().size() ==
+        Packing<2>(voronoi_cells(grid, unit)).interfaces().size() ==
             2 * n * (n - 1));
 
   // The same with coordinates that are not binary fractions.
@@ -118,7 +118,8 @@ void run()
   const Rectangle odd = {{0, 0}, {0.7, 0.1}};
   check_voronoi("grid with rounding", thirds, odd);
   check("  four neighbours at most",
-        Packing(voronoi_cells(thirds, odd)).interfaces().size() == 2 * 9 * 8);
+        Packing<2>(voronoi_cells(thirds, odd)).interfaces().size() ==
+            2 * 9 * 8);
 
   // Twelve points on a circle around a thirteenth, far from the sides.
   PointList ring = points({{0.5, 0.5}});
@@ -127,7 +128,7 @@ void run()
                              0.5 + 0.3 * std::sin(i * dealii::numbers::PI / 6));
   check_voronoi("ring", ring, unit);
   check("  the centre has twelve sides",
-        Packing(voronoi_cells(ring, unit)).n_sides(0) == 12);
+        Packing<2>(voronoi_cells(ring, unit)).n_sides(0) == 12);
 }
 
 const RoomTest test("voronoi_properties", run);

@@ -14,7 +14,7 @@ using namespace Voussoir;
 void check_running_bond(const unsigned int courses, const unsigned int bricks)
 {
   const double width = 3., height = 0.5;
-  const Packing packing = wall(courses, bricks, width, height);
+  const Packing<2> packing = wall(courses, bricks, width, height);
   const unsigned int even = courses / 2, odd = courses - even;
   const unsigned int top = courses % 2 == 1 ? bricks : bricks + 1;
 
@@ -50,7 +50,7 @@ void check_running_bond(const unsigned int courses, const unsigned int bricks)
 }
 
 /** Head joints by course, from the lengths of a wall whose courses are 1. */
-std::vector<std::vector<double>> head_joints_of(const Packing &packing)
+std::vector<std::vector<double>> head_joints_of(const Packing<2> &packing)
 {
   std::vector<std::vector<double>> joints;
   for (const auto &i : packing.interfaces())
@@ -73,7 +73,7 @@ unsigned int n_aligned(const std::vector<std::vector<double>> &joints)
 }
 
 /** A wall in which a stretcher is 4 long and 1 high. */
-Packing bonded(const std::string &bond, const unsigned int n)
+Packing<2> bonded(const std::string &bond, const unsigned int n)
 {
   WallGenerator generator;
   dealii::ParameterHandler prm;
@@ -83,7 +83,7 @@ Packing bonded(const std::string &bond, const unsigned int n)
   prm.set("Height", 5.);
   prm.set("Bricks per course", static_cast<long int>(n));
   prm.set("Width", 4. * n);
-  return Packing(generator.generate("", Terminal::silent()));
+  return Packing<2>(generator.generate("", Terminal::silent()));
 }
 
 void check_bonds(const unsigned int n)
@@ -91,7 +91,7 @@ void check_bonds(const unsigned int n)
   std::cout << n << " stretchers" << std::endl;
   for (const std::string bond : {"running", "stack", "English", "Flemish"})
   {
-    const Packing packing = bonded(bond, n);
+    const Packing<2> packing = bonded(bond, n);
     const auto joints = head_joints_of(packing);
     double perimeter = 0., narrowest = 4., widest = 0.;
     for (const auto &edge : packing.boundary_edges())

@@ -31,7 +31,7 @@ std::string box(const dealii::Point<2> &low, const dealii::Point<2> &high)
 }
 
 /** The rectangle that a cell fills. */
-std::pair<dealii::Point<2>, dealii::Point<2>> corners(const Packing &packing,
+std::pair<dealii::Point<2>, dealii::Point<2>> corners(const Packing<2> &packing,
                                                       const unsigned int c)
 {
   auto low = packing.vertex(c, 0), high = low;
@@ -51,7 +51,7 @@ void check_wall(const std::string &name,
                 const double perimeter)
 {
   const CellLoops cells = generate(settings);
-  const Packing packing(cells);
+  const Packing<2> packing(cells);
   std::cout << name << std::endl;
   double length = 0.;
   for (const auto &edge : packing.boundary_edges())
@@ -77,7 +77,7 @@ void check_wall(const std::string &name,
 
 void check_jambs()
 {
-  const Packing packing(generate("set Openings = 7.3, 2, 12.9, 6"));
+  const Packing<2> packing(generate("set Openings = 7.3, 2, 12.9, 6"));
   double off_jamb = 0.;
   for (const auto &edge : packing.boundary_edges())
   {

@@ -28,7 +28,7 @@ Scene arch(const unsigned int n,
   prm.set("Mean radius", R);
   prm.set("Thickness", thickness);
   prm.set("Voussoirs", static_cast<long int>(n));
-  Packing packing(generator.generate("", Terminal::silent()));
+  Packing<2> packing(generator.generate("", Terminal::silent()));
   packing.support(boundary_edges_where(packing, "ny < -0.99 && y < 1e-9", ""));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());

@@ -18,7 +18,7 @@ using dealii::Tensor;
 /** An arch under its weight and a push; with all laws in turn. */
 Scene arch(const unsigned int n, const double weight, const double push)
 {
-  const Packing packing = on_ground(semicircle(n, 0.1 + 0.01 * n));
+  const Packing<2> packing = on_ground(semicircle(n, 0.1 + 0.01 * n));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -57,7 +57,7 @@ std::string verdict(const Scene &scene)
  * A dry pile on its base, drawn at an angle from the vertical: whatever its
  * weight it slides in its beds, or does not. There is no factor between.
  */
-void check_pile(const Packing &pile, const double mu, const double distance)
+void check_pile(const Packing<2> &pile, const double mu, const double distance)
 {
   const auto is = [&](const double tangent, const std::string &wanted) {
     Loads loads;

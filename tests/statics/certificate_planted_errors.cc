@@ -31,7 +31,7 @@ double residual_of_loads(const dealii::Tensor<1, 2> &excess,
                          const dealii::Tensor<1, 2> &shift,
                          const Kinematics &kinematics)
 {
-  Packing held = random_packing(50, 3);
+  Packing<2> held = random_packing(50, 3);
   held.support(std::vector<bool>(held.boundary_edges().size(), true));
   const dealii::Point<2> place =
       held.centre(7) + 0.1 * (held.vertex(7, 0) - held.centre(7));
@@ -52,7 +52,7 @@ double residual_of_loads(const dealii::Tensor<1, 2> &excess,
 void light_below_heavy()
 {
   const unsigned int n = 200;
-  const Packing column = on_ground(stack_of_squares(n));
+  const Packing<2> column = on_ground(stack_of_squares(n));
   Loads loads;
   loads.traction.resize(column.boundary_edges().size());
   for (unsigned int c = 0; c < n; ++c)

@@ -22,7 +22,7 @@ using namespace Voussoir;
 using dealii::Tensor;
 
 /** A packing on the ground under a body force, with Coulomb's friction. */
-Scene under(const Packing &packing,
+Scene under(const Packing<2> &packing,
             const Tensor<1, 2> &force,
             const double mu,
             const double cohesion)

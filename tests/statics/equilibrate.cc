@@ -54,7 +54,7 @@ Scene pile(const unsigned int n)
       cells.loops.push_back(v);
     cells.first.push_back(cells.loops.size());
   }
-  return scene_under_stress(Packing(cells), 1., tensor(0., 0., 0., -1.));
+  return scene_under_stress(Packing<2>(cells), 1., tensor(0., 0., 0., -1.));
 }
 
 /** A pile is determinate: whatever the forces were, there is one answer. */

@@ -12,7 +12,7 @@ namespace test_formulations_biaxial
 {
 using namespace Voussoir;
 
-void try_load(const Method &method, const Packing &packing, const double d)
+void try_load(const Method &method, const Packing<2> &packing, const double d)
 {
   const Scene scene =
       scene_under_stress(packing, 0.3, tensor(-1 + d, 0, 0, -1 - d));
@@ -43,14 +43,14 @@ void try_load(const Method &method, const Packing &packing, const double d)
 
 void run()
 {
-  const Packing squares = turned_squares(46);
+  const Packing<2> squares = turned_squares(46);
   std::cout << squares.n_cells() << " turned squares" << std::endl;
   for (const Method &method : all_methods)
     for (const double d : {0.2999, 0.31, 2.})
       try_load(method, squares, d);
 
   std::cout << "1000 random cells" << std::endl;
-  const Packing random = random_packing(1000, 1);
+  const Packing<2> random = random_packing(1000, 1);
   for (const Method &method : all_methods)
     for (const double d : {0.2999, 0.31, 0.65, 0.651, 0.9})
       try_load(method, random, d);

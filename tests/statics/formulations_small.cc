@@ -24,7 +24,7 @@ void solve(const std::string &what, const Scene &scene)
 }
 
 /** Two rows of two unit squares, one above the other with a gap between. */
-Packing two_groups()
+Packing<2> two_groups()
 {
   CellLoops cells;
   for (const double y : {0., 3.})
@@ -40,7 +40,7 @@ Packing two_groups()
       cells.first.push_back(cells.loops.size());
     }
   }
-  return Packing(std::move(cells));
+  return Packing<2>(std::move(cells));
 }
 
 void run()

@@ -18,8 +18,8 @@ void verify(const std::string &name,
   const auto S = tensor(-1, -1, -1, -1);
   PointList list;
   list.points = points;
-  const Scene scene =
-      scene_under_stress(Packing(voronoi_cells(list, {{0, 0}, {1, 1}})), 10, S);
+  const Scene scene = scene_under_stress(
+      Packing<2>(voronoi_cells(list, {{0, 0}, {1, 1}})), 10, S);
   const DiscreteProblem problem = discretise(scene);
   const Solution solution = Solver(method).solve(problem);
   const InterfaceForces forces = dimensional_forces(problem, solution);

@@ -31,7 +31,7 @@ void run()
     const CellLoops cells = voronoi_cells(
         random_points(60, seed, {{0., 0.}, {1., 1.}}), {{0., 0.}, {1., 1.}});
     const auto scene = [&](const double distance) {
-      return scene_under_stress(Packing(moved(cells, distance)), 10.,
+      return scene_under_stress(Packing<2>(moved(cells, distance)), 10.,
                                 tensor(-1., 0., 0., -1.));
     };
     const Scene near = scene(0.), far = scene(std::ldexp(1., 17));

@@ -30,7 +30,7 @@ void show_combination(const std::string &combination)
 }
 
 /** The scene with the loads of a section and of the cases in @p settings. */
-Scene scene_of(const Packing &packing, const std::string &settings)
+Scene scene_of(const Packing<2> &packing, const std::string &settings)
 {
   LoadParameters own;
   LoadCases cases;
@@ -46,7 +46,7 @@ Scene scene_of(const Packing &packing, const std::string &settings)
 
 void same_as_sum()
 {
-  const Packing packing = on_ground(wall(3, 3, 3., 2.));
+  const Packing<2> packing = on_ground(wall(3, 3, 3., 2.));
   const Scene combined = scene_of(packing, R"(
     subsection Load cases
       subsection dead

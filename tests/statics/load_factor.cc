@@ -19,9 +19,9 @@ using dealii::Tensor;
 /** A scene with a body force and tractions S n, dry if mu is positive. */
 struct Case
 {
-  explicit Case(Packing packing) : packing(std::move(packing)) {}
+  explicit Case(Packing<2> packing) : packing(std::move(packing)) {}
 
-  Packing packing;
+  Packing<2> packing;
   double strength = 0., mu = 0.;
   Tensor<1, 2> force;
   Tensor<2, 2> S;
@@ -92,7 +92,7 @@ Tensor<1, 2> vector(const double x, const double y)
 }
 
 /** Wall @p k of Ferris and Tin-Loi. */
-Packing ferris_tin_loi(const unsigned int k)
+Packing<2> ferris_tin_loi(const unsigned int k)
 {
   WallGenerator generator;
   dealii::ParameterHandler prm;
@@ -103,7 +103,7 @@ Packing ferris_tin_loi(const unsigned int k)
   prm.set("Bricks per course", 5L);
   prm.set("Width", 2.);
   prm.set("Height", 0.175 * n_courses);
-  return on_ground(Packing(generator.generate("", Terminal::silent())));
+  return on_ground(Packing<2>(generator.generate("", Terminal::silent())));
 }
 
 void dry_walls()
@@ -260,7 +260,7 @@ void early_ends()
 
 /** The factor of a deviator that bisection over states finds. */
 void compare_with_bisection(const std::string &name,
-                            const Packing &packing,
+                            const Packing<2> &packing,
                             const Kinematics &kinematics)
 {
   Case pressed(packing);

@@ -17,7 +17,7 @@ namespace test_loads_and_strengths
 {
 using namespace Voussoir;
 
-Loads loads_on(const Packing &packing, const std::string &settings)
+Loads loads_on(const Packing<2> &packing, const std::string &settings)
 {
   LoadParameters loads;
   dealii::ParameterHandler prm;
@@ -26,7 +26,7 @@ Loads loads_on(const Packing &packing, const std::string &settings)
   return loads.loads(packing);
 }
 
-std::vector<double> strengths(const Packing &packing,
+std::vector<double> strengths(const Packing<2> &packing,
                               const std::string &strength,
                               const std::string &pair_strengths = "")
 {
@@ -47,7 +47,7 @@ double mean_square(const double a, const double b)
 
 void run()
 {
-  const Packing packing = random_packing(100, 1);
+  const Packing<2> packing = random_packing(100, 1);
 
   const auto g =
       loads_on(packing, "set Traction = x^2 * nx; y^2 - ny").traction;
@@ -83,7 +83,7 @@ void run()
                                              packing.interfaces()[e].end[0])));
   check_error("mean of a quadratic strength", error, 1e-14);
 
-  const Packing courses = wall(4, 3);
+  const Packing<2> courses = wall(4, 3);
   const auto by_kind = strengths(courses, "abs(ny) > 0.5 ? 1 : 0.2");
   bool right = true;
   for (unsigned int e = 0; e < by_kind.size(); ++e)
@@ -93,7 +93,7 @@ void run()
   }
   check("bed and head joints of different strength", right);
 
-  Packing courses_on_ground = wall(4, 3);
+  Packing<2> courses_on_ground = wall(4, 3);
   courses_on_ground.support(
       boundary_edges_where(courses_on_ground, "ny < -0.5", "here"));
   assign_groups(courses_on_ground, "odd: floor(4*y) == 1; top: y > 0.75");
@@ -143,7 +143,7 @@ void run()
             inside.on_cells[1].cells.size() == packing.n_cells());
   // Body forces of groups, cell by cell, constant and not.
   {
-    Packing named = wall(4, 3);
+    Packing<2> named = wall(4, 3);
     assign_groups(named, "odd: floor(4*y) == 1 | top: y > 0.75 || y < 0");
     const Loads of_groups =
         loads_on(named, "set Body force = 1; 0\n"
@@ -180,7 +180,7 @@ void run()
 
   // Where x_c is not the centroid: a force evenly on a cell, or at a place in
   // it, and its torque about x_c.
-  Packing held = packing;
+  Packing<2> held = packing;
   held.support(std::vector<bool>(packing.boundary_edges().size(), true));
   const std::vector<double> ones(held.interfaces().size(), 1.);
   const dealii::Tensor<1, 2> f({3., -4.});
@@ -214,7 +214,7 @@ void run()
 
   // Point loads by place: within a cell, on its boundary, where cells touch.
   {
-    const Packing blocks = wall(2, 1, 3., 2.);
+    const Packing<2> blocks = wall(2, 1, 3., 2.);
     const auto torque_about = [&](const CellForce &f,
                                   const dealii::Point<2> &x) {
       const unsigned int c = f.cells[0];
@@ -263,7 +263,7 @@ void run()
   check("a traction on a part of the boundary", right);
 
   // A load on a part of an edge, and a strength that jumps within an interface.
-  const Packing slab = wall(2, 1, 3., 2.);
+  const Packing<2> slab = wall(2, 1, 3., 2.);
   const auto partial =
       loads_on(slab, "set Traction = 0; x < 0.7 ? -20/0.7 : 0\n"
                      "set Where = ny > 0.5");
@@ -292,7 +292,7 @@ void run()
   check("a body force of zero is none",
         loads_on(packing, "set Body force = 0.0; 0 * 2").body.empty());
 
-  const Packing bricks = wall(2, 1);
+  const Packing<2> bricks = wall(2, 1);
   show_refusal([&] { strengths(bricks, "-1"); });
   show_refusal([&] { strengths(bricks, "sqrt(0.25 - x)"); });
   show_refusal([&] { strengths(bricks, "1 +"); });

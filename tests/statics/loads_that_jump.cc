@@ -29,14 +29,14 @@ InterfaceForces no_force()
 }
 
 /** The unit square on the ground. */
-Packing block_on_ground()
+Packing<2> block_on_ground()
 {
-  Packing packing = wall(1, 1);
+  Packing<2> packing = wall(1, 1);
   packing.support(boundary_edges_where(packing, "y < 1e-9", "Supports/Where"));
   return packing;
 }
 
-Loads loads_on(const Packing &packing, const std::string &settings)
+Loads loads_on(const Packing<2> &packing, const std::string &settings)
 {
   LoadParameters loads;
   dealii::ParameterHandler prm;
@@ -45,7 +45,7 @@ Loads loads_on(const Packing &packing, const std::string &settings)
   return loads.loads(packing);
 }
 
-Strengths strengths_of(const Packing &packing, const std::string &strength)
+Strengths strengths_of(const Packing<2> &packing, const std::string &strength)
 {
   FrictionParameters friction;
   dealii::ParameterHandler prm;
@@ -58,7 +58,7 @@ Strengths strengths_of(const Packing &packing, const std::string &strength)
 /** The block with one strength at its base. */
 Scene block(const double strength, const std::string &settings)
 {
-  Packing packing = block_on_ground();
+  Packing<2> packing = block_on_ground();
   Loads loads = loads_on(packing, settings);
   return Scene(std::move(packing), {strength}, std::move(loads));
 }
@@ -142,7 +142,7 @@ void check_body_forces()
 
 void check_strength()
 {
-  const Packing packing = block_on_ground();
+  const Packing<2> packing = block_on_ground();
   const Strengths found = strengths_of(packing, "x > 0.37 ? 0.5 : 1.5");
   check_error("a strength that jumps", std::abs(found.of_interface[0] - 0.87),
               1e-14);
@@ -169,7 +169,7 @@ void check_segments()
               std::abs(mean[0][1] - 3. * (1. / 3. - 0.5)), 1e-14);
 
   // A line over many edges of a wall, with ends inside edges.
-  const Packing courses = wall(3, 5, 2., 1.);
+  const Packing<2> courses = wall(3, 5, 2., 1.);
   const auto on_line = loads_on(
       courses, "set Segment tractions = 0.111, 1 to 1.777, 1: 1, -2 to 3, -6");
   const auto by_expression = loads_on(
@@ -199,8 +199,8 @@ void check_segments()
               std::abs(sum + 1.900001), 1e-12);
 
   // A short line on a long edge, askew by the last digit of its ends.
-  const Packing turned = turned_squares(3);
-  const Packing::BoundaryEdge &edge = turned.boundary_edges()[0];
+  const Packing<2> turned = turned_squares(3);
+  const Packing<2>::BoundaryEdge &edge = turned.boundary_edges()[0];
   const Tensor<1, 2> along = edge.end - edge.start;
   const Tensor<1, 2> askew = 5e-7 * edge.length * edge.normal;
   const Point<2> start = edge.start + 0.4 * along;
@@ -211,7 +211,7 @@ void check_segments()
   check_error("a short line on a long edge",
               std::abs(short_line.traction[0][1] / 0.002 + 1.), 1e-6);
 
-  const Packing on_ground = block_on_ground();
+  const Packing<2> on_ground = block_on_ground();
   for (const char *const bad :
        {"0.5, 1 to 1.5, 1: 0, -1", "0, 0.5 to 1, 0.5: 0, -1",
         "0, 0 to 1, 0: 0, -1", "0, 1 to 1, 1", "0, 1 to 1: 0, -1",
@@ -224,13 +224,13 @@ void check_segments()
 void check_warnings()
 {
   // Rounding decides on which side of 0.1 + 0.2 the joint at 0.3 is.
-  const Packing courses = wall(10, 1);
+  const Packing<2> courses = wall(10, 1);
   for (const std::string &warning :
        strengths_of(courses, "y < 0.1 + 0.2 ? 1 : 2").warnings)
     std::cout << warning << std::endl;
   check("none where the jump is beside it",
         strengths_of(courses, "y < 0.3 + 1e-9 ? 1 : 2").warnings.empty());
-  const Packing packing = block_on_ground();
+  const Packing<2> packing = block_on_ground();
   for (const char *const settings :
        {"set Traction = 0; ny > 0.5 ? x*sin(1/x) : 0",
         "set Traction = 0; y > 1 - 1e-16 ? 1 : 0"})

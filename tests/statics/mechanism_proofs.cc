@@ -13,7 +13,7 @@ namespace test_mechanism_proofs
 using namespace Voussoir;
 
 /** u_c = G x_c, cell by cell. */
-std::vector<double> affine(const Packing &packing,
+std::vector<double> affine(const Packing<2> &packing,
                            const dealii::Tensor<2, 2> &G)
 {
   std::vector<double> u;

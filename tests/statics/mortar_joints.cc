@@ -51,7 +51,7 @@ std::vector<Ring> running_bond(const double gap)
 }
 
 /** A force on each cell. */
-Loads force_on_cells(const Packing &packing, const double x, const double y)
+Loads force_on_cells(const Packing<2> &packing, const double x, const double y)
 {
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
@@ -60,11 +60,12 @@ Loads force_on_cells(const Packing &packing, const double x, const double y)
   return loads;
 }
 
-double factor_of(const Packing &packing, const double strength, const double mu)
+double
+factor_of(const Packing<2> &packing, const double strength, const double mu)
 {
   // Bricks rest on 2 of the ground, whatever their length.
   std::vector<double> strengths;
-  for (const Packing::Interface &i : packing.interfaces())
+  for (const Packing<2>::Interface &i : packing.interfaces())
     strengths.push_back(
         i.cell_plus == packing.ground() ? 2. / i.length * strength : strength);
   const Kinematics &kinematics = mu > 0. ? rotations() : translations();
@@ -86,7 +87,7 @@ void test_walls()
       factor_of(on_ground(joined(running_bond(0.), 0.)), 1., 0);
   for (const double gap : {0.001, 0.01, 0.1})
   {
-    const Packing blocks = joined(running_bond(gap), gap);
+    const Packing<2> blocks = joined(running_bond(gap), gap);
     const double factor = factor_of(on_ground(blocks), 1., 0.);
     check_error("  the same factor", std::abs(factor - exact) / exact, 1e-9);
     check_error("  areas to rounding",
@@ -196,7 +197,7 @@ std::vector<Tensor<1, 2>> forces_on_beds(const Stack &stack,
   const Placed placed(stack.rings, angle, scale, shuffle);
   const Tensor<2, 2> &turn = placed.turn;
   const std::vector<unsigned int> &order = placed.order;
-  Packing packing = joined(placed.rings, 1.001 * scale * kerf, 1e-9 * scale);
+  Packing<2> packing = joined(placed.rings, 1.001 * scale * kerf, 1e-9 * scale);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(std::abs((transpose(turn) * edge.midpoint())[1]) <
@@ -246,7 +247,7 @@ void test_drawings()
 /** Random stones that shrank to their centres, so that all joints are open. */
 std::vector<Ring> shrunk_stones(const unsigned int seed)
 {
-  const Packing packing = random_packing(10 + seed % 20, seed + 1);
+  const Packing<2> packing = random_packing(10 + seed % 20, seed + 1);
   std::vector<Ring> rings(packing.n_cells());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     for (unsigned int i = 0; i < packing.n_sides(c); ++i)
@@ -263,7 +264,7 @@ forces_between(const std::vector<Ring> &rings,
                const unsigned int shuffle)
 {
   const Placed placed(rings, angle, scale, shuffle);
-  Packing packing = joined(placed.rings, 1e-3 * scale, 1e-9 * scale);
+  Packing<2> packing = joined(placed.rings, 1e-3 * scale, 1e-9 * scale);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back((transpose(placed.turn) * edge.normal)[1] < -1. + 1e-9);
@@ -323,7 +324,7 @@ void test_moments()
 {
   std::cout << "A wall with joints of 0.1, pushed, whose blocks turn"
             << std::endl;
-  const Packing blocks = on_ground(joined(running_bond(0.1), 0.1));
+  const Packing<2> blocks = on_ground(joined(running_bond(0.1), 0.1));
   const Loads loads = force_on_cells(blocks, 0.1, -1.);
   const unsigned int n = blocks.interfaces().size();
   const Scene scene(blocks, std::vector<double>(n, 2.), loads, rotations());

@@ -32,7 +32,7 @@ struct Column
   template <typename Traction>
   Scene scene(const Traction &g) const
   {
-    const Packing packing = on_ground(wall(3, 1, 1., 3.));
+    const Packing<2> packing = on_ground(wall(3, 1, 1., 3.));
     Loads loads;
     for (const auto &edge : packing.boundary_edges())
     {
@@ -187,7 +187,7 @@ Scene wall_with_limits(const double lift,
                        const double crushing,
                        const Kinematics &kinematics)
 {
-  const Packing packing = on_ground(wall(6, 5, 2., 1.05));
+  const Packing<2> packing = on_ground(wall(6, 5, 2., 1.05));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
   for (unsigned int c = 0; c < packing.n_cells(); ++c)

@@ -17,7 +17,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** A block that is wider above by twice the taper, turned and moved. */
-Packing wedge(const double taper, const double angle, const Point<2> &origin)
+Packing<2> wedge(const double taper, const double angle, const Point<2> &origin)
 {
   CellLoops cells;
   for (const Point<2> &x : {Point<2>(0., 0.), Point<2>(1., 0.),
@@ -27,17 +27,17 @@ Packing wedge(const double taper, const double angle, const Point<2> &origin)
         origin[1] + std::sin(angle) * x[0] + std::cos(angle) * x[1]);
   cells.loops = {0, 1, 2, 3};
   cells.first.push_back(4);
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 /** The scene with some of its edges as supports, without friction. */
 template <typename IsSupport>
-Scene held(Packing packing,
+Scene held(Packing<2> packing,
            const Tensor<1, 2> &weight,
            const IsSupport &is_support)
 {
   std::vector<bool> supports;
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  for (const Packing<2>::BoundaryEdge &edge : packing.boundary_edges())
     supports.push_back(is_support(edge));
   packing.support(supports);
   Loads loads;
@@ -82,7 +82,7 @@ double imbalance_of_self_stress(const Scene &scene,
   double size = 0.;
   for (unsigned int e = 0; e < rows.size() / 2; ++e)
   {
-    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const Packing<2>::Interface &i = scene.packing.interfaces()[e];
     const double p = rows[2 * e];
     if (!(p >= 0.))
       return 1e300;

@@ -18,7 +18,7 @@ using dealii::Tensor;
 
 constexpr double strength = 10.;
 
-Scene under(Packing packing,
+Scene under(Packing<2> packing,
             const Tensor<1, 2> &b,
             const Kinematics &kinematics = translations())
 {
@@ -36,7 +36,7 @@ std::optional<Overturning> overturning(const Scene &scene)
   return find_overturning(scene, Solver(least_energy).forces(scene));
 }
 
-Packing column()
+Packing<2> column()
 {
   CellLoops cells;
   for (unsigned int k = 0; k <= 10; ++k)
@@ -49,7 +49,7 @@ Packing column()
       cells.loops.push_back(2 * k + v);
     cells.first.push_back(cells.loops.size());
   }
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 /**
@@ -85,7 +85,7 @@ void try_random_cells()
   for (unsigned int seed = 1; seed <= 60; ++seed)
   {
     const Tensor<1, 2> b({0.02 * seed, -1.});
-    const Packing packing =
+    const Packing<2> packing =
         random_packing(20, seed, {{0., 0.}, {1., 1. + 0.1 * (seed % 7)}});
     if (overturning(under(packing, b)))
       ++n_overturning;

@@ -101,12 +101,12 @@ void contain_states(const Scene &scene, const Ranges &ranges)
 }
 
 /** A wall on the ground. */
-Packing wall_on_ground(const std::string &bond,
-                       const bool second_first,
-                       const long int n_courses,
-                       const long int n_bricks,
-                       const double width,
-                       const double height)
+Packing<2> wall_on_ground(const std::string &bond,
+                          const bool second_first,
+                          const long int n_courses,
+                          const long int n_bricks,
+                          const double width,
+                          const double height)
 {
   WallGenerator generator;
   dealii::ParameterHandler prm;
@@ -117,7 +117,7 @@ Packing wall_on_ground(const std::string &bond,
   prm.set("Bricks per course", n_bricks);
   prm.set("Width", width);
   prm.set("Height", height);
-  return on_ground(Packing(generator.generate("", Terminal::silent())));
+  return on_ground(Packing<2>(generator.generate("", Terminal::silent())));
 }
 
 /**
@@ -171,7 +171,7 @@ void column(const Kinematics &kinematics)
 void clamped()
 {
   const double strength = 0.2;
-  Packing packing = wall(1, 1);
+  Packing<2> packing = wall(1, 1);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(edge.normal[1] < 0.5);
@@ -206,7 +206,7 @@ void clamped()
 void beside_wall()
 {
   const double strength = 0.2;
-  Packing packing = wall(1, 1);
+  Packing<2> packing = wall(1, 1);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
@@ -321,7 +321,7 @@ void refusals()
     prm.set("Reactions", reactions);
     prm.set("Joints", joints);
     prm.leave_subsection();
-    Packing packing = on_ground(wall(2, 2));
+    Packing<2> packing = on_ground(wall(2, 2));
     assign_groups(packing, "base: y < 0.5");
     return parameters.wanted(packing);
   };

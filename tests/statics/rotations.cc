@@ -17,7 +17,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** Under the body force @p b on supports where @p condition holds. */
-Scene under(Packing packing,
+Scene under(Packing<2> packing,
             const Tensor<1, 2> &b,
             const std::string &condition,
             const double strength = 100.)
@@ -32,7 +32,7 @@ Scene under(Packing packing,
 }
 
 /** Quadrilaterals, each on top of the one before: rows of two corners. */
-Packing pile(const std::vector<std::array<Point<2>, 2>> &rows)
+Packing<2> pile(const std::vector<std::array<Point<2>, 2>> &rows)
 {
   CellLoops cells;
   for (const auto &row : rows)
@@ -43,7 +43,7 @@ Packing pile(const std::vector<std::array<Point<2>, 2>> &rows)
       cells.loops.push_back(v);
     cells.first.push_back(cells.loops.size());
   }
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 /** A column of n blocks under its weight and a share of it sideways. */
@@ -81,7 +81,7 @@ Scene tilted(const unsigned int n, const double height, const double angle)
  */
 Scene corbel(const double distance)
 {
-  Packing packing =
+  Packing<2> packing =
       pile({{{{0., 0.}, {0.4, 0.}}}, {{{-0.3, 0.5}, {0.9, 0.5}}}});
   packing.support(boundary_edges_where(packing, "y < 1e-9", ""));
   Loads loads;
@@ -98,7 +98,7 @@ Scene corbel(const double distance)
  */
 Scene arch(const unsigned int n, const double thickness, const bool on_line)
 {
-  Packing packing = semicircle(n, thickness);
+  Packing<2> packing = semicircle(n, thickness);
   packing.support(boundary_edges_where(packing, "ny < -0.99 && y < 1e-9", ""));
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());

@@ -61,7 +61,7 @@ CellLoops seen(const CellLoops &cells, const Transformed &view)
 /** On the ground, under weight with a horizontal share and a load on top. */
 Scene scene_of(const CellLoops &cells, const Transformed &view)
 {
-  Packing packing(seen(cells, view));
+  Packing<2> packing(seen(cells, view));
   const auto is_at = [&](const auto &edge, const double y) {
     return std::abs(view.back(edge.midpoint())[1] - y) < 1e-6;
   };

@@ -59,7 +59,7 @@ void compare(const std::string &name,
 }
 
 /** @p n_blocks blocks beside each other, on @p n feet each of width one. */
-Packing on_feet(const unsigned int n, const unsigned int n_blocks = 1)
+Packing<2> on_feet(const unsigned int n, const unsigned int n_blocks = 1)
 {
   CellLoops loops;
   for (unsigned int b = 0; b < n_blocks; ++b)
@@ -73,7 +73,7 @@ Packing on_feet(const unsigned int n, const unsigned int n_blocks = 1)
       loops.loops.push_back(loops.loops.size());
     loops.first.push_back(loops.loops.size());
   }
-  return on_ground(Packing(loops));
+  return on_ground(Packing<2>(loops));
 }
 
 /**
@@ -339,7 +339,7 @@ void within_ranges()
 
 void refusals()
 {
-  Packing packing = wall(1, 1);
+  Packing<2> packing = wall(1, 1);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(edge.normal[1] < 0.5);

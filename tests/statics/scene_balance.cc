@@ -40,7 +40,7 @@ void run()
   corner.loops = {0, 1, 2, 3, 2, 4, 5, 6};
   corner.first = {0, 4, 8};
   show_refusal([&] {
-    scene_with(Packing(corner), 1.,
+    scene_with(Packing<2>(corner), 1.,
                [](const dealii::Point<2> &x, const Vector &n) {
                  Vector g;
                  if (std::abs(n[0]) > 0.5)
@@ -60,7 +60,7 @@ void run()
 
   // Under pressure each is balanced by itself, and no force is needed.
   const Scene scene =
-      scene_under_stress(Packing(corner), 1., tensor(-1, 0, 0, -1));
+      scene_under_stress(Packing<2>(corner), 1., tensor(-1, 0, 0, -1));
   const InterfaceForces forces = Solver(compliant).forces(scene);
   check("two groups under pressure", forces.normal.empty());
   check_error("their certificate", certify(scene, forces).equilibrium_residual,

@@ -21,7 +21,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** Supports with the settings of the section, of @p packing. */
-std::vector<SupportMotion> motion_of(const Packing &packing,
+std::vector<SupportMotion> motion_of(const Packing<2> &packing,
                                      const std::string &displacement,
                                      const std::string &of_groups = "")
 {
@@ -85,8 +85,8 @@ class LinesOfThrust
 public:
   explicit LinesOfThrust(const Scene &scene)
   {
-    const Packing &packing = scene.packing;
-    for (const Packing::Interface &i : packing.interfaces())
+    const Packing<2> &packing = scene.packing;
+    for (const Packing<2>::Interface &i : packing.interfaces())
     {
       const Point<2> middle = i.midpoint();
       if (middle[0] < -1e-9)
@@ -167,7 +167,7 @@ void spreading_arch(const double thickness)
   const double least = lines.farthest(1.);
   const Point<2> haunch = lines.touched(least);
   double top = 0.;
-  for (const Packing::Interface &i : scene.packing.interfaces())
+  for (const Packing<2>::Interface &i : scene.packing.interfaces())
     top = std::max({top, i.start[1], i.end[1]});
   check_error("  least thrust",
               std::abs(thrust_of(scene, found.forces) / least - 1.), 1e-8);
@@ -185,7 +185,7 @@ void spreading_arch(const double thickness)
     if (std::max(opening[0], opening[1]) < 1e-6 * spread)
       continue;
     ++n_hinges;
-    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const Packing<2>::Interface &i = scene.packing.interfaces()[e];
     const Point<2> hinge = opening[0] < opening[1] ? i.start : i.end;
     const Point<2> classical =
         std::abs(hinge[0]) < 1e-9
@@ -251,7 +251,7 @@ void floor_that_tilts()
 /** A block of weight one on the ground, and a wall beside it that rises. */
 void wall_that_rises(const double strength)
 {
-  Packing packing = wall(1, 1, 1., 1.);
+  Packing<2> packing = wall(1, 1, 1., 1.);
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(edge.normal[1] < -0.5 || edge.normal[0] > 0.5);
@@ -316,7 +316,7 @@ void random_walls()
 /** Supports by the names of their cells. */
 void groups()
 {
-  Packing packing = on_ground(wall(2, 3, 3., 1.));
+  Packing<2> packing = on_ground(wall(2, 3, 3., 1.));
   assign_groups(packing, "left: x < 1 | right: x > 2");
   const auto by_place =
       motion_of(packing, "0; x < 1 ? -2 : x > 2 ? 3 : 1; x > 2 ? 0.1 : 0");
@@ -338,8 +338,8 @@ void groups()
 
 void refusals()
 {
-  Packing packing = wall(1, 1, 1., 1.);
-  const Packing on_nothing = packing;
+  Packing<2> packing = wall(1, 1, 1., 1.);
+  const Packing<2> on_nothing = packing;
   std::vector<bool> rests;
   for (const auto &edge : packing.boundary_edges())
     rests.push_back(std::abs(edge.normal[0]) > 0.5 || edge.normal[1] < -0.5);

@@ -60,13 +60,13 @@ Tensor<1, 2> force(const double x, const double y)
 
 Scene pile(const std::vector<Block> &blocks)
 {
-  Packing packing = stack_of_squares(blocks.size());
+  Packing<2> packing = stack_of_squares(blocks.size());
   std::vector<bool> supports;
-  for (const Packing::BoundaryEdge &edge : packing.boundary_edges())
+  for (const Packing<2>::BoundaryEdge &edge : packing.boundary_edges())
     supports.push_back(edge.midpoint()[1] < 0.1);
   packing.support(supports);
   std::vector<double> strengths;
-  for (const Packing::Interface &i : packing.interfaces())
+  for (const Packing<2>::Interface &i : packing.interfaces())
     strengths.push_back(blocks[std::lround(i.midpoint()[1])].strength);
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
@@ -127,7 +127,7 @@ Scene grains(const double strength)
     cells.loops.insert(cells.loops.end(), loop.begin(), loop.end());
     cells.first.push_back(cells.loops.size());
   }
-  return scene_under_stress(Packing(cells), strength,
+  return scene_under_stress(Packing<2>(cells), strength,
                             tensor(-0.832732290223203, -0.010278597588870175,
                                    -0.010278597588870175, -1.0108444140902197));
 }

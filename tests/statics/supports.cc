@@ -18,7 +18,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** A scene under its weight, supported where @p condition holds. */
-Scene under_weight(Packing packing,
+Scene under_weight(Packing<2> packing,
                    const double strength,
                    const double gamma,
                    const std::string &condition)
@@ -34,7 +34,7 @@ Scene under_weight(Packing packing,
 }
 
 /** Blocks on top of each other: a stack bond one block wide. */
-Packing column(const std::vector<double> &heights, const double width)
+Packing<2> column(const std::vector<double> &heights, const double width)
 {
   CellLoops cells;
   cells.vertices = {{0., 0.}, {width, 0.}};
@@ -47,11 +47,11 @@ Packing column(const std::vector<double> &heights, const double width)
       cells.loops.push_back(v);
     cells.first.push_back(cells.loops.size());
   }
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 /** A flat arch of n wedges between vertical jambs, joints leaning outwards. */
-Packing flat_arch(const unsigned int n, const double lean)
+Packing<2> flat_arch(const unsigned int n, const double lean)
 {
   CellLoops cells;
   for (unsigned int k = 0; k <= n; ++k)
@@ -67,7 +67,7 @@ Packing flat_arch(const unsigned int n, const double lean)
       cells.loops.push_back(v);
     cells.first.push_back(cells.loops.size());
   }
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 double total_weight(const Scene &scene)
@@ -198,7 +198,7 @@ void run()
   for (const double strength : {16., 20., 21.4, 21.5})
   {
     const Scene piers =
-        under_weight(Packing(generator.generate("", Terminal::silent())),
+        under_weight(Packing<2>(generator.generate("", Terminal::silent())),
                      strength, 22., "y < 0.001");
     const DiscreteProblem problem = discretise(piers);
     check("arch on held piers: clamped",
@@ -254,9 +254,9 @@ void run()
     }
     apart.first.push_back(apart.loops.size());
   }
-  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 1"); });
-  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < 13"); });
-  show_refusal([&] { under_weight(Packing(apart), 1., 1., "x < -1"); });
+  show_refusal([&] { under_weight(Packing<2>(apart), 1., 1., "x < 1"); });
+  show_refusal([&] { under_weight(Packing<2>(apart), 1., 1., "x < 13"); });
+  show_refusal([&] { under_weight(Packing<2>(apart), 1., 1., "x < -1"); });
 
   // So are the gap beside it, and a contact in a point.
   CellLoops two;
@@ -266,10 +266,10 @@ void run()
     two.vertices.push_back(p);
   two.add({0, 1, 2, 3});
   two.add({4, 5, 6});
-  show_refusal([&] { under_weight(Packing(two), 1., 1., "y < 0.1"); });
+  show_refusal([&] { under_weight(Packing<2>(two), 1., 1., "y < 0.1"); });
   two.vertices[4] = {1., 1.};
   two.vertices[5] = {2., 1.};
-  show_refusal([&] { under_weight(Packing(two), 1., 1., "y < 0.1"); });
+  show_refusal([&] { under_weight(Packing<2>(two), 1., 1., "y < 0.1"); });
 }
 
 const RoomTest test("supports", run);

@@ -20,7 +20,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** A regular polygon around the origin with its first side at the bottom. */
-Packing polygon(const unsigned int n)
+Packing<2> polygon(const unsigned int n)
 {
   CellLoops cells;
   for (unsigned int i = 0; i < n; ++i)
@@ -30,7 +30,7 @@ Packing polygon(const unsigned int n)
     cells.loops.push_back(i);
   }
   cells.first.push_back(n);
-  return Packing(cells);
+  return Packing<2>(cells);
 }
 
 /** What stress and body force leave of div sigma = -b, over all sub-cells. */
@@ -64,7 +64,7 @@ void run()
   for (const unsigned int n : {3U, 4U, 5U, 8U, 11U})
   {
     const auto p = [](const double y) { return 3. - y + 0.2 * y * y * y; };
-    Packing packing = polygon(n);
+    Packing<2> packing = polygon(n);
     Loads loads;
     const dealii::QGauss<1> gauss(4);
     for (const auto &edge : packing.boundary_edges())
@@ -94,7 +94,7 @@ void run()
 
   // A stack of bricks on the ground: sigma_yy = -gamma (H - y), so the mean of
   // a brick is that at its middle.
-  Packing bricks = wall(1, 1, 0.5, 2.);
+  Packing<2> bricks = wall(1, 1, 0.5, 2.);
   bricks.support(boundary_edges_where(bricks, "y < 0.01", "Supports/Where"));
   Loads weight;
   weight.traction.resize(bricks.boundary_edges().size());
@@ -113,7 +113,7 @@ void run()
 
   // The centre of a Voronoi cell is not its centroid: a uniform body force and
   // the tractions that balance it leave the torque of the lever between them.
-  Packing cells = random_packing(40, 3);
+  Packing<2> cells = random_packing(40, 3);
   const Tensor<1, 2> b({0.3, -1.});
   Loads loads;
   loads.traction.resize(cells.boundary_edges().size());

@@ -305,7 +305,7 @@ void Spaces::compare_numbers(const dealii::DoFHandler<2> &dof_handler)
 
 void run()
 {
-  const Packing packing = random_packing(60, 1);
+  const Packing<2> packing = random_packing(60, 1);
   for (const bool is_fan : {true, false})
     for (const unsigned int degree : {0U, 1U, 2U})
     {

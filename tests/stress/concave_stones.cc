@@ -27,10 +27,10 @@ using dealii::Tensor;
 
 using Ring = std::vector<Point<2>>;
 
-Packing packing_of(const std::vector<Ring> &rings)
+Packing<2> packing_of(const std::vector<Ring> &rings)
 {
   PolygonList polygons = list_of(rings);
-  return Packing(match_polygons(polygons, 1e-10));
+  return Packing<2>(match_polygons(polygons, 1e-10));
 }
 
 Ring rectangle(const double x, const double y, const double b, const double h)
@@ -71,7 +71,7 @@ std::vector<Ring> quoins(const bool glued,
   return rings;
 }
 
-Loads weight(const Packing &packing, const double x, const double y)
+Loads weight(const Packing<2> &packing, const double x, const double y)
 {
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
@@ -89,7 +89,7 @@ Scene wall_of_quoins(const bool glued,
                      const double y)
 {
   std::vector<std::array<unsigned int, 2>> pairs;
-  const Packing packing = on_ground(packing_of(quoins(glued, pairs)));
+  const Packing<2> packing = on_ground(packing_of(quoins(glued, pairs)));
   std::vector<double> strengths(packing.interfaces().size(), 0.4),
       tension(strengths.size(), 0.);
   for (unsigned int e = 0; e < strengths.size(); ++e)
@@ -228,7 +228,7 @@ void pieces_cover()
 void check_stress(const Scene &scene, const InterfaceForces &forces)
 {
   const CellPieces pieces(scene.packing);
-  const Packing &cut = pieces.as_packing();
+  const Packing<2> &cut = pieces.as_packing();
   const CellForces on_pieces = pieces.forces(scene, forces);
   double force = 0., torque = 0., continuity = 0., mean = 0., largest = 0.;
   // Of each side that is a cut: its force, by the piece's cell and the ends.
@@ -293,7 +293,7 @@ void walls()
   {
     std::cout << "Wall of quoins, " << kinematics->name() << std::endl;
     std::vector<std::array<unsigned int, 2>> none;
-    const Packing packing = on_ground(packing_of(quoins(true, none)));
+    const Packing<2> packing = on_ground(packing_of(quoins(true, none)));
     check("  hidden sides", packing.not_seen_whole().size() == 12);
     const Scene scene(packing,
                       std::vector<double>(packing.interfaces().size(), 0.5),
@@ -312,7 +312,7 @@ void uniform_stress()
     std::cout << name << " under a uniform stress" << std::endl;
     for (const Kinematics *kinematics : {&translations(), &rotations()})
     {
-      const Packing packing = packing_of({ring});
+      const Packing<2> packing = packing_of({ring});
       std::vector<Tensor<1, 2>> g;
       for (const auto &edge : packing.boundary_edges())
         g.push_back(S * edge.normal);
@@ -337,7 +337,7 @@ void body_forces()
 {
   for (const auto &[name, ring] : shapes())
   {
-    const Packing packing = packing_of({ring});
+    const Packing<2> packing = packing_of({ring});
     const BodyForce b(packing, [](const Point<2> &x, unsigned int) {
       return Tensor<1, 2>({x[0], 1. - x[1]});
     });

@@ -56,7 +56,7 @@ Tensor<1, 2> weight(const Point<2> &x, const double slope)
       {slope * (0.3 * x[0] - 0.2 * x[1]), -2. - slope * (x[0] + 2. * x[1])});
 }
 
-Scene on_the_ground(Packing packing,
+Scene on_the_ground(Packing<2> packing,
                     const double strength,
                     const double slope = 0.)
 {
@@ -120,7 +120,7 @@ double error_of_divergence(const Scene &scene,
 {
   const StressField field =
       reconstruct_stress(scene, forces, fine, Terminal::silent());
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const unsigned int per_side = field.cut.of_triangle().size();
   double largest = field.undetermined.size();
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -175,7 +175,7 @@ void compare_balance(const std::string &name, const Scene &scene)
 }
 
 /** A weight that varies is known by its mean in each triangle. */
-void compare_linear(const std::string &name, const Packing &packing)
+void compare_linear(const std::string &name, const Packing<2> &packing)
 {
   const double slope = 1.;
   const Scene scene = on_the_ground(packing, 100., slope);

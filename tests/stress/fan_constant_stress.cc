@@ -151,7 +151,7 @@ void run()
         1e-14);
   }
 
-  const Packing packing = random_packing(3000, 1);
+  const Packing<2> packing = random_packing(3000, 1);
   double error = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {

@@ -43,9 +43,9 @@ void run()
     for (const PointList &points : {squares, triangles})
       check_error(
           std::to_string(points.points.size()) + " cells, " + method.name,
-          error_of_uniform(
-              scene_under_stress(Packing(voronoi_cells(points, unit)), 10, S),
-              S, method),
+          error_of_uniform(scene_under_stress(
+                               Packing<2>(voronoi_cells(points, unit)), 10, S),
+                           S, method),
           method.name == "linear program" ? 1e-6 : 1e-9);
   check_error("one cell",
               error_of_uniform(scene_under_stress(random_packing(1, 1), 1, S),

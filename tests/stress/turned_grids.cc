@@ -19,7 +19,7 @@ using dealii::Point;
 using dealii::Tensor;
 
 /** The cells of a grid with 1/n between its points, turned by an angle. */
-Packing
+Packing<2>
 turned_grid(const int n, const double angle, const unsigned int decimals)
 {
   const double unit = std::pow(10., decimals);
@@ -36,7 +36,7 @@ turned_grid(const int n, const double angle, const unsigned int decimals)
       if (std::abs(p[0] - 0.5) < 0.49 && std::abs(p[1] - 0.5) < 0.49)
         list.points.push_back(p);
     }
-  return Packing(voronoi_cells(list, {{0, 0}, {1, 1}}));
+  return Packing<2>(voronoi_cells(list, {{0, 0}, {1, 1}}));
 }
 
 /** The forces of a stress with the given mean on an edge. */
@@ -56,7 +56,9 @@ InterfaceForces forces_of(const Scene &scene, const Stress &stress)
 
 /** A scene under the tractions of a stress. */
 template <typename Stress>
-Scene scene_with_stress(Packing packing, const double s_T, const Stress &stress)
+Scene scene_with_stress(Packing<2> packing,
+                        const double s_T,
+                        const Stress &stress)
 {
   return scene_with(
       std::move(packing), s_T,

@@ -25,7 +25,7 @@ public:
    *   interface, a name is that of none, or reactions are wanted and there are
    *   no supports.
    */
-  std::optional<RangesWanted> wanted(const Packing &packing) const;
+  std::optional<RangesWanted> wanted(const Packing<2> &packing) const;
 
 private:
   std::string where = "0", joints;

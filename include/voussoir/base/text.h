@@ -41,14 +41,18 @@ inline std::string counted(const std::size_t n, const std::string &things)
   return text(n, ' ', things, n == 1 ? "" : "s");
 }
 
-/** A point as "(x, y)", with digits enough to find it in a drawing. */
-inline std::string text_of_point(const dealii::Point<2> &p)
+/**
+ * A point as "(x, y)" or "(x, y, z)", with digits enough to find it in a
+ * drawing.
+ */
+template <int dim = 2>
+std::string text_of_point(const dealii::Point<dim> &p)
 {
   std::ostringstream out;
   out.precision(9);
-  // abs: a NaN may have a sign, which says nothing.
-  out << '(' << (std::isnan(p[0]) ? std::abs(p[0]) : p[0]) << ", "
-      << (std::isnan(p[1]) ? std::abs(p[1]) : p[1]) << ')';
+  for (unsigned int d = 0; d < dim; ++d) // abs: a NaN may have a sign
+    out << (d == 0 ? "(" : ", ") << (std::isnan(p[d]) ? std::abs(p[d]) : p[d]);
+  out << ')';
   return out.str();
 }
 } // namespace Voussoir

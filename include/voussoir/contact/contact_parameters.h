@@ -26,7 +26,7 @@ public:
    * @throws InputError as means() does; or naming the interface whose tension
    *   is beyond what Coulomb's friction admits.
    */
-  void add_strengths(const Packing &packing, Strengths &strengths) const;
+  void add_strengths(const Packing<2> &packing, Strengths &strengths) const;
 
 private:
   JointQuantity tensile = {

@@ -23,7 +23,7 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** FrictionLaw::strengths() of the law that was chosen, with its name. */
-  Strengths strengths(const Packing &packing) const;
+  Strengths strengths(const Packing<2> &packing) const;
 
 private:
   std::vector<std::unique_ptr<FrictionLaw>> laws;

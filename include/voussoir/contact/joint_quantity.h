@@ -52,7 +52,7 @@ struct JointQuantity
  *   if a formula cannot be parsed; or naming a pair of groups that does not
  *   exist, is given twice or meets nowhere.
  */
-std::vector<double> means(const Packing &packing,
+std::vector<double> means(const Packing<2> &packing,
                           const JointQuantity &quantity,
                           std::vector<std::string> &warnings);
 } // namespace Voussoir

@@ -52,9 +52,9 @@ private:
   [[noreturn]] void refuse(const std::string &fault) const;
   Origin read_summary() const;
   CsvReader open(const std::string &name) const;
-  void check_size(const Packing &packing) const;
+  void check_size(const Packing<2> &packing) const;
   void read_interfaces(const Scene &scene, Carried &found);
-  void read_cells(const Packing &packing, Carried &found);
+  void read_cells(const Packing<2> &packing, Carried &found);
 
   const std::filesystem::path directory;
   const Origin origin;

@@ -28,7 +28,7 @@ struct AreaMoments
 };
 
 /** By the triangles between the centre and the sides, exact for any polygon. */
-AreaMoments area_moments(const Packing &packing, unsigned int cell);
+AreaMoments area_moments(const Packing<2> &packing, unsigned int cell);
 } // namespace Voussoir
 
 #endif

@@ -15,7 +15,7 @@ namespace Voussoir
  * @throws InputError naming @p parameter and listing the groups if there is
  *   none of that name.
  */
-unsigned int group_of_name(const Packing &packing,
+unsigned int group_of_name(const Packing<2> &packing,
                            const std::string &name,
                            const std::string &parameter);
 
@@ -25,7 +25,7 @@ unsigned int group_of_name(const Packing &packing,
  *
  * @throws InputError as group_of_name() does, or if there is no such cell.
  */
-std::vector<unsigned int> cells_of_name(const Packing &packing,
+std::vector<unsigned int> cells_of_name(const Packing<2> &packing,
                                         const std::string &name,
                                         const std::string &parameter);
 
@@ -37,7 +37,7 @@ std::vector<unsigned int> cells_of_name(const Packing &packing,
  *
  * @throws InputError if a condition cannot be evaluated or is met by no cell.
  */
-void assign_groups(Packing &packing, const std::string &groups);
+void assign_groups(Packing<2> &packing, const std::string &groups);
 } // namespace Voussoir
 
 #endif

@@ -14,7 +14,7 @@ struct CellRange
 };
 
 /** The range of all cells. */
-inline CellRange all_cells(const Packing &packing)
+inline CellRange all_cells(const Packing<2> &packing)
 {
   return {0, packing.n_cells()};
 }
@@ -24,7 +24,7 @@ inline CellRange all_cells(const Packing &packing)
  * nothing: a Packing made of them has boundary edges only, one a side, in the
  * order of Packing::first_side(). Centres and groups are kept.
  */
-CellLoops cut_free(const Packing &packing, const CellRange &cells);
+CellLoops cut_free(const Packing<2> &packing, const CellRange &cells);
 } // namespace Voussoir
 
 #endif

@@ -25,7 +25,7 @@ enum class Ground
  * each other nowhere, so a group without the ground must be balanced by itself.
  * If the ground separates, it is a group of its own.
  */
-std::vector<unsigned int> connected_groups(const Packing &packing,
+std::vector<unsigned int> connected_groups(const Packing<2> &packing,
                                            Ground ground = Ground::connects);
 
 /**
@@ -34,7 +34,7 @@ std::vector<unsigned int> connected_groups(const Packing &packing,
  * two without, less the independent equations, which are those of all cells but
  * for one cell in each connected group that has no support.
  */
-unsigned int static_indeterminacy(const Packing &packing,
+unsigned int static_indeterminacy(const Packing<2> &packing,
                                   unsigned int n_per_cell = 2);
 } // namespace Voussoir
 

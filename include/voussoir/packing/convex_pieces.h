@@ -22,7 +22,7 @@ std::vector<std::vector<unsigned int>>
 convex_pieces(const std::vector<dealii::Point<2>> &ring);
 
 /** The vertices of a cell. */
-std::vector<dealii::Point<2>> ring_of(const Packing &packing,
+std::vector<dealii::Point<2>> ring_of(const Packing<2> &packing,
                                       unsigned int cell);
 
 /** The centroid of a polygon, counterclockwise; a length. */

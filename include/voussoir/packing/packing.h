@@ -2,112 +2,20 @@
 #ifndef voussoir_packing_packing_h
 #define voussoir_packing_packing_h
 
+#include <voussoir/packing/cell_loops.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
 namespace Voussoir
 {
-/** An open joint between two cells that nearly touch. */
-struct Gap
-{
-  /** The two, the lower number first. */
-  std::array<unsigned int, 2> cells;
-  /** The widest distance of the sides that face each other; a length. */
-  double width;
-  /** What lies between them, counterclockwise; lengths. */
-  std::array<dealii::Point<2>, 4> outline;
-  /** The middle of it; a length. */
-  dealii::Point<2> place() const
-  {
-    return 0.25 * (outline[0] + outline[1] + outline[2] + outline[3]);
-  }
-};
-
-/**
- * The loops of vertices from which a Packing is made. Where two cells meet they
- * share the vertices at both ends of the common edge, so a T-junction is a
- * vertex of all three cells around it, with an angle of 180 degrees in one; or
- * they face each other.
- */
-struct CellLoops
-{
-  /** All vertices, in any order; lengths. */
-  std::vector<dealii::Point<2>> vertices;
-  /** Vertex numbers of one loop after the other, each counterclockwise. */
-  std::vector<unsigned int> loops;
-  /** The start of the loop of each cell, and the end: n_cells + 1 numbers. */
-  std::vector<unsigned int> first = {0};
-  /**
-   * Pairs of sides of two cells that face each other across a joint of some
-   * width and share no vertices: their numbers, counted through all cells. They
-   * are one edge, whose ends lie midway between theirs.
-   */
-  std::vector<std::array<unsigned int, 2>> facing;
-  /** The centre x_c of each cell, a length; empty to take the centroids. */
-  std::vector<dealii::Point<2>> centres;
-
-  /** The names of groups of cells; empty: every cell is called "block". */
-  std::vector<std::string> group_names;
-  /** For each cell its name's number in group_names; empty: 0. */
-  std::vector<unsigned int> group;
-
-  /**
-   * The distance that a vertex may lie inside the chord of its neighbours in a
-   * cell that counts as convex, beyond rounding; a length. Zero for what was
-   * computed, more for what was read and matched within a tolerance.
-   */
-  double tolerance = 0.;
-
-  /** The file that the cells were read from; empty if they were not. */
-  std::string file;
-  /** The name of a record of that file. */
-  std::string record_name = "line";
-  /** For each cell the number of its record; empty if not read. */
-  std::vector<unsigned int> records;
-
-  /** Notices to the user on how the input was understood. */
-  std::vector<std::string> notices;
-  /** The narrow gaps that were left open. */
-  std::vector<Gap> gaps;
-
-  /** The number of cells. */
-  unsigned int n_cells() const { return first.size() - 1; }
-  /** The number of sides of a cell, which is that of its vertices. */
-  unsigned int n_sides(const unsigned int cell) const
-  {
-    return first[cell + 1] - first[cell];
-  }
-  /** The cell of a side, which is counted through all cells. */
-  unsigned int cell_of_side(const unsigned int side) const
-  {
-    return std::upper_bound(first.begin(), first.end(), side) - first.begin() -
-           1;
-  }
-  /** Vertex @p i of a cell, counted modulo their number, by its number. */
-  unsigned int corner(const unsigned int cell, const unsigned int i) const
-  {
-    return loops[first[cell] + i % n_sides(cell)];
-  }
-  /** The place of vertex @p i of a cell; lengths. */
-  const dealii::Point<2> &vertex(const unsigned int cell,
-                                 const unsigned int i) const
-  {
-    return vertices[corner(cell, i)];
-  }
-  /** Add a cell with the vertices @p loop, by their numbers. */
-  void add(const std::vector<unsigned int> &loop)
-  {
-    loops.insert(loops.end(), loop.begin(), loop.end());
-    first.push_back(loops.size());
-  }
-};
+template <int dim>
+class Packing;
 
 /**
  * A packing: a mesh of polygons, its cells, with the edges between them.
@@ -127,7 +35,8 @@ struct CellLoops
  * boundary_edges(); those for each side are counted through all cells, with
  * side i of cell c at first_side(c) + i.
  */
-class Packing
+template <>
+class Packing<2>
 {
 public:
   /** An edge e that two cells share, or a cell and the ground. */
@@ -294,7 +203,6 @@ public:
   std::string describe(unsigned int cell) const;
 
 private:
-  void name_groups();
   void measure(unsigned int cell, bool take_centroid);
   void check_shape(unsigned int cell);
   double half_distance(unsigned int cell, const Interface &interface) const;

@@ -2,16 +2,23 @@
 #ifndef voussoir_packing_packing_parameters_h
 #define voussoir_packing_packing_parameters_h
 
-#include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/generators/generator_choice.h>
+#include <voussoir/packing/packing.h>
 #include <voussoir/packing/polygons/polygons.h>
 
-#include <memory>
+#include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace Voussoir
 {
+template <int dim>
+class PackingParameters;
+
 /** The section `Packing`: which generator makes the packing, and from what. */
-class PackingParameters
+template <>
+class PackingParameters<2>
 {
 public:
   /** With all generators, each with the defaults of its parameters. */
@@ -27,7 +34,7 @@ public:
   std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const
   {
-    return generators[chosen]->input_files(directory);
+    return generators.chosen().input_files(directory);
   }
 
   /**
@@ -40,14 +47,13 @@ public:
    * @throws InputError if the parameters describe no packing: as
    *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.
    */
-  Packing make_packing(const std::filesystem::path &directory,
-                       bool joins_corners,
-                       Terminal &terminal) const;
+  Packing<2> make_packing(const std::filesystem::path &directory,
+                          bool joins_corners,
+                          Terminal &terminal) const;
 
 private:
-  std::vector<std::unique_ptr<PackingGenerator>> generators;
+  GeneratorChoice<2> generators;
   PolygonGenerator *polygons; // one of them
-  unsigned int chosen = 0;
   std::string groups;
 };
 } // namespace Voussoir

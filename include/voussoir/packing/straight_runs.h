@@ -23,7 +23,7 @@ struct StraightRun
  * where it ends and has the same normal within rounding.
  */
 std::vector<StraightRun>
-straight_runs(const std::vector<Packing::BoundaryEdge> &edges);
+straight_runs(const std::vector<Packing<2>::BoundaryEdge> &edges);
 } // namespace Voussoir
 
 #endif

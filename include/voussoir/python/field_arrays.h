@@ -55,7 +55,7 @@ void add_fields(Class &of,
           const BoundField bound = field.bound(*data);
           if (bound.memory.stride > 0)
             return view_of(bound, data);
-          return copy_of(bound, n(part_of<Packing>(*data)));
+          return copy_of(bound, n(part_of<Packing<2>>(*data)));
         },
         help_on(field).c_str());
   }

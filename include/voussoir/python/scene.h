@@ -23,7 +23,7 @@ public:
   PyResults(RunResult found, std::vector<std::string> warnings);
 
   /** The packing of the scene; the pointer keeps all that was found. */
-  std::shared_ptr<const Packing> packing() const
+  std::shared_ptr<const Packing<2>> packing() const
   {
     return {findings, &findings->scene->packing};
   }
@@ -73,7 +73,7 @@ public:
    */
   std::string get(const std::string &name) const;
   /** The packing, made anew if what it is made from has changed. */
-  std::shared_ptr<const Packing> get_packing();
+  std::shared_ptr<const Packing<2>> get_packing();
   /** Find what the parameters ask for. */
   PyResults solve();
 

@@ -108,7 +108,7 @@ public:
    *
    * @throws InputError.
    */
-  std::shared_ptr<const Packing>
+  std::shared_ptr<const Packing<2>>
   shared_packing(const std::filesystem::path &directory,
                  SharedPackings &packings) const;
   /**
@@ -139,8 +139,8 @@ private:
    * Read the packing; if a drawing is refused, write what shows its faults
    * beside earlier results.
    */
-  Packing read_packing(const std::filesystem::path &directory,
-                       ResultDirectory *files);
+  Packing<2> read_packing(const std::filesystem::path &directory,
+                          ResultDirectory *files);
 
   Terminal &terminal;
   const ProcessGroup processes;

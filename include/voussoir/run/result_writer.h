@@ -104,7 +104,7 @@ private:
   /** True if results of that kind are to be written. */
   bool writes(ResultFiles kind) const;
   /** True if there is to be a report on @p packing. */
-  bool reports(const Packing &packing) const;
+  bool reports(const Packing<2> &packing) const;
   /**
    * Add to @p results what follows from the forces and is asked for.
    *
@@ -122,7 +122,7 @@ private:
                        const Motion &motion,
                        double factor) const;
   /** Write the cells for another program, and the gaps that were left. */
-  void write_packing(ResultDirectory &files, const Packing &packing) const;
+  void write_packing(ResultDirectory &files, const Packing<2> &packing) const;
   /** Add what every run writes, and put all files in place. */
   template <typename Found>
   void publish(ResultDirectory &files,

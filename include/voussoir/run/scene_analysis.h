@@ -70,12 +70,12 @@ public:
   /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { of_scene.give(std::move(polygons)); }
   /** The packing with its supports; see PackingParameters::make_packing(). */
-  Packing read_packing(const std::filesystem::path &directory) const
+  Packing<2> read_packing(const std::filesystem::path &directory) const
   {
     return of_scene.read_packing(directory, terminal);
   }
   /** What the packing carries, and by what; the terminal shows the packing. */
-  SceneData data(Packing packing) const;
+  SceneData data(Packing<2> packing) const;
 
   /**
    * Show what was understood, and find what an answer would refuse of the scene

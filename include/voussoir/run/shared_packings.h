@@ -34,15 +34,15 @@ public:
    *   if another run has made it.
    * @throws InputError if it cannot be made.
    */
-  std::shared_ptr<const Packing> get(const std::string &key,
-                                     const std::function<Packing()> &make,
-                                     Terminal &terminal);
+  std::shared_ptr<const Packing<2>> get(const std::string &key,
+                                        const std::function<Packing<2>()> &make,
+                                        Terminal &terminal);
 
 private:
   /** A packing, and what was noticed when it was made. */
   struct Made
   {
-    std::shared_ptr<const Packing> packing;
+    std::shared_ptr<const Packing<2>> packing;
     std::vector<std::string> warnings;
   };
   /** One that is there, or that another thread makes. */

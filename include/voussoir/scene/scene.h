@@ -32,13 +32,13 @@ struct Scene
    *   support, or where they turn its moment, is not zero, since nothing holds
    *   it, or if a load is too large or too small to compute with.
    */
-  Scene(Packing packing,
+  Scene(Packing<2> packing,
         std::vector<double> strength,
         Loads loads,
         const Kinematics &kinematics = translations());
 
   /** The blocks, with their supports. */
-  Packing packing;
+  Packing<2> packing;
   /** s_e of each interface, not negative; S. With Coulomb's friction c_e. */
   std::vector<double> strength;
   /** mu_e of each interface, not negative; empty if all are zero. */
@@ -148,20 +148,20 @@ struct InterfaceForces
    *
    * @param interface that of the number @p e.
    */
-  dealii::Tensor<1, 2> on_cell_minus(const Packing::Interface &interface,
+  dealii::Tensor<1, 2> on_cell_minus(const Packing<2>::Interface &interface,
                                      unsigned int e) const;
   /**
    * The torque about @p centre of the force on cell c- of interface @p e,
    * positive counterclockwise.
    */
-  double torque_on_cell_minus(const Packing::Interface &interface,
+  double torque_on_cell_minus(const Packing<2>::Interface &interface,
                               unsigned int e,
                               const dealii::Point<2> &centre) const;
   /**
    * The place of the resultant on an interface, over its length: -1/2 at its
    * start, 0 at its midpoint, 1/2 at its end; zero without normal force.
    */
-  double eccentricity(const Packing::Interface &interface,
+  double eccentricity(const Packing<2>::Interface &interface,
                       const unsigned int e) const
   {
     return normal[e] < 0.
@@ -169,7 +169,7 @@ struct InterfaceForces
                : 0.;
   }
   /** The moment about the midpoint: the couple of the forces at the ends. */
-  double couple(const Packing::Interface &interface, unsigned int e) const
+  double couple(const Packing<2>::Interface &interface, unsigned int e) const
   {
     return at_ends.empty()
                ? 0.

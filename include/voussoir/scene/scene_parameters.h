@@ -26,7 +26,7 @@ namespace Voussoir
 struct SceneData
 {
   /** The packing with its supports. */
-  Packing packing;
+  Packing<2> packing;
   /** Of its interfaces. */
   Strengths strengths;
   /** The loads that stay as they are. */
@@ -56,8 +56,8 @@ public:
    * @param terminal sees what is noticed.
    * @throws InputError.
    */
-  Packing read_packing(const std::filesystem::path &directory,
-                       Terminal &terminal) const;
+  Packing<2> read_packing(const std::filesystem::path &directory,
+                          Terminal &terminal) const;
   /**
    * The values of all entries that read_packing() looks at: where they are the
    * same, and the files are, so is the packing.
@@ -74,11 +74,11 @@ public:
    * @throws InputError.
    */
   SceneData
-  data(Packing blocks, bool with_live_loads, Terminal &terminal) const;
+  data(Packing<2> blocks, bool with_live_loads, Terminal &terminal) const;
   /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { packing.give(std::move(polygons)); }
   /** How the supports of @p packing move; see SupportParameters::motion(). */
-  auto motion_of_supports(const Packing &packing) const
+  auto motion_of_supports(const Packing<2> &packing) const
   {
     return supports.motion(packing);
   }
@@ -91,7 +91,7 @@ public:
 
 private:
   bool blocks_turn = false;
-  PackingParameters packing;
+  PackingParameters<2> packing;
   SupportParameters supports;
   LoadParameters loads;
   LoadParameters live_loads = LoadParameters("Live loads");

@@ -25,7 +25,7 @@ public:
    * @throws InputError if a condition is given that cannot be evaluated or
    * holds on no edge.
    */
-  void support(Packing &packing) const;
+  void support(Packing<2> &packing) const;
 
   /**
    * How each support of @p packing moves; empty if they do not.
@@ -33,7 +33,7 @@ public:
    * @throws InputError if it cannot be evaluated, is zero everywhere, or there
    *   are no supports, or none under a group that is named.
    */
-  std::vector<SupportMotion> motion(const Packing &packing) const;
+  std::vector<SupportMotion> motion(const Packing<2> &packing) const;
 
 private:
   std::string where = "0", displacement, displacement_of_groups;
@@ -47,7 +47,7 @@ private:
  * @throws InputError naming @p parameter if it cannot be evaluated or holds on
  *   none.
  */
-std::vector<bool> boundary_edges_where(const Packing &packing,
+std::vector<bool> boundary_edges_where(const Packing<2> &packing,
                                        const std::string &condition,
                                        const std::string &parameter);
 } // namespace Voussoir

@@ -25,10 +25,10 @@ class CellPieces
 {
 public:
   /** @param packing must outlive the object. */
-  explicit CellPieces(const Packing &packing);
+  explicit CellPieces(const Packing<2> &packing);
 
   /** The pieces, and all other cells as they are, which share no sides. */
-  const Packing &as_packing() const { return pieces; }
+  const Packing<2> &as_packing() const { return pieces; }
   /** The cell that each piece is of, ascending. */
   const std::vector<unsigned int> &cell_of() const { return cells; }
 
@@ -47,11 +47,11 @@ private:
                  const std::vector<unsigned int> &corners,
                  CellLoops &loops);
 
-  const Packing &packing;
+  const Packing<2> &packing;
   std::vector<unsigned int> cells;
   /** Of each piece, the vertices of its cell, by their numbers in it. */
   std::vector<std::vector<unsigned int>> corners_of;
-  Packing pieces;
+  Packing<2> pieces;
 };
 } // namespace Voussoir
 

@@ -63,7 +63,7 @@ struct StressField
    * The index in sub_cells of the first one of the triangle of side @p i of
    * @p cell; for side 0 of cell n_cells() their number.
    */
-  std::size_t first(const Packing &packing,
+  std::size_t first(const Packing<2> &packing,
                     const unsigned int cell,
                     const unsigned int i) const
   {
@@ -115,7 +115,7 @@ private:
  * @param how by which elements.
  * @param terminal sees the progress.
  */
-StressField reconstruct_stress(const Packing &packing,
+StressField reconstruct_stress(const Packing<2> &packing,
                                const CellForces &forces,
                                const Reconstruction &how,
                                Terminal &terminal);

@@ -21,7 +21,7 @@ struct StressPart
   /** The number of its first cell in the whole packing. */
   unsigned int first_cell;
   /** Its cells, numbered from 0, with boundary edges only; see cut_free(). */
-  Packing packing;
+  Packing<2> packing;
   /** The motion of each of them; L. */
   Motion motion;
   /** The stress in them; but see reconstruct_on_root(). */

@@ -106,7 +106,7 @@ void ExtremeStates::find_limits()
       continue;
     if (largest_room(limit) < no_force)
     {
-      const Packing::Interface &i = scene.packing.interfaces()[limit.joint];
+      const Packing<2>::Interface &i = scene.packing.interfaces()[limit.joint];
       throw SolverError(text(
           "The friction of the interface from ", text_of_point(i.start), " to ",
           text_of_point(i.end),

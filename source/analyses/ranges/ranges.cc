@@ -275,7 +275,7 @@ void RangeSearch::find_all()
  * Hilbert through their midpoints: of neighbours the programmes end in vertices
  * that are close to each other.
  */
-std::vector<unsigned int> along_curve(const Packing &packing,
+std::vector<unsigned int> along_curve(const Packing<2> &packing,
                                       const std::vector<bool> &wanted)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

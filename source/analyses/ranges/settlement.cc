@@ -21,7 +21,7 @@ constexpr double first_loosening = 1e-6, last_loosening = 1e-9,
 
 /** The work of the ground on the displacements @p jumps of the supports. */
 ForceFunction work_of_ground(const InterfaceJumps &jumps,
-                             const Packing &packing)
+                             const Packing<2> &packing)
 {
   ForceFunction work;
   const unsigned int n = packing.interfaces().size();

@@ -119,9 +119,9 @@ bool can_be_balanced(const Scene &scene, const InterfaceForces &forces)
 std::vector<bool>
 part_around(const Scene &scene, const unsigned int first, const double load)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::vector<std::vector<unsigned int>> neighbours(packing.n_cells());
-  for (const Packing::Interface &i : packing.interfaces())
+  for (const Packing<2>::Interface &i : packing.interfaces())
     if (i.cell_plus != packing.ground())
     {
       neighbours[i.cell_minus].push_back(i.cell_plus);

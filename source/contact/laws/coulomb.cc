@@ -20,7 +20,7 @@ void Coulomb::add_parameters(dealii::ParameterHandler &prm)
       "'Pair strengths'.");
 }
 
-Strengths Coulomb::strengths(const Packing &packing) const
+Strengths Coulomb::strengths(const Packing<2> &packing) const
 {
   Strengths result;
   result.of_interface = cohesions(packing, result.warnings);
@@ -29,7 +29,7 @@ Strengths Coulomb::strengths(const Packing &packing) const
   return result;
 }
 
-Strengths AssociatedCoulomb::strengths(const Packing &packing) const
+Strengths AssociatedCoulomb::strengths(const Packing<2> &packing) const
 {
   Strengths result = coulomb.strengths(packing);
   result.dilate = true;

@@ -20,7 +20,7 @@ void MohrCoulomb::add_parameters(dealii::ParameterHandler &prm)
       "as for 'Pair strengths'.");
 }
 
-Strengths MohrCoulomb::strengths(const Packing &packing) const
+Strengths MohrCoulomb::strengths(const Packing<2> &packing) const
 {
   Strengths result;
   result.of_interface = coulomb.cohesions(packing, result.warnings);

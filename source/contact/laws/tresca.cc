@@ -20,7 +20,7 @@ void Tresca::add_parameters(dealii::ParameterHandler &prm)
       "packing is called ground.");
 }
 
-Strengths Tresca::strengths(const Packing &packing) const
+Strengths Tresca::strengths(const Packing<2> &packing) const
 {
   Strengths result;
   result.of_interface = means(packing, strength, result.warnings);

@@ -19,16 +19,16 @@ Field<Results> invariant(const std::string &name,
 }
 } // namespace
 
-Fields<Packing> cell_centres()
+Fields<Packing<2>> cell_centres()
 {
-  return {Field<Packing>(
+  return {Field<Packing<2>>(
               "cell", "", "the number of the cell",
-              [](const Packing &, const unsigned int c) { return int(c); })
+              [](const Packing<2> &, const unsigned int c) { return int(c); })
               .with_columns({"id"})
               .with_attribute(""),
-          Field<Packing>(
+          Field<Packing<2>>(
               "centre", "L", "its centre",
-              [](const Packing &p, const unsigned int c) -> const auto & {
+              [](const Packing<2> &p, const unsigned int c) -> const auto & {
                 return p.centre(c);
               })
               .with_columns({"x", "y"})
@@ -36,24 +36,26 @@ Fields<Packing> cell_centres()
               .only_in_table()};
 }
 
-Fields<Packing> cell_areas()
+Fields<Packing<2>> cell_areas()
 {
-  return {Field<Packing>(
-              "area", "L^2", "its area",
-              [](const Packing &p, const unsigned int c) { return p.area(c); })
+  return {Field<Packing<2>>("area", "L^2", "its area",
+                            [](const Packing<2> &p, const unsigned int c) {
+                              return p.area(c);
+                            })
               .with_attribute("areas")
               .only_in_table()};
 }
 
-Fields<Packing> cell_groups()
+Fields<Packing<2>> cell_groups()
 {
   return {
-      Field<Packing>("group", "", "the name of the cell's group",
-                     [](const Packing &p, const unsigned int c) {
-                       return int(p.group(c));
-                     })
-          .numbering(
-              [](const Packing &p) -> const auto & { return p.group_names(); })
+      Field<Packing<2>>("group", "", "the name of the cell's group",
+                        [](const Packing<2> &p, const unsigned int c) {
+                          return int(p.group(c));
+                        })
+          .numbering([](const Packing<2> &p) -> const auto & {
+            return p.group_names();
+          })
           .with_attribute("groups")
           .saying_in_grid("its number in the list in `summary.json`, from 0")};
 }

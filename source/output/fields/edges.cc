@@ -28,27 +28,28 @@ Fields<Data> ends_and_normals(const std::vector<Edge> &(*edges)(const Data &),
            .with_attribute("lengths")});
 }
 
-const std::vector<Packing::Interface> &interfaces_of(const Packing &packing)
+const std::vector<Packing<2>::Interface> &
+interfaces_of(const Packing<2> &packing)
 {
   return packing.interfaces();
 }
 
-const std::vector<Packing::BoundaryEdge> &boundary_of(const Scene &scene)
+const std::vector<Packing<2>::BoundaryEdge> &boundary_of(const Scene &scene)
 {
   return scene.packing.boundary_edges();
 }
 } // namespace
 
-Fields<Packing> interface_edges()
+Fields<Packing<2>> interface_edges()
 {
   const std::string cells = "the cells c- and c+; -1 is the ground";
-  return together<Packing>(
+  return together<Packing<2>>(
       {{{"cell_minus", "", cells,
-         [](const Packing &p, const unsigned int e) {
+         [](const Packing<2> &p, const unsigned int e) {
            return int(p.interfaces()[e].cell_minus);
          }},
         {"cell_plus", "", cells,
-         [](const Packing &p, const unsigned int e) {
+         [](const Packing<2> &p, const unsigned int e) {
            const unsigned int plus = p.interfaces()[e].cell_plus;
            return plus == p.ground() ? -1 : int(plus);
          }}},
@@ -57,14 +58,14 @@ Fields<Packing> interface_edges()
                         "n_e, from c- to c+")});
 }
 
-Fields<Packing> branch_vectors()
+Fields<Packing<2>> branch_vectors()
 {
-  return only_in_table<Packing>(
+  return only_in_table<Packing<2>>(
       {{"branch", "L",
         "the branch vector, from the centre of c- to that of c+; of a support "
         "to its midpoint",
-        [](const Packing &p, const unsigned int e) -> dealii::Tensor<1, 2> {
-          const Packing::Interface &i = p.interfaces()[e];
+        [](const Packing<2> &p, const unsigned int e) -> dealii::Tensor<1, 2> {
+          const Packing<2>::Interface &i = p.interfaces()[e];
           return (i.cell_plus == p.ground() ? i.midpoint()
                                             : p.centre(i.cell_plus)) -
                  p.centre(i.cell_minus);
@@ -92,7 +93,7 @@ Fields<Scene> boundary_edges()
         {"branch", "L",
          "the branch vector, from the centre of the block to the midpoint",
          [](const Scene &s, const unsigned int b) -> dealii::Tensor<1, 2> {
-           const Packing::BoundaryEdge &edge = boundary_of(s)[b];
+           const Packing<2>::BoundaryEdge &edge = boundary_of(s)[b];
            return edge.midpoint() - s.packing.centre(edge.cell);
          }}}});
 }

@@ -6,7 +6,8 @@ namespace Voussoir
 namespace
 {
 /** Interface @p e of the scene. */
-const Packing::Interface &interface_of(const Results &r, const unsigned int e)
+const Packing<2>::Interface &interface_of(const Results &r,
+                                          const unsigned int e)
 {
   return r.scene.packing.interfaces()[e];
 }

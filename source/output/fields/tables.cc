@@ -66,17 +66,17 @@ const FieldTable<MovingScene> &mechanism_fields()
   return table;
 }
 
-const FieldTable<Packing> &packing_interface_fields()
+const FieldTable<Packing<2>> &packing_interface_fields()
 {
-  static const FieldTable<Packing> table("", interface_edges(),
-                                         branch_vectors());
+  static const FieldTable<Packing<2>> table("", interface_edges(),
+                                            branch_vectors());
   return table;
 }
 
-const FieldTable<Packing> &packing_cell_fields()
+const FieldTable<Packing<2>> &packing_cell_fields()
 {
-  static const FieldTable<Packing> table("", cell_centres(), cell_areas(),
-                                         cell_groups());
+  static const FieldTable<Packing<2>> table("", cell_centres(), cell_areas(),
+                                            cell_groups());
   return table;
 }
 } // namespace Voussoir

@@ -20,7 +20,7 @@ constexpr double margin = 60.;
 constexpr int n_digits = 2;
 } // namespace
 
-Drawing::Drawing(const Packing &packing) : Drawing(packing.box()) {}
+Drawing::Drawing(const Packing<2> &packing) : Drawing(packing.box()) {}
 
 Drawing::Drawing(const dealii::BoundingBox<2> &box)
     : box(box), size(std::max(box.side_length(0), box.side_length(1)))

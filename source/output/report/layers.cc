@@ -47,7 +47,7 @@ private:
 /** The resultant on the cell c- of an interface, and where it acts. */
 struct JointResultant
 {
-  JointResultant(const Packing::Interface &interface,
+  JointResultant(const Packing<2>::Interface &interface,
                  const InterfaceForces &forces,
                  const unsigned int e)
       : force(forces.on_cell_minus(interface, e)),
@@ -59,7 +59,7 @@ struct JointResultant
   Point<2> place;
 };
 
-std::vector<JointResultant> resultants_of(const Packing &packing,
+std::vector<JointResultant> resultants_of(const Packing<2> &packing,
                                           const InterfaceForces &forces,
                                           double &largest)
 {
@@ -76,7 +76,7 @@ std::vector<JointResultant> resultants_of(const Packing &packing,
 }
 
 /** Where a point of a cell is after the motion, turned by the whole angle. */
-Point<2> moved(const Packing &packing,
+Point<2> moved(const Packing<2> &packing,
                const Motion &motion,
                const double factor,
                const unsigned int c,
@@ -93,13 +93,13 @@ Point<2> moved(const Packing &packing,
 }
 } // namespace
 
-double typical_size(const Packing &packing)
+double typical_size(const Packing<2> &packing)
 {
   return std::sqrt(packing.area() / packing.n_cells());
 }
 
 void draw_supports(Drawing &drawing,
-                   const Packing &packing,
+                   const Packing<2> &packing,
                    const std::string &views)
 {
   const Layer layer(drawing, "supports", views);
@@ -107,7 +107,7 @@ void draw_supports(Drawing &drawing,
   for (unsigned int e = interfaces.size() - packing.n_supports();
        e < interfaces.size(); ++e)
   {
-    const Packing::Interface &i = interfaces[e];
+    const Packing<2>::Interface &i = interfaces[e];
     const Tensor<1, 2> below = ground_depth * drawing.extent() * i.normal;
     drawing.polygon({i.start, i.end, i.end + below, i.start + below}, "ground");
     drawing.line(i.start, i.end, "support");
@@ -115,7 +115,7 @@ void draw_supports(Drawing &drawing,
 }
 
 void draw_gaps(Drawing &drawing,
-               const Packing &packing,
+               const Packing<2> &packing,
                const std::string &views)
 {
   const Layer layer(drawing, "gaps", views);
@@ -180,7 +180,7 @@ void draw_line_of_thrust(Drawing &drawing,
   const Layer layer(drawing, "thrust", views);
   if (!scene.turns())
     return;
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   double largest;
   const std::vector<JointResultant> all =
       resultants_of(packing, forces, largest);
@@ -188,7 +188,7 @@ void draw_line_of_thrust(Drawing &drawing,
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     bearing.clear();
-    for (const Packing::Side &side : packing.sides(c))
+    for (const Packing<2>::Side &side : packing.sides(c))
       if (!side.on_boundary &&
           all[side.index].force.norm() > least_force * largest)
         bearing.push_back(all[side.index].place);
@@ -198,7 +198,7 @@ void draw_line_of_thrust(Drawing &drawing,
 }
 
 void draw_principal_stresses(Drawing &drawing,
-                             const Packing &packing,
+                             const Packing<2> &packing,
                              const std::vector<Tensor<2, 2>> &stresses,
                              const std::string &views)
 {
@@ -236,7 +236,7 @@ void draw_principal_stresses(Drawing &drawing,
 }
 
 void draw_motion(Drawing &drawing,
-                 const Packing &packing,
+                 const Packing<2> &packing,
                  const Motion &motion,
                  const double factor,
                  const std::string &views)
@@ -259,7 +259,7 @@ void draw_motion(Drawing &drawing,
   const auto &interfaces = packing.interfaces();
   for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
-    const Packing::Interface &i = interfaces[e];
+    const Packing<2>::Interface &i = interfaces[e];
     const auto place = [&](const Point<2> &x) {
       return moved(packing, motion, factor, i.cell_minus, x);
     };

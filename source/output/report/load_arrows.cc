@@ -12,7 +12,7 @@ constexpr double rounding_of_loads = 1e-9;
 std::vector<LoadArrow> load_arrows(const Scene &scene)
 {
   using Kind = LoadArrow::Kind;
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::vector<LoadArrow> arrows;
   std::vector<dealii::Tensor<1, 2>> rest = scene.load;
   const auto &edges = packing.boundary_edges();

@@ -62,7 +62,7 @@ std::string pair(const Json &json)
 /** The names and values of the run as a whole. */
 Table table_of_run(const RunRecord &run, const UnitNames &names)
 {
-  const Packing &packing = run.scene.packing;
+  const Packing<2> &packing = run.scene.packing;
   const dealii::BoundingBox<2> box = packing.box();
   Table table("run", "The run");
   table.row(

@@ -78,7 +78,7 @@ public:
   Picture picture;
   Drawing overlays;
   const Scene &scene;
-  const Packing &packing;
+  const Packing<2> &packing;
   const UnitNames &names;
   std::vector<Layering> of_cells, of_joints;
 };
@@ -118,7 +118,7 @@ Picture PictureMaker::finish(const bool in_full)
   const auto &interfaces = packing.interfaces();
   for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
-    const Packing::Interface &i = interfaces[e];
+    const Packing<2>::Interface &i = interfaces[e];
     if (in_full)
       drawing.line(i.start, i.end, classes_of(of_joints, e));
     else
@@ -132,7 +132,7 @@ Picture PictureMaker::finish(const bool in_full)
 }
 
 /** The swatches of the groups, if there are several. */
-std::string legend_of_groups(const Packing &packing)
+std::string legend_of_groups(const Packing<2> &packing)
 {
   const std::size_t n = packing.group_names().size() - 1; // without the ground
   std::string html;

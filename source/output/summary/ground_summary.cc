@@ -51,7 +51,7 @@ Tensor<1, 2> total_load(const Scene &scene)
 }
 
 /** The length of all supports. */
-double length_of_supports(const Packing &packing)
+double length_of_supports(const Packing<2> &packing)
 {
   const auto &interfaces = packing.interfaces();
   return std::accumulate(
@@ -63,7 +63,7 @@ double length_of_supports(const Packing &packing)
 double mean_normal_stress(const Results &results)
 {
   const auto &normal = results.forces.normal;
-  const Packing &packing = results.scene.packing;
+  const Packing<2> &packing = results.scene.packing;
   return std::accumulate(normal.end() - packing.n_supports(), normal.end(),
                          0.) /
          length_of_supports(packing);
@@ -132,7 +132,7 @@ Json most_used_summary(const Results &results)
   Json joints = Json::array();
   for (const auto &[used, e] : most_used(results))
   {
-    const Packing::Interface &i = results.scene.packing.interfaces()[e];
+    const Packing<2>::Interface &i = results.scene.packing.interfaces()[e];
     const int other = i.cell_plus == results.scene.packing.ground()
                           ? -1
                           : static_cast<int>(i.cell_plus);
@@ -196,8 +196,8 @@ void show_most_used(Terminal &terminal, const Results &results)
   for (std::size_t k = 0; k < std::min(joints.size(), n_shown_most_used); ++k)
   {
     const auto &[used, e] = joints[k];
-    const Packing &packing = results.scene.packing;
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2> &packing = results.scene.packing;
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     terminal.detail("Most used", text(used, " of the strength between ",
                                       packing.describe(i.cell_minus), " and ",
                                       packing.describe(i.cell_plus), " at ",

@@ -12,7 +12,7 @@ namespace Voussoir
 namespace
 {
 /** "the forces on cell 3 at (1, 2) miss balance by 1e-9". */
-std::string fault(const Packing &packing, const LargestError &error)
+std::string fault(const Packing<2> &packing, const LargestError &error)
 {
   const std::string cell = packing.describe(error.cell) + " at " +
                            text_of_point(packing.centre(error.cell));
@@ -29,7 +29,7 @@ std::string fault(const Packing &packing, const LargestError &error)
 }
 
 /** On the cell that is balanced worst by its own measure. */
-std::string worst_of_light(const Packing &packing,
+std::string worst_of_light(const Packing<2> &packing,
                            const std::vector<UnbalancedCell> &cells)
 {
   const UnbalancedCell &worst = *std::max_element(
@@ -48,7 +48,7 @@ std::string worst_of_light(const Packing &packing,
 /** The message on a load that is carried to a small error only. */
 std::string inexact(const Results &results)
 {
-  const Packing &packing = results.scene.packing;
+  const Packing<2> &packing = results.scene.packing;
   const Certificate &certificate = results.certificate;
   const std::string found = text(
       "The load is carried to within ", results.status.within,
@@ -70,7 +70,7 @@ std::string inexact(const Results &results)
 constexpr double no_resistance = 1e-9;
 
 /** The message on forces that would turn blocks. */
-std::string turning(const Packing &packing, const Overturning &found)
+std::string turning(const Packing<2> &packing, const Overturning &found)
 {
   const unsigned int n = found.cells.size();
   const unsigned int first = found.cells.front();
@@ -84,7 +84,7 @@ std::string turning(const Packing &packing, const Overturning &found)
                " interfaces around can balance, each pressed at one end");
   else
   {
-    const Packing::Interface &i = packing.interfaces()[found.interfaces[0]];
+    const Packing<2>::Interface &i = packing.interfaces()[found.interfaces[0]];
     why = text(": the resultant on the interface from ", text_of_point(i.start),
                " to ", text_of_point(i.end), " lies ", 0.5 * (share - 1.),
                " of its length outside it");
@@ -105,7 +105,7 @@ bool is_loaded(const Scene &scene)
 }
 } // namespace
 
-std::vector<std::string> cells_not_convex(const Packing &packing)
+std::vector<std::string> cells_not_convex(const Packing<2> &packing)
 {
   if (packing.not_convex().empty())
     return {};

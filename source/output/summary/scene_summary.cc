@@ -69,7 +69,7 @@ void show_units(Terminal &terminal, const UnitNames &units)
 
 void show_groups(Terminal &terminal, const Scene &scene)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   struct Group
   {
     Spread area;
@@ -130,11 +130,11 @@ struct StrengthsOfPair
 
 void show_joints(Terminal &terminal, const Scene &scene)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::map<std::array<unsigned int, 2>, StrengthsOfPair> pairs;
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &interface = packing.interfaces()[e];
+    const Packing<2>::Interface &interface = packing.interfaces()[e];
     std::array<unsigned int, 2> pair = {{packing.group(interface.cell_minus),
                                          packing.group(interface.cell_plus)}};
     std::sort(pair.begin(), pair.end());

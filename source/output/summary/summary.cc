@@ -27,7 +27,7 @@ constexpr unsigned int n_shown_supports = 8;
 /** The beginning of every summary. */
 Json summary_of(const RunRecord &run, const Status &status)
 {
-  const Packing &packing = run.scene.packing;
+  const Packing<2> &packing = run.scene.packing;
   std::vector<unsigned int> group_sizes(packing.group_names().size(), 0);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     ++group_sizes[packing.group(c)];
@@ -166,7 +166,7 @@ void write_summary_json(std::ostream &out, const Collapse &collapse)
   write(out, summary_of(collapse));
 }
 
-void show_packing(Terminal &terminal, const Packing &packing)
+void show_packing(Terminal &terminal, const Packing<2> &packing)
 {
   const dealii::BoundingBox<2> box = packing.box();
   terminal.stage("Packing",

@@ -13,7 +13,7 @@ using VtuValues::vector;
 namespace
 {
 /** The points of the cells of a packing, all around one and then the next. */
-auto points_of(const Packing &packing)
+auto points_of(const Packing<2> &packing)
 {
   return VtuValues::ItemsByCell{
       packing.n_cells(),
@@ -21,7 +21,7 @@ auto points_of(const Packing &packing)
 }
 
 /** A grid of one polygon for each cell. */
-VtuFile polygons_of(const Packing &packing)
+VtuFile polygons_of(const Packing<2> &packing)
 {
   const auto fill_points = [&packing](auto begin, auto end, double *place) {
     points_of(packing).fill(begin, end, place,
@@ -40,7 +40,7 @@ VtuFile polygons_of(const Packing &packing)
 
 /** Add the displacement of the points of each cell. */
 void add_displacement(VtuFile &file,
-                      const Packing &packing,
+                      const Packing<2> &packing,
                       const Motion &motion,
                       const double factor)
 {
@@ -58,7 +58,7 @@ void add_displacement(VtuFile &file,
 
 void write_blocks_vtu(std::ostream &out, const Results &results)
 {
-  const Packing &packing = results.scene.packing;
+  const Packing<2> &packing = results.scene.packing;
   VtuFile grid = polygons_of(packing);
   add_fields(grid, cell_fields().arrays(results));
   add_displacement(grid, packing, results.motion, 1.);

@@ -84,7 +84,7 @@ void write_drawing_check_vtu(std::ostream &out, const DrawingCheck &check)
   file.write(out);
 }
 
-DrawingCheck check_of_gaps(const Packing &packing)
+DrawingCheck check_of_gaps(const Packing<2> &packing)
 {
   DrawingCheck check;
   check.rings.resize(packing.n_cells());

@@ -14,12 +14,12 @@ using VtuValues::vector;
 namespace
 {
 /** A grid of one line for each interface. */
-VtuFile lines_of(const std::vector<Packing::Interface> &interfaces)
+VtuFile lines_of(const std::vector<Packing<2>::Interface> &interfaces)
 {
   const auto points = [&](std::size_t p, std::size_t end, double *place) {
     for (; p < end; ++p)
     {
-      const Packing::Interface &i = interfaces[p / 2];
+      const Packing<2>::Interface &i = interfaces[p / 2];
       const auto x = vector(p % 2 == 0 ? i.start : i.end);
       place = std::copy(x.begin(), x.end(), place);
     }

@@ -17,7 +17,7 @@ std::pair<double, double> key(const dealii::Point<2> &p)
 }
 } // namespace
 
-void write_packing_wkt(std::ostream &out, const Packing &packing)
+void write_packing_wkt(std::ostream &out, const Packing<2> &packing)
 {
   write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
     line << "POLYGON (";
@@ -28,7 +28,7 @@ void write_packing_wkt(std::ostream &out, const Packing &packing)
   });
 }
 
-void write_packing_off(std::ostream &out, const Packing &packing)
+void write_packing_off(std::ostream &out, const Packing<2> &packing)
 {
   std::vector<std::pair<double, double>> vertices;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
@@ -52,7 +52,7 @@ void write_packing_off(std::ostream &out, const Packing &packing)
   });
 }
 
-void write_centres(std::ostream &out, const Packing &packing)
+void write_centres(std::ostream &out, const Packing<2> &packing)
 {
   write_lines(out, packing.n_cells(), [&](TextLines &line, unsigned int c) {
     line << packing.centre(c)[0] << ' ' << packing.centre(c)[1] << '\n';

@@ -148,7 +148,7 @@ private:
   }
 
   const StressedCells shown;
-  const Packing &packing;
+  const Packing<2> &packing;
   const SubCellPoints points;
   VtuFile file;
 };

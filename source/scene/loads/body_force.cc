@@ -16,7 +16,7 @@ using dealii::Tensor;
 
 namespace
 {
-Patch box_of(const Packing &packing, const unsigned int c)
+Patch box_of(const Packing<2> &packing, const unsigned int c)
 {
   std::vector<Point<2>> vertices;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
@@ -27,7 +27,7 @@ Patch box_of(const Packing &packing, const unsigned int c)
 /** True if bounds allow values in a cell beyond those in its triangles. */
 bool may_hide_a_peak(const std::vector<TriangleIntegral> &parts,
                      const Discontinuities &jumps,
-                     const Packing &packing,
+                     const Packing<2> &packing,
                      const unsigned int c)
 {
   if (!jumps.has_formulas())
@@ -60,7 +60,7 @@ void add_fan(const Point<2> &centre,
  * Put into @p triangles those of a cell: between its centre and each side, or
  * if it cannot be seen whole from there, those of its convex pieces.
  */
-void cut(const Packing &packing,
+void cut(const Packing<2> &packing,
          const unsigned int c,
          std::vector<Triangle> &triangles)
 {
@@ -89,7 +89,7 @@ void cut(const Packing &packing,
  * @return true if nothing can be between its points, by one look at the whole
  *   cell, which is cheaper than one at each triangle.
  */
-bool integrate_quickly(const Packing &packing,
+bool integrate_quickly(const Packing<2> &packing,
                        const unsigned int c,
                        const std::vector<Triangle> &triangles,
                        const Function &b,
@@ -111,7 +111,7 @@ bool integrate_quickly(const Packing &packing,
 }
 
 /** Integrate over a cell exactly, whatever it takes. */
-void integrate(const Packing &packing,
+void integrate(const Packing<2> &packing,
                const unsigned int c,
                const std::vector<Triangle> &triangles,
                const Function &b,
@@ -125,7 +125,7 @@ void integrate(const Packing &packing,
 } // namespace
 
 BodyForce::BodyForce(
-    const Packing &packing,
+    const Packing<2> &packing,
     const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
     const Discontinuities &jumps,
     Inaccuracies *const inaccuracies)
@@ -136,7 +136,7 @@ BodyForce::BodyForce(
 }
 
 void BodyForce::add(
-    const Packing &packing,
+    const Packing<2> &packing,
     const std::vector<unsigned int> &cells,
     const std::function<Tensor<1, 2>(const Point<2> &, unsigned int)> &b,
     const Discontinuities &jumps,
@@ -172,7 +172,7 @@ void BodyForce::add(
   }
 }
 
-void BodyForce::add(const Packing &packing,
+void BodyForce::add(const Packing<2> &packing,
                     const unsigned int cell,
                     const Tensor<1, 2> &f)
 {
@@ -201,7 +201,7 @@ void BodyForce::add(const double factor, const BodyForce &other)
     moment_of_cell[c] += factor * other.moment_of_cell[c];
 }
 
-void BodyForce::add(const Packing &packing,
+void BodyForce::add(const Packing<2> &packing,
                     const unsigned int cell,
                     const Tensor<1, 2> &f,
                     const Point<2> &place)
@@ -227,13 +227,13 @@ void BodyForce::add(const Packing &packing,
   }
 }
 
-void BodyForce::allocate(const Packing &packing)
+void BodyForce::allocate(const Packing<2> &packing)
 {
   on_sub_cell.resize(packing.first_side(packing.n_cells()));
   moment_of_cell.resize(packing.n_cells());
 }
 
-Tensor<1, 2> BodyForce::force(const Packing &packing,
+Tensor<1, 2> BodyForce::force(const Packing<2> &packing,
                               const unsigned int cell) const
 {
   Tensor<1, 2> sum;
@@ -242,7 +242,7 @@ Tensor<1, 2> BodyForce::force(const Packing &packing,
   return sum;
 }
 
-Tensor<1, 2> BodyForce::force(const Packing &packing,
+Tensor<1, 2> BodyForce::force(const Packing<2> &packing,
                               const unsigned int cell,
                               const unsigned int i) const
 {

@@ -18,7 +18,7 @@ using dealii::Tensor;
 namespace
 {
 /** Add the body force @p b on some cells. */
-void add_formula(const Packing &packing,
+void add_formula(const Packing<2> &packing,
                  const std::vector<unsigned int> &cells,
                  const VectorExpression &b,
                  const std::string &parameter,
@@ -55,7 +55,7 @@ void add_formula(const Packing &packing,
 }
 
 /** The cells of a name, which are given a body force for the first time. */
-std::vector<unsigned int> new_cells(const Packing &packing,
+std::vector<unsigned int> new_cells(const Packing<2> &packing,
                                     const std::string &name,
                                     const std::string &parameter,
                                     std::vector<bool> &has_own)
@@ -77,7 +77,7 @@ std::vector<unsigned int> new_cells(const Packing &packing,
 }
 } // namespace
 
-BodyForce body_force_of_formulas(const Packing &packing,
+BodyForce body_force_of_formulas(const Packing<2> &packing,
                                  const TextOfParameter &everywhere,
                                  const TextOfParameter &of_groups,
                                  std::vector<std::string> &warnings,

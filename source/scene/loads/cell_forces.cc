@@ -30,7 +30,8 @@ namespace
 constexpr double largest_distance_from_cell = 1e-6;
 
 /** The distance of @p x from a cell, zero in it, over the root of its area. */
-double distance(const Packing &packing, const unsigned int c, const Point<2> &x)
+double
+distance(const Packing<2> &packing, const unsigned int c, const Point<2> &x)
 {
   boost::geometry::model::ring<Point<2>, false, false> ring;
   for (unsigned int i = 0; i < packing.n_sides(c); ++i)
@@ -51,7 +52,7 @@ Point<2> pair_or_refuse(const std::string &text,
 }
 
 /** "at x, y: force". */
-void add_force_at(const Packing &packing,
+void add_force_at(const Packing<2> &packing,
                   const Point<2> &x,
                   const Tensor<1, 2> &force,
                   const std::string &parameter,
@@ -83,7 +84,7 @@ void add_force_at(const Packing &packing,
 }
 
 /** "name: force at x, y". */
-CellForce force_in_cell(const Packing &packing,
+CellForce force_in_cell(const Packing<2> &packing,
                         const std::vector<unsigned int> &cells,
                         const std::string &name,
                         const Tensor<1, 2> &force,
@@ -108,19 +109,20 @@ CellForce force_in_cell(const Packing &packing,
 }
 } // namespace
 
-Point<2> CellForce::place_in(const Packing &packing,
+Point<2> CellForce::place_in(const Packing<2> &packing,
                              const unsigned int cell) const
 {
   return place ? *place
                : packing.centre(cell) + area_moments(packing, cell).centroid();
 }
 
-double CellForce::torque(const Packing &packing, const unsigned int cell) const
+double CellForce::torque(const Packing<2> &packing,
+                         const unsigned int cell) const
 {
   return cross(place_in(packing, cell) - packing.centre(cell), force);
 }
 
-std::vector<CellForce> cell_forces_of_text(const Packing &packing,
+std::vector<CellForce> cell_forces_of_text(const Packing<2> &packing,
                                            const std::string &list,
                                            const std::string &parameter)
 {

@@ -82,7 +82,7 @@ void LoadCases::add_parameters(dealii::ParameterHandler &prm,
 }
 
 void LoadCases::add_combination(const std::string &section,
-                                const Packing &packing,
+                                const Packing<2> &packing,
                                 Loads &loads) const
 {
   const std::string parameter = section + "/Combination";

@@ -43,12 +43,12 @@ void add_forces_inside(const Scene &scene,
 
 std::vector<LoadPart> load_parts(const Scene &scene, const Motion &motion)
 {
-  std::vector<Packing::BoundaryEdge> loaded;
+  std::vector<Packing<2>::BoundaryEdge> loaded;
   std::vector<double> work;
   for (unsigned int b = 0; b < scene.traction.size(); ++b)
     if (scene.traction[b].norm() > 0.)
     {
-      const Packing::BoundaryEdge &edge = scene.packing.boundary_edges()[b];
+      const Packing<2>::BoundaryEdge &edge = scene.packing.boundary_edges()[b];
       loaded.push_back(edge);
       const unsigned int c = edge.cell;
       work.push_back(edge.length * scene.traction[b] *

@@ -19,7 +19,7 @@ namespace Voussoir
 using dealii::Point;
 using dealii::Tensor;
 
-Loads no_loads(const Packing &packing)
+Loads no_loads(const Packing<2> &packing)
 {
   Loads loads;
   loads.traction.resize(packing.boundary_edges().size());
@@ -101,7 +101,7 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-Loads LoadParameters::loads(const Packing &packing) const
+Loads LoadParameters::loads(const Packing<2> &packing) const
 {
   Loads loads;
   loads.requested.emplace(reference_point(packing));
@@ -118,7 +118,8 @@ Loads LoadParameters::loads(const Packing &packing) const
   return loads;
 }
 
-void LoadParameters::add_tractions(const Packing &packing, Loads &loads) const
+void LoadParameters::add_tractions(const Packing<2> &packing,
+                                   Loads &loads) const
 {
   const unsigned int n_edges = packing.boundary_edges().size();
   const std::vector<bool> chosen =
@@ -142,7 +143,7 @@ void LoadParameters::add_tractions(const Packing &packing, Loads &loads) const
   loads.traction_moment = std::move(tractions.first_moment);
 }
 
-void LoadParameters::add_traction_of_expression(const Packing &packing,
+void LoadParameters::add_traction_of_expression(const Packing<2> &packing,
                                                 const std::vector<bool> &chosen,
                                                 EdgeTractions &tractions,
                                                 Loads &loads) const
@@ -156,7 +157,7 @@ void LoadParameters::add_traction_of_expression(const Packing &packing,
   {
     if (!chosen[b])
       continue;
-    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
     const auto where = [&] {
       return text(", on the boundary of cell ", edge.cell,
                   "; a traction must be finite.");
@@ -183,7 +184,7 @@ void LoadParameters::add_traction_of_expression(const Packing &packing,
     loads.warnings.push_back(std::move(warning));
 }
 
-void LoadParameters::add_uniform_stress(const Packing &packing,
+void LoadParameters::add_uniform_stress(const Packing<2> &packing,
                                         const std::vector<bool> &chosen,
                                         EdgeTractions &tractions,
                                         Loads &loads) const
@@ -197,7 +198,7 @@ void LoadParameters::add_uniform_stress(const Packing &packing,
   {
     if (!chosen[b])
       continue;
-    const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
     tractions.mean[b] += S * edge.normal;
     const Tensor<1, 2> side = edge.end - edge.start;
     loads.requested->add(edge.midpoint(),

@@ -49,10 +49,10 @@ struct Overlap
 };
 
 std::optional<Overlap> overlap(const SegmentTraction &segment,
-                               const Packing &packing,
+                               const Packing<2> &packing,
                                const unsigned int b)
 {
-  const Packing::BoundaryEdge &edge = packing.boundary_edges()[b];
+  const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
   const Tensor<1, 2> line = segment.end - segment.start;
   const double square = line.norm_square();
   const double s = (edge.start - segment.start) * line / square;
@@ -83,13 +83,13 @@ bool cover_all(const std::vector<Overlap> &parts)
 }
 
 /** Add the traction on a part of the line, times @p factor, to its edge. */
-void add_part(const Packing &packing,
+void add_part(const Packing<2> &packing,
               const SegmentTraction &segment,
               const Overlap &part,
               const double factor,
               EdgeTractions &tractions)
 {
-  const Packing::BoundaryEdge &edge = packing.boundary_edges()[part.edge];
+  const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[part.edge];
   const Tensor<1, 2> line = segment.end - segment.start;
   const Tensor<1, 2> along = (edge.end - edge.start) / edge.length;
   const auto traction = [&](const double t) {
@@ -160,7 +160,7 @@ segment_tractions_of_text(const std::string &list, const std::string &parameter)
   return segments;
 }
 
-void add_segment_traction(const Packing &packing,
+void add_segment_traction(const Packing<2> &packing,
                           const SegmentTraction &segment,
                           const std::string &parameter,
                           EdgeTractions &tractions)

@@ -129,7 +129,7 @@ struct OwnForces
             const std::vector<double> &reference)
       : size(scene.load_size), near_light(size.size(), false)
   {
-    const Packing &packing = scene.packing;
+    const Packing<2> &packing = scene.packing;
     std::vector<double> beside(size.size() + 1, 0.), pressed(beside);
     const auto light = [&](const unsigned int c) {
       return c != packing.ground() &&
@@ -139,7 +139,7 @@ struct OwnForces
     };
     for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
     {
-      const Packing::Interface &i = packing.interfaces()[e];
+      const Packing<2>::Interface &i = packing.interfaces()[e];
       const double force = std::hypot(forces.normal[e], forces.tangential[e]);
       for (const auto &[c, other] : {std::pair(i.cell_minus, i.cell_plus),
                                      std::pair(i.cell_plus, i.cell_minus)})
@@ -169,12 +169,12 @@ struct OwnForces
 std::vector<double> rounding_of_forces(const Scene &scene,
                                        const InterfaceForces &forces)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   std::vector<double> sum = scene.load_size, torques(sum.size(), 0.);
   std::vector<unsigned int> n(sum.size(), 1);
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     const std::array<double, 2> ends = forces.ends(e);
     const double size =
         std::abs(ends[0]) + std::abs(ends[1]) + std::abs(forces.tangential[e]);
@@ -220,7 +220,7 @@ unbalanced_cells(const Scene &scene,
                                           std::sqrt(scene.packing.area(c)));
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
   {
-    const Packing::Interface &i = scene.packing.interfaces()[e];
+    const Packing<2>::Interface &i = scene.packing.interfaces()[e];
     for (const unsigned int c : {i.cell_minus, i.cell_plus})
       defect[c] = std::max(defect[c], violation(scene, forces, e));
   }
@@ -243,7 +243,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   if (!are_finite(forces))
     return infinitely_wrong();
   using Kind = LargestError::Kind;
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const std::vector<double> reference = reference_forces(scene, forces);
   Certificate certificate;
   RelativeErrors errors = {reference, scene.turns(), certificate};
@@ -253,7 +253,7 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   sum.emplace_back(); // of the ground, which takes any force
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     const Tensor<1, 2> f = forces.on_cell_minus(i, e);
     sum[i.cell_minus] += f;
     sum[i.cell_plus] -= f;

@@ -7,7 +7,7 @@ namespace Voussoir
 {
 using dealii::Tensor;
 
-InterfaceJumps jumps_of(const Packing &packing, const Motion &motion)
+InterfaceJumps jumps_of(const Packing<2> &packing, const Motion &motion)
 {
   InterfaceJumps jumps;
   double &largest = jumps.largest_displacement;
@@ -33,7 +33,7 @@ InterfaceJumps jumps_of(const Packing &packing, const Motion &motion)
   jumps.sliding.reserve(interfaces.size());
   for (unsigned int e = 0; e < interfaces.size(); ++e)
   {
-    const Packing::Interface &i = interfaces[e];
+    const Packing<2>::Interface &i = interfaces[e];
     const auto jump_at = [&](const dealii::Point<2> &x) {
       return displacement(i.cell_plus, e, x) - displacement(i.cell_minus, e, x);
     };

@@ -48,7 +48,7 @@ ForceFunction tangential_force(const unsigned int e)
   return {{{e, {{0., 0.}}, 1.}}};
 }
 
-ForceFunction reaction(const Packing &packing,
+ForceFunction reaction(const Packing<2> &packing,
                        const StraightRun &support,
                        const Tensor<1, 2> &direction)
 {
@@ -57,7 +57,7 @@ ForceFunction reaction(const Packing &packing,
   ForceFunction sum;
   for (const unsigned int k : support.edges)
   {
-    const Packing::Interface &i = interfaces[first + k];
+    const Packing<2>::Interface &i = interfaces[first + k];
     const double normal = i.normal * direction;
     sum.terms.push_back(
         {first + k, {{normal, normal}}, i.tangent() * direction});

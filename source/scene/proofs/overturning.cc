@@ -36,7 +36,7 @@ std::vector<bool> cut_off(const Scene &scene,
                           const InterfaceForces &forces,
                           const std::vector<double> &torques)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const unsigned int n = packing.n_cells() + 1;
   const unsigned int source = n, sink = n + 1;
   double largest = 0.;
@@ -58,7 +58,7 @@ std::vector<bool> cut_off(const Scene &scene,
   supply(packing.ground(), -total);
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     // No interface passes on more than all there is.
     const Units couple = std::llround(
         std::min(largest_couple(scene, forces, e) / unit, 1. * supplied));
@@ -80,14 +80,14 @@ std::vector<bool> cut_off(const Scene &scene,
 std::optional<Overturning> find_overturning(const Scene &scene,
                                             const InterfaceForces &forces)
 {
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const std::vector<double> torques = residual_torques(scene, forces);
   const std::vector<bool> cut = cut_off(scene, forces, torques);
   if (cut.empty())
     return {};
 
   boost::disjoint_sets_with_storage<> sets(cut.size());
-  for (const Packing::Interface &i : packing.interfaces())
+  for (const Packing<2>::Interface &i : packing.interfaces())
     if (cut[i.cell_minus] && cut[i.cell_plus])
       sets.union_set(i.cell_minus, i.cell_plus);
   std::map<unsigned int, Overturning> groups;
@@ -100,7 +100,7 @@ std::optional<Overturning> find_overturning(const Scene &scene,
     }
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
   {
-    const Packing::Interface &i = packing.interfaces()[e];
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     if (cut[i.cell_minus] == cut[i.cell_plus])
       continue;
     Overturning &group =

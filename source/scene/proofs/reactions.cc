@@ -8,9 +8,9 @@ namespace Voussoir
 {
 using dealii::Tensor;
 
-std::vector<StraightRun> straight_supports(const Packing &packing)
+std::vector<StraightRun> straight_supports(const Packing<2> &packing)
 {
-  std::vector<Packing::BoundaryEdge> supports;
+  std::vector<Packing<2>::BoundaryEdge> supports;
   const auto &interfaces = packing.interfaces();
   for (auto i = interfaces.end() - packing.n_supports(); i != interfaces.end();
        ++i)
@@ -39,7 +39,7 @@ std::vector<Reaction> reactions(const Scene &scene,
         (run.end - run.start) / run.start.distance(run.end);
     for (const unsigned int k : run.edges)
     {
-      const Packing::Interface &i = interfaces[first + k];
+      const Packing<2>::Interface &i = interfaces[first + k];
       reaction.force += forces.on_cell_minus(i, first + k);
       normal += forces.normal[first + k];
       moment +=

@@ -90,7 +90,7 @@ Discretisation::Discretisation(const Scene &scene,
     : scene(scene), body(scene.packing.n_cells() + 1)
 {
   choose_scales(moves);
-  const Packing &packing = scene.packing;
+  const Packing<2> &packing = scene.packing;
   const double area = packing.area();
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     centroid += packing.area(c) / area * packing.centre(c);
@@ -134,7 +134,7 @@ Discretisation::Discretisation(const Scene &scene,
 /** Joints with the ground have it as c+; those within it are none. */
 void Discretisation::add_interface(const unsigned int interface)
 {
-  const Packing::Interface &i = scene.packing.interfaces()[interface];
+  const Packing<2>::Interface &i = scene.packing.interfaces()[interface];
   unsigned int minus = body[i.cell_minus], plus = body[i.cell_plus];
   if (minus == data.n_cells && plus == data.n_cells)
     return;
@@ -180,7 +180,7 @@ void Discretisation::choose_scales(const std::vector<bool> &moves)
   const double area = scene.packing.area();
   data.length_unit = std::sqrt(area / scene.packing.n_cells());
   double largest = 0.;
-  for (const Packing::Interface &i : scene.packing.interfaces())
+  for (const Packing<2>::Interface &i : scene.packing.interfaces())
     for (const dealii::Point<2> &x : {i.start, i.end})
       largest = std::max({largest, std::abs(x[0]), std::abs(x[1])});
   data.coordinate_rounding =

@@ -23,9 +23,9 @@ public:
     return "Coefficient, Pair coefficients, Cohesion, Pair cohesions";
   }
   void add_parameters(dealii::ParameterHandler &prm) override;
-  Strengths strengths(const Packing &packing) const override;
+  Strengths strengths(const Packing<2> &packing) const override;
   /** c_e of each interface, the mean; see means(). */
-  std::vector<double> cohesions(const Packing &packing,
+  std::vector<double> cohesions(const Packing<2> &packing,
                                 std::vector<std::string> &warnings) const
   {
     return means(packing, cohesion, warnings);
@@ -52,7 +52,7 @@ public:
   }
   std::string entries() const override { return coulomb.entries(); }
   void add_parameters(dealii::ParameterHandler & /*prm*/) override {}
-  Strengths strengths(const Packing &packing) const override;
+  Strengths strengths(const Packing<2> &packing) const override;
 
 private:
   const Coulomb &coulomb;

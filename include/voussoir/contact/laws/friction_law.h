@@ -33,7 +33,7 @@ public:
    *
    * @throws InputError as means() does.
    */
-  virtual Strengths strengths(const Packing &packing) const = 0;
+  virtual Strengths strengths(const Packing<2> &packing) const = 0;
 };
 } // namespace Voussoir
 

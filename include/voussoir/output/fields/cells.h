@@ -8,11 +8,11 @@
 namespace Voussoir
 {
 /** The number and the centre of each cell. */
-Fields<Packing> cell_centres();
+Fields<Packing<2>> cell_centres();
 /** |c|. */
-Fields<Packing> cell_areas();
+Fields<Packing<2>> cell_areas();
 /** The group of each cell. */
-Fields<Packing> cell_groups();
+Fields<Packing<2>> cell_groups();
 /** F_c. */
 Fields<Scene> cell_loads();
 /** Where blocks turn, T_c. */

@@ -7,9 +7,9 @@
 namespace Voussoir
 {
 /** The cells of each interface, its ends, its normal and its length. */
-Fields<Packing> interface_edges();
+Fields<Packing<2>> interface_edges();
 /** From the centre of c- to that of c+, or to the midpoint of a support. */
-Fields<Packing> branch_vectors();
+Fields<Packing<2>> branch_vectors();
 /** The boundary edges, with the forces on them and branch vectors. */
 Fields<Scene> boundary_edges();
 } // namespace Voussoir

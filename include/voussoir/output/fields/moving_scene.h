@@ -43,7 +43,7 @@ const Part &part_of(const Data &data)
 {
   if constexpr (std::is_same_v<Part, Data>)
     return data;
-  else if constexpr (std::is_same_v<Part, Packing>)
+  else if constexpr (std::is_same_v<Part, Packing<2>>)
     return data.scene.packing;
   else if constexpr (std::is_same_v<Part, Scene>)
     return data.scene;

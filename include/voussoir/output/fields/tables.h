@@ -20,9 +20,9 @@ const FieldTable<MovingScene> &mechanism_joint_fields();
 /** The quantities of mechanism.csv and mechanism.vtu. */
 const FieldTable<MovingScene> &mechanism_fields();
 /** The quantities of interfaces that a packing alone has. */
-const FieldTable<Packing> &packing_interface_fields();
+const FieldTable<Packing<2>> &packing_interface_fields();
 /** The quantities of cells that a packing alone has. */
-const FieldTable<Packing> &packing_cell_fields();
+const FieldTable<Packing<2>> &packing_cell_fields();
 } // namespace Voussoir
 
 #endif

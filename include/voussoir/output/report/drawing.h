@@ -21,7 +21,7 @@ class Drawing
 {
 public:
   /** @param packing lies in it with a margin. */
-  explicit Drawing(const Packing &packing);
+  explicit Drawing(const Packing<2> &packing);
   /** @param box of what is drawn. */
   explicit Drawing(const dealii::BoundingBox<2> &box);
 

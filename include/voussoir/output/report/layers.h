@@ -10,7 +10,7 @@
 namespace Voussoir
 {
 /** The root of the mean area of a cell, a length to draw things by. */
-double typical_size(const Packing &packing);
+double typical_size(const Packing<2> &packing);
 
 /**
  * @{
@@ -19,11 +19,11 @@ double typical_size(const Packing &packing);
  */
 /** The sides that rest on the ground, hatched. */
 void draw_supports(Drawing &drawing,
-                   const Packing &packing,
+                   const Packing<2> &packing,
                    const std::string &views);
 /** Narrow gaps that were left open. */
 void draw_gaps(Drawing &drawing,
-               const Packing &packing,
+               const Packing<2> &packing,
                const std::string &views);
 /** Loads as arrows. @return the force of the longest, zero without loads. */
 double
@@ -47,7 +47,7 @@ void draw_line_of_thrust(Drawing &drawing,
                          const std::string &views);
 /** The principal stresses of each cell as crosses. */
 void draw_principal_stresses(Drawing &drawing,
-                             const Packing &packing,
+                             const Packing<2> &packing,
                              const std::vector<dealii::Tensor<2, 2>> &stresses,
                              const std::string &views);
 /**
@@ -55,7 +55,7 @@ void draw_principal_stresses(Drawing &drawing,
  * slide. @param factor of the motion.
  */
 void draw_motion(Drawing &drawing,
-                 const Packing &packing,
+                 const Packing<2> &packing,
                  const Motion &motion,
                  double factor,
                  const std::string &views);

@@ -24,7 +24,7 @@ struct View
 struct Picture
 {
   /** @param packing what is drawn. */
-  explicit Picture(const Packing &packing) : drawing(packing) {}
+  explicit Picture(const Packing<2> &packing) : drawing(packing) {}
   /** @param box of what is drawn. */
   explicit Picture(const dealii::BoundingBox<2> &box) : drawing(box) {}
 

@@ -10,7 +10,7 @@
 namespace Voussoir
 {
 /** A sentence for the user on the cells that are not convex, or none. */
-std::vector<std::string> cells_not_convex(const Packing &packing);
+std::vector<std::string> cells_not_convex(const Packing<2> &packing);
 
 /** Warnings on forces that the certificate accepts. */
 std::vector<std::string> doubts_about(const Results &results);

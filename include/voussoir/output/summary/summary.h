@@ -31,7 +31,7 @@ void write_summary_json(std::ostream &out, const Collapse &collapse);
  * Show the size of a packing, and of its supports the ends of the first and the
  * number of the others.
  */
-void show_packing(Terminal &terminal, const Packing &packing);
+void show_packing(Terminal &terminal, const Packing<2> &packing);
 
 /** The summary of a run in a few lines, for people. */
 void show_summary(Terminal &terminal, const Results &results);

@@ -22,7 +22,7 @@ inline const std::string drawing_check_vtu = "drawing_check.vtu";
 void write_drawing_check_vtu(std::ostream &out, const DrawingCheck &check);
 
 /** The cells of a packing with the gaps that were left open. */
-DrawingCheck check_of_gaps(const Packing &packing);
+DrawingCheck check_of_gaps(const Packing<2> &packing);
 } // namespace Voussoir
 
 #endif

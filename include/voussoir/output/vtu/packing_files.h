@@ -28,13 +28,13 @@ inline const std::string packing_centres = "packing_centres.txt";
  * One POLYGON a line, as read_wkt_file() reads it, with the name of the cell's
  * group behind a semicolon.
  */
-void write_packing_wkt(std::ostream &out, const Packing &packing);
+void write_packing_wkt(std::ostream &out, const Packing<2> &packing);
 
 /** The cells as faces of an OFF file, without their groups; z is zero. */
-void write_packing_off(std::ostream &out, const Packing &packing);
+void write_packing_off(std::ostream &out, const Packing<2> &packing);
 
 /** The centre "x y" of one cell a line, as read_points_file() reads it. */
-void write_centres(std::ostream &out, const Packing &packing);
+void write_centres(std::ostream &out, const Packing<2> &packing);
 /** @} */
 } // namespace Voussoir
 

@@ -22,7 +22,7 @@ inline const std::string stress_pvtu = "stress.pvtu";
 struct StressedCells
 {
   /** The cells. */
-  const Packing &packing;
+  const Packing<2> &packing;
   /** The stress in their sub-cells. */
   const StressField &stress;
   /** The motion of the cells; L. */

@@ -26,7 +26,7 @@ namespace Voussoir
  * They belong to the groups "voussoir", "keystone" (the voussoir at the crown,
  * if their number is odd) and "abutment".
  */
-class ArchGenerator : public PackingGenerator
+class ArchGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "arch"; }

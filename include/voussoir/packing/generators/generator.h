@@ -4,7 +4,7 @@
 
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/packing.h>
+#include <voussoir/packing/cells.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -17,6 +17,7 @@
 namespace Voussoir
 {
 /** One source of packings, with the parameters that it needs. */
+template <int dim>
 class PackingGenerator
 {
 public:
@@ -38,8 +39,8 @@ public:
    * @param terminal is told how far that has come, where it can be long.
    * @throws InputError if the parameters describe no packing.
    */
-  virtual CellLoops generate(const std::filesystem::path &directory,
-                             Terminal &terminal) const = 0;
+  virtual Cells<dim> generate(const std::filesystem::path &directory,
+                              Terminal &terminal) const = 0;
 
   /** The files that generate() reads. */
   virtual std::vector<std::filesystem::path>

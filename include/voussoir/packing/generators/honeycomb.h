@@ -16,7 +16,7 @@ namespace Voussoir
  * flat tops, the same holds of columns, which are shifted upwards. Cells are
  * numbered row by row from the bottom, or column by column from the left.
  */
-class HoneycombGenerator : public PackingGenerator
+class HoneycombGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "honeycomb"; }

@@ -12,7 +12,7 @@ namespace Voussoir
  * those on a side along it, and the corners not at all. Cells are numbered row
  * by row from the bottom, from left to right.
  */
-class PerturbedGridGenerator : public PackingGenerator
+class PerturbedGridGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "perturbed grid"; }

@@ -22,7 +22,7 @@ namespace Voussoir
  * Cells are numbered course by course from the bottom, from left to right, and
  * belong to the groups "brick" and "lintel".
  */
-class WallGenerator : public PackingGenerator
+class WallGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "wall"; }

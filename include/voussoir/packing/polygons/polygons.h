@@ -15,7 +15,7 @@ namespace Voussoir
  * is a cell, in the order of the file. Cells that touch become neighbours; see
  * match_polygons(), and join_facing_sides() for those that are drawn apart.
  */
-class PolygonGenerator : public PackingGenerator
+class PolygonGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "polygons"; }

@@ -17,7 +17,7 @@ namespace Voussoir
  * -1/4 (Gersho's conjecture; Du, Faber and Gunzburger 1999, SIAM Review
  * 41:637). Cells are numbered as their points.
  */
-class VoronoiGenerator : public PackingGenerator
+class VoronoiGenerator : public PackingGenerator<2>
 {
 public:
   std::string name() const override { return "Voronoi"; }

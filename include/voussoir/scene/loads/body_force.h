@@ -33,14 +33,14 @@ public:
    * @param jumps of b.
    * @param inaccuracies look at each integral, if given.
    */
-  BodyForce(const Packing &packing,
+  BodyForce(const Packing<2> &packing,
             const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
                                                      unsigned int)> &b,
             const Discontinuities &jumps = Discontinuities(),
             Inaccuracies *inaccuracies = nullptr);
 
   /** Add a body force on some @p cells, which have had none. */
-  void add(const Packing &packing,
+  void add(const Packing<2> &packing,
            const std::vector<unsigned int> &cells,
            const std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &,
                                                     unsigned int)> &b,
@@ -48,15 +48,16 @@ public:
            Inaccuracies *inaccuracies);
 
   /** Add the force @p f, per unit thickness, spread evenly over @p cell. */
-  void
-  add(const Packing &packing, unsigned int cell, const dealii::Tensor<1, 2> &f);
+  void add(const Packing<2> &packing,
+           unsigned int cell,
+           const dealii::Tensor<1, 2> &f);
   /**
    * Add the force @p f that acts at a place, spread over @p cell: evenly, and
    * its torque about the centroid x_g by the field torque / I R(pi/2) (x - x_g)
    * with the polar moment I about x_g. Only about the centroid has that no
    * resultant.
    */
-  void add(const Packing &packing,
+  void add(const Packing<2> &packing,
            unsigned int cell,
            const dealii::Tensor<1, 2> &f,
            const dealii::Point<2> &place);
@@ -68,11 +69,12 @@ public:
   bool empty() const { return on_sub_cell.empty(); }
 
   /** The force on @p cell; S L. */
-  dealii::Tensor<1, 2> force(const Packing &packing, unsigned int cell) const;
+  dealii::Tensor<1, 2> force(const Packing<2> &packing,
+                             unsigned int cell) const;
   /** The force on sub-cell @p i of @p cell, which lies along its side i; S L.
    */
   dealii::Tensor<1, 2>
-  force(const Packing &packing, unsigned int cell, unsigned int i) const;
+  force(const Packing<2> &packing, unsigned int cell, unsigned int i) const;
   /**
    * The integral over @p cell of the outer product of b and x - x_c: component
    * ij is that of b_i (x - x_c)_j; S L^2.
@@ -82,7 +84,7 @@ public:
   double torque(unsigned int cell) const;
 
 private:
-  void allocate(const Packing &packing);
+  void allocate(const Packing<2> &packing);
 
   /** By packing.first_side(cell) + i. */
   std::vector<dealii::Tensor<1, 2>> on_sub_cell;

@@ -32,7 +32,7 @@ struct TextOfParameter
  *   varies too fast for its integral; if a formula cannot be parsed, a name is
  *   that of no cell, or a cell is given two.
  */
-BodyForce body_force_of_formulas(const Packing &packing,
+BodyForce body_force_of_formulas(const Packing<2> &packing,
                                  const TextOfParameter &everywhere,
                                  const TextOfParameter &of_groups,
                                  std::vector<std::string> &warnings,

@@ -32,9 +32,9 @@ struct CellForce
    *
    * @return the place, or the centroid; a length.
    */
-  dealii::Point<2> place_in(const Packing &packing, unsigned int cell) const;
+  dealii::Point<2> place_in(const Packing<2> &packing, unsigned int cell) const;
   /** The torque of that about x_c, positive counterclockwise; S L^2. */
-  double torque(const Packing &packing, unsigned int cell) const;
+  double torque(const Packing<2> &packing, unsigned int cell) const;
 };
 
 /**
@@ -49,7 +49,7 @@ struct CellForce
  * @throws InputError if an element has none of these forms, a name is that of
  *   no cell, or a place is in no cell or not in that one.
  */
-std::vector<CellForce> cell_forces_of_text(const Packing &packing,
+std::vector<CellForce> cell_forces_of_text(const Packing<2> &packing,
                                            const std::string &list,
                                            const std::string &parameter);
 } // namespace Voussoir

@@ -57,7 +57,7 @@ public:
    *   cannot be read or names a case that is not there.
    */
   void add_combination(const std::string &section,
-                       const Packing &packing,
+                       const Packing<2> &packing,
                        Loads &loads) const;
 
   /** True if there are cases, and no combination has any. */

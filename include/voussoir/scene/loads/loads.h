@@ -41,13 +41,13 @@ struct Loads
 };
 
 /** The point about which the moments of loads are added up; a length. */
-inline const dealii::Point<2> &reference_point(const Packing &packing)
+inline const dealii::Point<2> &reference_point(const Packing<2> &packing)
 {
   return packing.vertex(0, 0);
 }
 
 /** Nothing that acts on @p packing, as it was asked for. */
-Loads no_loads(const Packing &packing);
+Loads no_loads(const Packing<2> &packing);
 
 /** The section `Loads`, or another one of the same entries. */
 class LoadParameters
@@ -74,7 +74,7 @@ public:
    *   stress is not symmetric, a place is on no edge, a line on no boundary, or
    *   a name is that of no cell.
    */
-  Loads loads(const Packing &packing) const;
+  Loads loads(const Packing<2> &packing) const;
 
 private:
   enum class Kind
@@ -83,12 +83,12 @@ private:
     uniform_stress
   };
 
-  void add_tractions(const Packing &packing, Loads &loads) const;
-  void add_traction_of_expression(const Packing &packing,
+  void add_tractions(const Packing<2> &packing, Loads &loads) const;
+  void add_traction_of_expression(const Packing<2> &packing,
                                   const std::vector<bool> &chosen,
                                   EdgeTractions &tractions,
                                   Loads &loads) const;
-  void add_uniform_stress(const Packing &packing,
+  void add_uniform_stress(const Packing<2> &packing,
                           const std::vector<bool> &chosen,
                           EdgeTractions &tractions,
                           Loads &loads) const;

@@ -38,7 +38,7 @@ public:
    * @param mean of it, a stress.
    * @param first_moment EdgeTractions::first_moment, S L^2.
    */
-  void add(const Packing::BoundaryEdge &edge,
+  void add(const Packing<2>::BoundaryEdge &edge,
            const dealii::Tensor<1, 2> &mean,
            const dealii::Tensor<1, 2> &first_moment)
   {

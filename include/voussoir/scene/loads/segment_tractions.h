@@ -75,7 +75,7 @@ segment_tractions_of_text(const std::string &list,
  * @throws InputError naming @p parameter if a part of the line is on no edge of
  *   the boundary, or on two.
  */
-void add_segment_traction(const Packing &packing,
+void add_segment_traction(const Packing<2> &packing,
                           const SegmentTraction &segment,
                           const std::string &parameter,
                           EdgeTractions &tractions);

@@ -22,7 +22,7 @@ struct InterfaceJumps
 };
 
 /** The jumps of @p motion. */
-InterfaceJumps jumps_of(const Packing &packing, const Motion &motion);
+InterfaceJumps jumps_of(const Packing<2> &packing, const Motion &motion);
 
 /** The work of the loads of @p scene along @p motion; S L times its unit. */
 double work_of_loads(const Scene &scene, const Motion &motion);

@@ -46,7 +46,7 @@ ForceFunction tangential_force(unsigned int e);
  * The force of the ground on the packing along a straight support in the
  * direction @p direction; see reactions().
  */
-ForceFunction reaction(const Packing &packing,
+ForceFunction reaction(const Packing<2> &packing,
                        const StraightRun &support,
                        const dealii::Tensor<1, 2> &direction);
 

@@ -13,7 +13,7 @@ namespace Voussoir
  * The supports along straight lines, from left to right; the numbers are among
  * the supports.
  */
-std::vector<StraightRun> straight_supports(const Packing &packing);
+std::vector<StraightRun> straight_supports(const Packing<2> &packing);
 
 /** The force of the ground on the packing along one straight support. */
 struct Reaction
