@@ -19,7 +19,7 @@ HalfArch circular_arch(const std::string &section,
                        const double embrace)
 {
   if (!(thickness < 2. * mean_radius))
-    throw InputError(text("The arch 'Packing/", section, "' has the thickness ",
+    throw InputError(text("The arch '", section, "' has the thickness ",
                           thickness, " and the mean radius ", mean_radius,
                           "; the thickness must be less than twice the "
                           "radius."));
@@ -77,7 +77,7 @@ HalfArch pointed_arch(const std::string &section,
                       const unsigned int n_voussoirs)
 {
   if (!(thickness < span))
-    throw InputError(text("The arch 'Packing/", section, "' has the thickness ",
+    throw InputError(text("The arch '", section, "' has the thickness ",
                           thickness, " and the span ", span,
                           "; the thickness must be less than the span of the "
                           "middle line, or no opening is left."));
@@ -96,8 +96,8 @@ HalfArch pointed_arch(const std::string &section,
   if (!(half.joints.back().intrados[0] < 0.))
   {
     const double centre = arc.radius - arc.half_span;
-    throw InputError(text("The joints next to the crown of the arch 'Packing/",
-                          section, "' reach over it: with ", n_voussoirs,
+    throw InputError(text("The joints next to the crown of the arch '", section,
+                          "' reach over it: with ", n_voussoirs,
                           " voussoirs the thickness must be less than ",
                           2. * (arc.radius - centre / std::cos(angle)),
                           " and is ", thickness,

@@ -30,8 +30,8 @@ namespace Voussoir
 class ArchGenerator : public PackingGenerator<2>
 {
 public:
-  /** @param section of the parameters below "Packing", which messages name. */
-  explicit ArchGenerator(const std::string &section = "arch");
+  /** @param section of the entries, which messages name. */
+  explicit ArchGenerator(const std::string &section = "Packing/arch");
 
   std::string name() const override { return "arch"; }
   std::string meaning() const override

@@ -34,7 +34,7 @@ struct HalfArch
  * A circular arch around the origin: n+1 joints at equal angles, on radii.
  * The springings of a semicircle lie on y = 0.
  *
- * @param section of the parameters below "Packing", which a message names.
+ * @param section of its entries, which a message names: "Packing/arch".
  * @param mean_radius of the middle line; a length.
  * @param thickness a length.
  * @param n_voussoirs n, at least 2.
@@ -53,7 +53,7 @@ HalfArch circular_arch(const std::string &section,
  * divide the middle line into n equal parts; where n is even, the joint at the
  * crown is vertical instead.
  *
- * @param section of the parameters below "Packing", which a message names.
+ * @param section of its entries, which a message names: "Packing/arch".
  * @param span of the middle line; a length.
  * @param radius_over_span radius of the middle line's arcs over the span, at
  *   least 1/2, a semicircle; 1 is an equilateral arch.

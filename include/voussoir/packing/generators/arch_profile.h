@@ -14,7 +14,7 @@ namespace Voussoir
 class ArchProfile
 {
 public:
-  /** @param section of the entries below "Packing", which messages name. */
+  /** @param section of the entries, which messages name: "Packing/arch". */
   explicit ArchProfile(std::string section);
 
   /** Declare the parameters in the current subsection and bind them. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/packing/generators/entry_checks.h>
+#include <voussoir/packing/polyhedra/generators/block_resolution.h>
 #include <voussoir/packing/polyhedra/generators/cross_vault.h>
 #include <voussoir/packing/polyhedra/generators/groined_bay.h>
 
@@ -56,7 +56,8 @@ CellFaces CrossVaultGenerator::generate(const std::filesystem::path &,
                                         Terminal &) const
 {
   const HalfArch arch = profile.joints();
-  check_measures(name(), {{"Depth over width", depth_over_width}});
+  check_measures("Packing/cross vault",
+                 {{"Depth over width", depth_over_width}});
   if (!std::isfinite(extension) || extension < 0. ||
       (extension > 0. && extension < shortest_extension * profile.thickness()))
     throw InputError(text("'Packing/cross vault/Extension' is ", extension,
@@ -73,10 +74,10 @@ CellFaces CrossVaultGenerator::generate(const std::filesystem::path &,
   bay.bond = bond;
   bay.mitred = mitred;
   const ArchJoint &first = arch.joints[0], &second = arch.joints[1];
-  check_resolution(name(),
-                   {{"'Thickness'", profile.thickness()},
-                    {"'Voussoirs'", first.intrados.distance(second.intrados)},
-                    {"'Blocks'", bay.half_width / n_blocks}},
+  check_resolution("Packing/cross vault",
+                   {{"Thickness", profile.thickness()},
+                    {"Voussoirs", first.intrados.distance(second.intrados)},
+                    {"Blocks", bay.half_width / n_blocks}},
                    bay.half_width);
   return cells_of_bay(arch, bay);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/packing/generators/entry_checks.h>
 #include <voussoir/packing/polyhedra/generators/block_faces.h>
+#include <voussoir/packing/polyhedra/generators/block_resolution.h>
 #include <voussoir/packing/polyhedra/generators/dome.h>
 
 #include <boost/math/special_functions/cos_pi.hpp>
@@ -113,9 +113,9 @@ void DomeGenerator::add_parameters(dealii::ParameterHandler &prm)
 
 void DomeGenerator::check_parameters() const
 {
-  check_measures(name(), {{"Mean radius", mean_radius},
-                          {"Thickness", thickness},
-                          {"Embrace", embrace}});
+  check_measures("Packing/dome", {{"Mean radius", mean_radius},
+                                  {"Thickness", thickness},
+                                  {"Embrace", embrace}});
   if (!(thickness < 2. * mean_radius))
     throw InputError(text("The dome 'Packing/dome' has the thickness ",
                           thickness, " and the mean radius ", mean_radius,
@@ -123,7 +123,7 @@ void DomeGenerator::check_parameters() const
                           "radius."));
   if (!has_keystone)
   {
-    check_measures(name(), {{"Oculus", oculus}});
+    check_measures("Packing/dome", {{"Oculus", oculus}});
     if (!(oculus < embrace))
       throw InputError(text("'Packing/dome/Oculus' is ", oculus,
                             " degrees and 'Embrace' ", embrace,
@@ -170,10 +170,10 @@ CellFaces DomeGenerator::generate(const std::filesystem::path &,
   const unsigned int n_facets = facets_in_block * n_sectors;
   const ArchJoint &crown = joints.front();
   check_resolution(
-      name(),
-      {{"'Thickness'", thickness},
-       {"'Courses'", joints[0].intrados.distance(joints[1].intrados)},
-       {"'Sectors'", crown.intrados[0] * 2. * dealii::numbers::PI / n_facets}},
+      "Packing/dome",
+      {{"Thickness", thickness},
+       {"Courses", joints[0].intrados.distance(joints[1].intrados)},
+       {"Sectors", crown.intrados[0] * 2. * dealii::numbers::PI / n_facets}},
       mean_radius);
 
   const Meridians meridians(n_facets);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
-#include <voussoir/packing/generators/entry_checks.h>
 #include <voussoir/packing/polyhedra/generators/block_builder.h>
+#include <voussoir/packing/polyhedra/generators/block_resolution.h>
 #include <voussoir/packing/polyhedra/generators/vault.h>
 
 #include <algorithm>
@@ -88,27 +88,27 @@ void VaultGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellFaces VaultGenerator::generate(const std::filesystem::path &directory,
                                    Terminal &terminal) const
 {
-  check_measures(name(), {{"Length", length}});
-  const CellLoops section = arch.generate(directory, terminal);
-  const unsigned int n_rows = section.n_cells();
+  check_measures("Packing/vault", {{"Length", length}});
+  const CellLoops profile = arch.generate(directory, terminal);
+  const unsigned int n_rows = profile.n_cells();
   check_number_of_cells(double(n_rows) * (n_in_row + 1.),
                         "'Packing/vault/Voussoirs', 'Abutments' and 'Blocks "
                         "per row'");
-  check_resolution(name(),
-                   {{"the arch", shortest_side_of(section)},
-                    {"'Length' and 'Blocks per row'", length / n_in_row}},
-                   std::max(extent_of(section), length));
+  check_resolution("Packing/vault",
+                   {{"Voussoirs", shortest_side_of(profile)},
+                    {"Blocks per row", length / n_in_row}},
+                   std::max(extent_of(profile), length));
 
   const auto joints = head_joints_of_rows(bond, n_in_row, length);
-  BlockBuilder builder(section.group_names);
+  BlockBuilder builder(profile.group_names);
   builder.reserve_boxes(n_rows * (n_in_row + 1));
   for (unsigned int row = 0; row < n_rows; ++row)
   {
     const std::vector<double> &y = joints[row % 2];
     for (unsigned int k = 0; k + 1 < y.size(); ++k)
-      builder.add_frustum(section_of_vault(section, row, y[k]),
-                          section_of_vault(section, row, y[k + 1]),
-                          section.group[row]);
+      builder.add_frustum(section_of_vault(profile, row, y[k]),
+                          section_of_vault(profile, row, y[k + 1]),
+                          profile.group[row]);
   }
   return builder.take();
 }

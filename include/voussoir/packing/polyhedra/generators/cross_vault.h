@@ -68,7 +68,7 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  ArchProfile profile{"cross vault"};
+  ArchProfile profile{"Packing/cross vault"};
   double extension = 0.;
   double depth_over_width = 1.;
   unsigned int n_blocks = 4;

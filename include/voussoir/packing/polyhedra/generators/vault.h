@@ -37,7 +37,7 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  ArchGenerator arch{"vault"};
+  ArchGenerator arch{"Packing/vault"};
   Bond bond = Bond::running;
   double length = 2.;
   unsigned int n_in_row = 6;
