@@ -20,10 +20,10 @@ void check_resolution(const std::string &section,
 {
   for (const Measure &edge : edges)
     if (!(edge.value >= shortest_edge * size))
-      throw InputError(text("'", section, "/", edge.entry, "' makes blocks ",
-                            text_of_number(edge.value),
-                            " long; that must be a millionth of the size of "
-                            "the packing, ",
-                            shortest_edge * size, ", at least."));
+      throw InputError(text("'", section, "' has blocks with edges of ",
+                            text_of_number(edge.value), ", which follows from ",
+                            edge.entry, "; they must be at least ",
+                            shortest_edge * size,
+                            ", a millionth of the size of the packing."));
 }
 } // namespace Voussoir

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Voussoir
 {
@@ -16,6 +17,18 @@ namespace
  * that are shorter beyond the corner carry nothing, and have slender faces.
  */
 constexpr double shortest_extension = 0.01;
+
+/** The shortest side of the intrados, with that of a keystone. */
+double shortest_chord(const HalfArch &arch)
+{
+  const double crown = -2. * arch.joints.back().intrados[0];
+  double shortest = crown > 0. ? crown : std::numeric_limits<double>::max();
+  for (unsigned int k = 1; k < arch.joints.size(); ++k)
+    shortest =
+        std::min(shortest,
+                 arch.joints[k - 1].intrados.distance(arch.joints[k].intrados));
+  return shortest;
+}
 } // namespace
 
 void CrossVaultGenerator::add_parameters(dealii::ParameterHandler &prm)
@@ -73,12 +86,14 @@ CellFaces CrossVaultGenerator::generate(const std::filesystem::path &,
   bay.n_blocks = n_blocks;
   bay.bond = bond;
   bay.mitred = mitred;
-  const ArchJoint &first = arch.joints[0], &second = arch.joints[1];
-  check_resolution("Packing/cross vault",
-                   {{"Thickness", profile.thickness()},
-                    {"Voussoirs", first.intrados.distance(second.intrados)},
-                    {"Blocks", bay.half_width / n_blocks}},
-                   bay.half_width);
+  const double shrunk = std::min(1., depth_over_width);
+  check_resolution(
+      "Packing/cross vault",
+      {{"'Thickness' and 'Depth over width'", shrunk * profile.thickness()},
+       {"'Voussoirs' and 'Thickness'", shrunk * shortest_chord(arch)},
+       {"'Blocks'", shrunk * bay.half_width / (2. * n_blocks)}},
+      std::max(std::max(1., depth_over_width) * bay.half_width,
+               arch.joints.back().extrados[1]));
   return cells_of_bay(arch, bay);
 }
 } // namespace Voussoir

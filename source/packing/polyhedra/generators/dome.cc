@@ -171,9 +171,9 @@ CellFaces DomeGenerator::generate(const std::filesystem::path &,
   const ArchJoint &crown = joints.front();
   check_resolution(
       "Packing/dome",
-      {{"Thickness", thickness},
-       {"Courses", joints[0].intrados.distance(joints[1].intrados)},
-       {"Sectors", crown.intrados[0] * 2. * dealii::numbers::PI / n_facets}},
+      {{"'Thickness'", thickness},
+       {"'Courses'", joints[0].intrados.distance(joints[1].intrados)},
+       {"'Sectors'", crown.intrados[0] * 2. * dealii::numbers::PI / n_facets}},
       mean_radius);
 
   const Meridians meridians(n_facets);

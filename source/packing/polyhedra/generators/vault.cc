@@ -94,10 +94,11 @@ CellFaces VaultGenerator::generate(const std::filesystem::path &directory,
   check_number_of_cells(double(n_rows) * (n_in_row + 1.),
                         "'Packing/vault/Voussoirs', 'Abutments' and 'Blocks "
                         "per row'");
-  check_resolution("Packing/vault",
-                   {{"Voussoirs", shortest_side_of(profile)},
-                    {"Blocks per row", length / n_in_row}},
-                   std::max(extent_of(profile), length));
+  check_resolution(
+      "Packing/vault",
+      {{"'Thickness', 'Voussoirs' and 'Abutments'", shortest_side_of(profile)},
+       {"'Length' and 'Blocks per row'", length / (2. * n_in_row)}},
+      std::max(extent_of(profile), length));
 
   const auto joints = head_joints_of_rows(bond, n_in_row, length);
   BlockBuilder builder(profile.group_names);

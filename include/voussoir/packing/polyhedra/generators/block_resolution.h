@@ -10,8 +10,9 @@ namespace Voussoir
  * Check that blocks are larger than the distances by which faces that touch are
  * told from others.
  *
- * @param section of the entries, which a message names: "Packing/dome".
- * @param edges of blocks, each with the entry that makes it so short.
+ * @param section of the generator, which a message names: "Packing/dome".
+ * @param edges of blocks, each with the entries that it follows from, in
+ *   quotes.
  * @param size of the packing; a length.
  * @throws InputError on the first that is less than a millionth of the size.
  */
