@@ -56,14 +56,14 @@ std::vector<std::array<unsigned int, 2>> open_edges(const CellFaces &cells,
   {
     const auto corners = cells.corners(f);
     for (unsigned int i = 0; i < corners.size(); ++i)
-      edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+      edges.push_back({{corners[i], corners[(i + 1) % corners.size()]}});
   }
   std::sort(edges.begin(), edges.end());
   std::vector<Edge> open;
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const bool is_repeated = k > 0 && edges[k] == edges[k - 1];
-    const Edge back = {edges[k][1], edges[k][0]};
+    const Edge back = {{edges[k][1], edges[k][0]}};
     if (is_repeated || !std::binary_search(edges.begin(), edges.end(), back))
       open.push_back(edges[k]);
   }

@@ -9,7 +9,7 @@ PolygonMoments
 moments_of(const dealii::ArrayView<const dealii::Point<3>> polygon)
 {
   PolygonMoments moments;
-  if (polygon.empty())
+  if (polygon.size() == 0)
     return moments;
   const dealii::Point<3> &origin = polygon[0];
   for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
