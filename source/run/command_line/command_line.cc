@@ -6,11 +6,13 @@
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
+#include <voussoir/run/packing_run.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/version.h>
 
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <ostream>
@@ -94,9 +96,19 @@ std::optional<std::string> text_to_print(const Arguments &arguments)
   return {};
 }
 
+/** A run of the kind that the parameters ask for. */
+std::unique_ptr<Run> make_run(const ParameterSources &sources,
+                              Terminal &terminal,
+                              const ProcessGroup &processes)
+{
+  if (dimension_of(sources) == 3)
+    return std::make_unique<PackingRun>(terminal);
+  return std::make_unique<AnalysisRun>(terminal, processes);
+}
+
 /** One that tells of the parameters. */
 std::optional<std::string> text_of_parameters(const Arguments &arguments,
-                                              AnalysisRun &analysis)
+                                              Run &analysis)
 {
   std::ostringstream text;
   if (arguments.print_parameters || arguments.print_settings)
@@ -137,7 +149,6 @@ ExitStatus run(const Arguments &arguments,
     terminal.be_quiet();
   if (run_many(arguments, processes, terminal))
     return ExitStatus::solved;
-  AnalysisRun analysis(terminal, processes);
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;
@@ -145,6 +156,8 @@ ExitStatus run(const Arguments &arguments,
   if (arguments.print_schema) // of load cases by any name
     sources.assignments.push_back(load_cases_section +
                                   "/case/Boundary load=traction");
+  const std::unique_ptr<Run> run_of = make_run(sources, terminal, processes);
+  Run &analysis = *run_of;
   analysis.read(sources);
   if (const auto text = text_of_parameters(arguments, analysis))
     return print(streams.out, *text);
@@ -162,10 +175,9 @@ ExitStatus run(const Arguments &arguments,
     return ExitStatus::solved;
   }
   terminal.set_verbosity(analysis.verbosity());
-  const RunOutcome outcome = analysis.run(directory, true);
-  return outcome.message.empty()
-             ? ExitStatus::solved
-             : fail(streams, ExitStatus::load_not_carried, outcome.message);
+  const std::string message = analysis.carry_out(directory);
+  return message.empty() ? ExitStatus::solved
+                         : fail(streams, ExitStatus::load_not_carried, message);
 }
 
 /** Run, whatever is thrown. */

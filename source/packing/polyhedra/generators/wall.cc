@@ -172,8 +172,8 @@ void SpaceWallGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Openings \"x0, z0, x1, z1; x0, z0, x1, z1; ...\", each from its lower "
       "left corner x0, z0 to the upper right one x1, z1 and through the whole "
       "thickness; lengths from the lower left corner of the wall. They begin "
-      "and end on bed joints; a door has z0 = 0. A brick cut to less than a "
-      "quarter of a header is joined to its neighbour in the row.",
+      "and end on bed joints; a door has z0 = 0. A brick cut to less than an "
+      "eighth of one is joined to its neighbour in the row.",
       List(List(Double(), 4, 4, ","), 0, std::numeric_limits<int>::max(), ";"));
   prm.add_parameter("Lintels", has_lintels,
                     "Whether a lintel, one block one course high and as deep "

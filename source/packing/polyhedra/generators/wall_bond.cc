@@ -20,17 +20,24 @@ RowPattern stretchers(const unsigned int shift, const unsigned int n_across)
   return {stretcher_length, {{shift, n_across}}};
 }
 
-/** Headers that begin at the end of the wall, or behind a closer. */
+/**
+ * Headers that begin at the end of the wall, or behind a closer; also at the
+ * right end if the courses of stretchers end with a whole one there.
+ */
 RowPattern headers(const bool has_closers)
 {
-  return {header_width, {{has_closers ? 1U : 0U, 1}}, has_closers};
+  if (has_closers)
+    return {header_width, {{1, 1}}, RowPattern::Closers{0, stretcher_length}};
+  return {header_width, {{0, 1}}};
 }
 
 RowPattern flemish_row(const bool odd)
 {
   const unsigned int period = stretcher_length + header_width;
   if (odd)
-    return {period, {{1, 1}, {end_of_closer, 2}}, true};
+    return {period,
+            {{1, 1}, {end_of_closer, 2}},
+            RowPattern::Closers{stretcher_length, period}};
   return {period, {{0, 2}, {stretcher_length, 1}}};
 }
 
@@ -66,22 +73,18 @@ bool RowPattern::is_regular_joint(const unsigned int quarter) const
   return false;
 }
 
-bool RowPattern::is_symmetric(const std::optional<unsigned int> length) const
+bool RowPattern::ends_with_closer(
+    const std::optional<unsigned int> length) const
 {
-  if (!length)
-    return false;
-  for (const Joint &joint : joints)
-    if (!is_regular_joint(*length + period - joint.at))
-      return false;
-  return true;
+  return closers && length && *length % closers->modulo == closers->remainder;
 }
 
 bool RowPattern::is_joint(const unsigned int quarter,
                           const std::optional<unsigned int> length) const
 {
-  if (!has_closers)
+  if (!closers)
     return is_regular_joint(quarter);
-  const bool ends_so = is_symmetric(length);
+  const bool ends_so = ends_with_closer(length);
   if (quarter == header_width || (ends_so && quarter + header_width == *length))
     return true;
   return quarter >= end_of_closer &&
@@ -93,9 +96,9 @@ unsigned int
 RowPattern::n_across(const double quarter,
                      const std::optional<unsigned int> length) const
 {
-  if (has_closers &&
+  if (closers &&
       (quarter < end_of_closer ||
-       (is_symmetric(length) && quarter + end_of_closer > *length)))
+       (ends_with_closer(length) && quarter + end_of_closer > *length)))
     return 1;
   const double place = std::fmod(quarter, double(period));
   unsigned int n = joints.back().n_across; // from before the period

@@ -18,7 +18,7 @@ namespace
 constexpr double resolution_of_wall = 1e-9;
 
 /** The width of the narrowest piece of a brick, over that of a brick. */
-constexpr double narrowest_piece = 1. / 8.; // a quarter of a header
+constexpr double narrowest_piece = 1. / 8.; // half a closer
 
 std::string text_of_opening(const std::array<double, 4> &rectangle)
 {
@@ -117,7 +117,7 @@ void WallElevation::refuse_piece(const unsigned int course,
       text(cause, " leave a piece of wall from ",
            text_of_point({interval.left, bed_joint(course)}), " to ",
            text_of_point({interval.right, bed_joint(course + 1)}),
-           " that is narrower than a quarter of a header, which is ",
+           " that is narrower than an eighth of a brick, which is ",
            narrowest(), "; ", advice));
 }
 

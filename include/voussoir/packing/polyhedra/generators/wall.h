@@ -17,7 +17,7 @@ namespace Voussoir
  * are as large as they are with their share of the joints.
  *
  * Bricks are cut at the ends of the wall, at the jambs of an opening and at the
- * ends of a lintel. A piece that is narrower than a quarter of a header is
+ * ends of a lintel. A piece that is narrower than an eighth of a brick is
  * joined to its neighbour in the row, or to a lintel if there is no brick, so
  * that there are no slivers. Lintels are as deep as the wall.
  *

@@ -59,11 +59,20 @@ struct RowPattern
   unsigned int period;
   /** The joints of one period, by ascending position. */
   std::vector<Joint> joints;
-  /**
-   * Whether the row begins with a header and a closer, one across, and ends so
-   * if the wall has a length after which the pattern is its own mirror image.
-   */
-  bool has_closers = false;
+  /** A header and a closer at the ends of a row, one brick across. */
+  struct Closers
+  {
+    /** @{ */
+    /**
+     * They are also at the right end if the length of the wall, in quarters,
+     * has this remainder modulo the other number.
+     */
+    unsigned int remainder;
+    unsigned int modulo;
+    /** @} */
+  };
+  /** Those that the row begins with, if it does. */
+  std::optional<Closers> closers = {};
 
   /**
    * True if there is a joint at @p quarter.
@@ -78,7 +87,7 @@ struct RowPattern
 
 private:
   bool is_regular_joint(unsigned int quarter) const;
-  bool is_symmetric(std::optional<unsigned int> length) const;
+  bool ends_with_closer(std::optional<unsigned int> length) const;
 };
 
 /** One of the rows that lie one behind the other in a course. */
