@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
 #include <voussoir/output/polyhedra_csv.h>
 #include <voussoir/output/summary/packing_summary.h>
@@ -7,12 +8,38 @@
 #include <voussoir/output/vtu/interfaces_vtu.h>
 #include <voussoir/output/vtu/polyhedra_vtu.h>
 #include <voussoir/output/vtu/pvd.h>
+#include <voussoir/packing/polyhedra/cell_overlaps.h>
 #include <voussoir/run/packing_run.h>
 
 #include <ostream>
 
 namespace Voussoir
 {
+namespace
+{
+/** The factors by which a tolerance is changed, to see whether it matters. */
+constexpr double smaller_tolerance = 0.1, larger_tolerance = 10.;
+
+/** Show what a file of blocks may hide: overlaps, and contacts in doubt. */
+void look_at_model(Terminal &terminal, const CellFaces &cells)
+{
+  const std::vector<CellOverlap> found = overlaps(cells, cells.tolerance);
+  if (!found.empty())
+    terminal.warning(describe_overlaps(cells, found));
+  const auto pairs_with = [&](const double factor) {
+    return count_contacts(
+               cells, {factor * cells.tolerance, factor * cells.joint_width})
+        .pairs_of_cells;
+  };
+  if (cells.tolerance > 0.)
+    terminal.stage("Contacts",
+                   text(pairs_with(1.), " pairs of blocks within ",
+                        cells.tolerance, "; ", pairs_with(smaller_tolerance),
+                        " within a tenth of that, and ",
+                        pairs_with(larger_tolerance), " within ten times"));
+}
+} // namespace
+
 void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
 {
   output.add_entries(prm);
@@ -49,6 +76,8 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   for (const std::string &notice : packing.notices())
     terminal.warning(notice);
   show_packing(terminal, packing);
+  if (!packing.polyhedra().file.empty())
+    look_at_model(terminal, packing.polyhedra());
   return packing;
 }
 
