@@ -74,7 +74,7 @@ public:
       const unsigned int n = is_through ? 1 : stone.n_across;
       const unsigned int widths = (row.back - row.front) / n;
       for (unsigned int i = 0; i < n; ++i)
-        add(blocks, course, {{stone.left, stone.right}},
+        add(blocks, course, {stone.left, stone.right},
             {{row.front + i * widths, row.front + (i + 1) * widths}},
             is_through ? WallGroup::through_stone : WallGroup::brick);
     }
