@@ -167,6 +167,13 @@ void SpaceWallGenerator::add_parameters(dealii::ParameterHandler &prm)
                     "Every how many courses one has through stones, beginning "
                     "with the course of that number from the bottom.",
                     Integer(1, 1000000));
+  add_parameters_of_openings(prm);
+}
+
+void SpaceWallGenerator::add_parameters_of_openings(
+    dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
   prm.add_parameter(
       "Openings", openings,
       "Openings \"x0, z0, x1, z1; x0, z0, x1, z1; ...\", each from its lower "
