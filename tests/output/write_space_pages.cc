@@ -73,9 +73,9 @@ void write_empty(std::ostream &out)
 void write_many(std::ostream &out)
 {
   std::vector<Box> list;
-  for (unsigned int k = 0; k < 20000; ++k)
+  for (unsigned int k = 0; k < 6000; ++k)
   {
-    const dealii::Point<3> low(k % 40, k / 40 % 25, k / 1000);
+    const dealii::Point<3> low(k % 20, k / 20 % 20, k / 400);
     list.push_back(
         box_between(low, low + dealii::Tensor<1, 3>({0.8, 0.8, 0.8})));
   }

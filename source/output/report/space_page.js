@@ -2,7 +2,11 @@
 (() => {
   const id = name => document.getElementById(name);
   const data = JSON.parse(id("data").textContent);
-  const bytes = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  const bytes = text => {
+    const letters = atob(text), all = new Uint8Array(letters.length);
+    for (let k = 0; k < letters.length; ++k) all[k] = letters.charCodeAt(k);
+    return all;
+  };
   const decode = (text, Type) => new Type(bytes(text).buffer);
   const list = (name, Type = Uint32Array) => decode(data[name], Type);
   const volumes = list("volumes", Float64Array), centroids = list("centroids", Float64Array);
@@ -20,42 +24,55 @@
     const vertices = list("vertices", Float32Array), corners = list("corners");
     const cellFaces = list("cell_faces"), sizes = list("face_sizes");
     const cutFaces = list("cut_faces"), cutTriangles = list("cut_triangles");
-    const mine = new Int32Array(vertices.length / 3).fill(-1); // number of a vertex in its block
-    const places = [], items = [], triangles = [], edges = [];
+    const mine = new Int32Array(vertices.length / 3).fill(-1); // number of a vertex in the mesh
+    const places = new Float32Array(3 * corners.length), items = new Uint32Array(corners.length);
+    const triangles = new Uint32Array(3 * corners.length), edges = new Uint32Array(2 * corners.length);
     const middles = new Float32Array(3 * data.cells);
-    for (let cell = 0, face = 0, at = 0, cut = 0, cutAt = 0; cell < data.cells; ++cell) {
-      const used = [];
+    let n = 0, nTriangles = 0, nEdges = 0, face = 0, at = 0, cut = 0, cutAt = 0;
+    const addTriangle = (a, b, c) => {
+      triangles[nTriangles++] = mine[a];
+      triangles[nTriangles++] = mine[b];
+      triangles[nTriangles++] = mine[c];
+    };
+    const addVertex = (v, cell) => {
+      mine[v] = n;
+      items[n] = cell;
+      for (let d = 0; d < 3; ++d) places[3 * n + d] = vertices[3 * v + d];
+      ++n;
+    };
+    const addFace = (loop, cell) => {
+      for (const v of loop) if (mine[v] < 0) addVertex(v, cell);
+      for (let k = 0, last = loop[loop.length - 1]; k < loop.length; last = loop[k++])
+        if (last < loop[k]) { // the other face has it the other way
+          edges[nEdges++] = mine[last];
+          edges[nEdges++] = mine[loop[k]];
+        }
+      if (cutFaces[cut] === face) {
+        ++cut;
+        for (const end = cutAt + 3 * (loop.length - 2); cutAt < end; cutAt += 3)
+          addTriangle(cutTriangles[cutAt], cutTriangles[cutAt + 1], cutTriangles[cutAt + 2]);
+      } else
+        for (let k = 1; k + 1 < loop.length; ++k) addTriangle(loop[0], loop[k], loop[k + 1]);
+    };
+    for (let cell = 0; cell < data.cells; ++cell) {
+      const first = n, begin = at;
       for (const end = face + cellFaces[cell]; face < end; ++face) {
-        const loop = corners.subarray(at, at + sizes[face]);
+        addFace(corners.subarray(at, at + sizes[face]), cell);
         at += sizes[face];
-        for (const v of loop)
-          if (mine[v] < 0) {
-            mine[v] = items.length;
-            items.push(cell);
-            used.push(v);
-            places.push(vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]);
-          }
-        loop.forEach((v, k) => {
-          const next = loop[(k + 1) % loop.length];
-          if (v < next) edges.push(mine[v], mine[next]); // the other face has it the other way
-        });
-        if (cutFaces[cut] === face) {
-          ++cut;
-          for (const end = cutAt + 3 * (loop.length - 2); cutAt < end; ++cutAt)
-            triangles.push(mine[cutTriangles[cutAt]]);
-        } else
-          for (let k = 1; k + 1 < loop.length; ++k)
-            triangles.push(mine[loop[0]], mine[loop[k]], mine[loop[k + 1]]);
       }
+      for (let k = begin; k < at; ++k) mine[corners[k]] = -1;
       // The middle of the block's box.
-      for (let d = 0; d < 3 && used.length; ++d) {
-        const all = used.map(v => vertices[3 * v + d]);
-        middles[3 * cell + d] = (Math.min(...all) + Math.max(...all)) / 2;
+      for (let d = 0; d < 3 && n > first; ++d) {
+        let low = Infinity, high = -Infinity;
+        for (let v = first; v < n; ++v) {
+          low = Math.min(low, places[3 * v + d]);
+          high = Math.max(high, places[3 * v + d]);
+        }
+        middles[3 * cell + d] = (low + high) / 2;
       }
-      for (const v of used) mine[v] = -1;
     }
-    return {places: new Float32Array(places), items: new Uint32Array(items),
-      triangles: new Uint32Array(triangles), edges: new Uint32Array(edges), middles};
+    return {places: places.slice(0, 3 * n), items: items.slice(0, n),
+      triangles: triangles.slice(0, nTriangles), edges: edges.slice(0, nEdges), middles};
   };
   const meshOfJoints = () => {
     const places = list("joint_vertices", Float32Array), sizes = list("joint_sizes");

@@ -33,21 +33,34 @@ std::vector<ColourScale> scales_of(const std::vector<SpaceField> &fields,
 class ColourChoices
 {
 public:
-  /** Add one, of which a button has the name. */
-  void add(const std::string &name, const std::string &legend)
+  /**
+   * Add one, of which a button has the name.
+   *
+   * @param classes of the button.
+   */
+  void add(const std::string &name,
+           const std::string &legend,
+           const std::string &classes = "of-blocks")
   {
     const std::string id = text("colour-", n++);
-    buttons += "<input type=\"radio\" name=\"colour\" id=\"" + id + '"' +
-               (n == 1 ? " checked" : "") + "><label for=\"" + id + "\">" +
+    buttons += "<input type=\"radio\" name=\"colour\" id=\"" + id +
+               "\" class=\"" + classes + '"' + (n == 1 ? " checked" : "") +
+               "><label for=\"" + id + "\" class=\"" + classes + "\">" +
                html_text(name) + "</label>";
     legends += "<div class=\"legend of-" + id + "\">" + legend + "</div>\n";
     style += '#' + id + ":checked ~ .sheet .of-" + id + "{display:block}\n";
   }
-  /** Add a field with its scale; its rules of colours are for the picture. */
-  void add(const SpaceField &field, const ColourScale &scale)
+  /** Add a field of blocks with its scale, which colours the picture, too. */
+  void add_blocks(const SpaceField &field, const ColourScale &scale)
   {
     style += scale.rules(text("#colour-", n, ":checked ~ .sheet"));
     add(field.name, scale.legend(UnitNames::labelled(field.name, field.unit)));
+  }
+  /** Add a field of joints with its scale. */
+  void add_joints(const SpaceField &field, const ColourScale &scale)
+  {
+    add(field.name, scale.legend(UnitNames::labelled(field.name, field.unit)),
+        "of-joints");
   }
 
   /** HTML, and CSS the last. */
@@ -122,9 +135,9 @@ void write_space_report(std::ostream &out, const SpaceReport &report)
   ColourChoices choices;
   choices.add("Blocks", legend_of_blocks(report));
   for (std::size_t k = 0; k < of_cells.size(); ++k)
-    choices.add(report.cell_fields[k], of_cells[k]);
+    choices.add_blocks(report.cell_fields[k], of_cells[k]);
   for (std::size_t k = 0; k < of_joints.size(); ++k)
-    choices.add(report.contact_fields[k], of_joints[k]);
+    choices.add_joints(report.contact_fields[k], of_joints[k]);
 
   PageParts parts;
   parts["title"] = html_text(report.title.empty() ? "Voussoir" : report.title);

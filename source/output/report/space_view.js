@@ -6,10 +6,10 @@
 const spaceView = (canvas, items) => {
   const textureWidth = 2048; // texels, which every implementation has
   const fieldOfView = Math.PI / 7; // radians, of the perspective
-  const lineLift = 6e-4; // of lines before faces, in the depth from -1 to 1
-  const light = [-0.35, 0.75, 0.56]; // in the frame of the view
+  const lineLift = 2e-3; // of lines before faces, in the depth from -1 to 1
+  const light = [-0.45, 0.65, 0.61]; // in the frame of the view
   const edgeColour = [0.25, 0.28, 0.31, 0.75];
-  const gl = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
+  const gl = canvas.getContext("webgl2", {antialias: true, stencil: true, preserveDrawingBuffer: true});
   if (!gl) return null;
 
   // What the reader sees: angles and lengths of the page's units.
@@ -39,71 +39,55 @@ const spaceView = (canvas, items) => {
       gl_Position = camera * vec4(moved, 1.);
       gl_Position.z -= lift * gl_Position.w;
     }`;
-  // With SECTION the back of a face is the inside of a block that is cut: what
-  // is seen there is the plane of the section, at its depth.
-  const fragmentHead = `
+  // Behind the plane of a section the back of a face is the inside of a block
+  // that is cut: it is painted flat and hatched, as the plane would be.
+  const fragmentShader = `#version 300 es
     precision highp float;
     precision highp int;
     flat in vec4 colour;
     flat in uint number;
     in vec3 rest, moved;
-    uniform mat4 camera;
-    uniform vec4 plane, eye;
+    uniform vec4 plane;
     uniform vec3 light;
     uniform float opacity;
     uniform uint blocks, chosen;
-    uniform bool asNumber, asLine;
+    uniform bool asNumber, asLine, hatched;
     uniform vec4 lineColour;
     out vec4 shown;
     vec4 code(uint n) {
       return vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.;
-    }`;
-  const fragmentMain = `
+    }
     void main() {
       vec3 normal = normalize(cross(dFdx(moved), dFdy(moved)));
-      float bright = asLine ? 1. : 0.62 + 0.38 * clamp(dot(normal, light), 0., 1.);
-      vec4 paint = asLine ? lineColour : vec4(colour.rgb, opacity);
-    #ifdef SECTION
       if (dot(plane.xyz, rest) > plane.w) discard;
-      gl_FragDepth = gl_FragCoord.z;
-      if (!asLine && !gl_FrontFacing && number < blocks) {
-        vec3 sight = eye.w > 0. ? moved - eye.xyz : -eye.xyz;
-        float to = plane.w - dot(plane.xyz, rest);
-        vec3 at = moved + to / dot(plane.xyz, sight) * sight;
-        vec4 seen = camera * vec4(at, 1.);
-        gl_FragDepth = 0.5 + 0.5 * seen.z / seen.w;
-        bright = mod(gl_FragCoord.x + gl_FragCoord.y, 9.) < 1.2 ? 0.72 : 0.97;
-      }
-    #endif
-      if (number == chosen) paint = asLine ? vec4(.76, 0., .48, 1.)
-        : vec4(mix(paint.rgb, vec3(.76, 0., .48), 0.35), max(paint.a, 0.6));
-      shown = asNumber ? code(number + 1u) : vec4(paint.rgb * bright, paint.a);
+      float bright = 0.68 + 0.32 * clamp(dot(normal, light), 0., 1.);
+      if (hatched && !gl_FrontFacing && number < blocks)
+        bright = mod(gl_FragCoord.x + gl_FragCoord.y, 9.) < 1.3 ? 0.7 : 0.97;
+      vec4 paint = asLine ? lineColour : vec4(colour.rgb * bright, opacity);
+      if (number == chosen)
+        paint = asLine ? vec4(.76, 0., .48, 1.)
+          : vec4(mix(paint.rgb, vec3(.76, 0., .48), 0.35), max(opacity, 0.6));
+      shown = asNumber ? code(number + 1u) : paint;
     }`;
 
-  const compile = sectioned => {
-    const program = gl.createProgram();
-    const head = "#version 300 es\n" + (sectioned ? "#define SECTION\n" : "");
-    for (const [type, source] of [[gl.VERTEX_SHADER, vertexShader],
-      [gl.FRAGMENT_SHADER, head + fragmentHead + fragmentMain]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-    }
-    gl.bindAttribLocation(program, 0, "place");
-    gl.bindAttribLocation(program, 1, "item");
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
-      throw new Error(gl.getProgramInfoLog(program) +
-        gl.getAttachedShaders(program).map(s => gl.getShaderInfoLog(s)).join(""));
-    const at = {};
-    for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++k) {
-      const {name} = gl.getActiveUniform(program, k);
-      at[name] = gl.getUniformLocation(program, name);
-    }
-    return {program, at};
-  };
-  const whole = compile(false), sectioned = compile(true);
+  const program = gl.createProgram(), at = {};
+  for (const [type, source] of [[gl.VERTEX_SHADER, vertexShader],
+    [gl.FRAGMENT_SHADER, fragmentShader]]) {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.bindAttribLocation(program, 0, "place");
+  gl.bindAttribLocation(program, 1, "item");
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+    throw new Error(gl.getProgramInfoLog(program) +
+      gl.getAttachedShaders(program).map(s => gl.getShaderInfoLog(s)).join(""));
+  for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++k) {
+    const {name} = gl.getActiveUniform(program, k);
+    at[name] = gl.getUniformLocation(program, name);
+  }
 
   // A mesh has places, items, triangles and edges.
   const buffer = (target, array, usage = gl.STATIC_DRAW) => {
@@ -215,7 +199,7 @@ const spaceView = (canvas, items) => {
     return Float32Array.from({length: 16}, (_, k) => rows[k % 4][k >> 2]);
   };
 
-  const paint = (list, {at}, mode, values) => {
+  const paint = (list, mode, values) => {
     if (list.n === 0) return;
     gl.uniform1i(at.asLine, mode === gl.LINES ? 1 : 0);
     gl.uniform1f(at.lift, values.lift || 0);
@@ -226,12 +210,10 @@ const spaceView = (canvas, items) => {
     else gl.drawElements(mode, list.n, gl.UNSIGNED_INT, 0);
   };
   // Joints between solid blocks are hidden.
-  const showsJoints = () =>
-    sight.joints && (sight.blocks !== "solid" || sight.apart > 0 || sight.axis !== null);
+  const showsJoints = () => sight.joints && (sight.blocks !== "solid" || sight.apart > 0);
   const begin = asNumber => {
-    const used = sight.axis === null ? whole : sectioned, {at} = used;
     const {right, up, towards} = frame();
-    gl.useProgram(used.program);
+    gl.useProgram(program);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     gl.uniformMatrix4fv(at.camera, false, camera());
@@ -242,14 +224,13 @@ const spaceView = (canvas, items) => {
     gl.uniform1ui(at.chosen, sight.chosen < 0 || asNumber ? 0xffffffff : sight.chosen);
     gl.uniform1i(at.asNumber, asNumber ? 1 : 0);
     gl.uniform3fv(at.light, sum(along(light[0], right), along(light[1], up), along(light[2], towards)));
+    const plane = [0, 0, 0, 1]; // cuts nothing away
     if (sight.axis !== null) {
-      const plane = [0, 0, 0, sight.side * sight.cut];
       plane[sight.axis] = sight.side;
-      gl.uniform4fv(at.plane, plane);
-      gl.uniform4fv(at.eye, sight.perspective
-        ? [...sum(sight.target, along(distance(), towards)), 1] : [...towards, 0]);
+      plane[3] = sight.side * sight.cut;
     }
-    return used;
+    gl.uniform4fv(at.plane, plane);
+    gl.uniform1i(at.hatched, sight.axis !== null && sight.blocks === "solid" ? 1 : 0);
   };
 
   const draw = () => {
@@ -262,22 +243,39 @@ const spaceView = (canvas, items) => {
     gl.clearColor(1, 1, 1, 1);
     gl.depthMask(true);
     gl.disable(gl.SCISSOR_TEST);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    const used = begin(false);
-    if (sight.blocks === "solid") paint(blocks.faces, used, gl.TRIANGLES, {});
+    begin(false);
+    if (sight.blocks === "solid") {
+      // Where the inside of a block is seen, what lies behind it is not; nor is
+      // the front of another block that touches it there.
+      gl.enable(gl.CULL_FACE);
+      gl.enable(gl.STENCIL_TEST);
+      gl.enable(gl.POLYGON_OFFSET_FILL);
+      gl.polygonOffset(1, 4);
+      gl.stencilFunc(gl.ALWAYS, 1, 1);
+      for (const [culled, operation] of [[gl.BACK, gl.ZERO], [gl.FRONT, gl.REPLACE]]) {
+        gl.cullFace(culled);
+        gl.stencilOp(gl.KEEP, gl.KEEP, operation);
+        if (culled === gl.BACK || sight.axis !== null) paint(blocks.faces, gl.TRIANGLES, {});
+        gl.disable(gl.POLYGON_OFFSET_FILL);
+      }
+      gl.disable(gl.CULL_FACE);
+      gl.stencilOp(gl.KEEP, gl.KEEP, gl.KEEP);
+      gl.stencilFunc(gl.EQUAL, 0, 1);
+    }
     if (showsJoints()) {
-      paint(joints.faces, used, gl.TRIANGLES, {lift: lineLift / 2});
-      paint(joints.edges, used, gl.LINES, {lift: lineLift});
+      paint(joints.faces, gl.TRIANGLES, {lift: lineLift / 2});
+      paint(joints.edges, gl.LINES, {lift: lineLift});
     }
     const faint = sight.blocks === "solid" ? edgeColour : [...edgeColour.slice(0, 3), 0.35];
-    paint(blocks.edges, used, gl.LINES, {lift: lineLift, colour: faint});
-    if (sight.blocks !== "solid" || sight.axis !== null)
-      paint(outline, used, gl.LINES, {lift: lineLift, colour: [0.1, 0.11, 0.13, 1]});
+    paint(blocks.edges, gl.LINES, {lift: lineLift, colour: faint});
+    gl.disable(gl.STENCIL_TEST);
+    paint(outline, gl.LINES, {lift: lineLift, colour: [0.1, 0.11, 0.13, 1]});
     if (sight.blocks === "clear") {
       gl.depthMask(false);
-      paint(blocks.faces, used, gl.TRIANGLES, {opacity: 0.16});
+      paint(blocks.faces, gl.TRIANGLES, {opacity: 0.16});
       gl.depthMask(true);
     }
   };
@@ -302,11 +300,11 @@ const spaceView = (canvas, items) => {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.disable(gl.BLEND);
-    const used = begin(true);
-    if (sight.blocks !== "edges") paint(blocks.faces, used, gl.TRIANGLES, {});
+    begin(true);
+    if (sight.blocks !== "edges") paint(blocks.faces, gl.TRIANGLES, {});
     // Joints show through blocks that are clear.
     if (sight.blocks !== "solid") gl.clear(gl.DEPTH_BUFFER_BIT);
-    if (showsJoints()) paint(joints.faces, used, gl.TRIANGLES, {lift: lineLift / 2});
+    if (showsJoints()) paint(joints.faces, gl.TRIANGLES, {lift: lineLift / 2});
     const code = new Uint8Array(4);
     gl.readPixels(...at, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, code);
     gl.disable(gl.SCISSOR_TEST);

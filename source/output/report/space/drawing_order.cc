@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/geometry.h>
 #include <voussoir/output/report/space/drawing_order.h>
 #include <voussoir/packing/polyhedra/space_polygons.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/geometries/multi_point.hpp>
+#include <boost/geometry/geometries/ring.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -32,16 +37,21 @@ constexpr double depth_behind_planes = 0.05;
  */
 constexpr double edge_on = 1e-9;
 
-/** A cell that is drawn. */
+/** How far cells that touch in the picture overlap by rounding, over a size. */
+constexpr double overlap_by_rounding = 1e-9;
+
+/** A cell that is drawn, in the units of the view. */
 struct DrawnCell
 {
-  /** The different vertices; lengths. */
+  /** The different vertices. */
   std::vector<Point<3>> vertices;
   /** A point of each face, and its unit normal; none without area. */
   std::vector<std::pair<Point<3>, Tensor<1, 3>>> planes;
-  /** In the picture; lengths. */
+  /** The convex hull in the picture, which is closed. */
+  boost::geometry::model::ring<Point<2>> hull;
+  /** Of the hull. */
   BoundingBox<2> box;
-  /** Of the mean vertex; a length. */
+  /** Of the mean vertex. */
   double nearness = 0.;
 };
 
@@ -58,25 +68,61 @@ DrawnCell drawn_cell(const CellFaces &cells,
                    cells.corners(f).end());
     const PolygonMoments moments = moments_of(cells.polygon(f));
     if (moments.area() > 0.)
-      result.planes.emplace_back(moments.centroid, moments.normal());
+      result.planes.emplace_back(view.in_units(moments.centroid),
+                                 moments.normal());
   }
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  std::vector<Point<2>> places;
+  boost::geometry::model::multi_point<Point<2>> places;
   for (const unsigned int v : numbers)
   {
-    result.vertices.push_back(cells.vertices[v]);
+    result.vertices.push_back(view.in_units(cells.vertices[v]));
     places.push_back(view.place(cells.vertices[v]));
     result.nearness += view.nearness(cells.vertices[v]) / numbers.size();
   }
-  result.box = BoundingBox<2>(places);
+  boost::geometry::convex_hull(places, result.hull);
+  result.box = BoundingBox<2>(result.hull);
   return result;
+}
+
+/** The distance that is none beside cells of this size. */
+double rounding_of(const DrawnCell &a, const DrawnCell &b)
+{
+  double size = 0.;
+  for (const DrawnCell *cell : {&a, &b})
+    size = std::max({size, cell->box.side_length(0), cell->box.side_length(1)});
+  return overlap_by_rounding * size;
+}
+
+/** True if a side of the first hull, which runs clockwise, parts the two. */
+bool are_parted_by_side(const DrawnCell &a,
+                        const DrawnCell &b,
+                        const double rounding)
+{
+  for (std::size_t i = 0; i + 1 < a.hull.size(); ++i)
+  {
+    const Tensor<1, 2> side = a.hull[i + 1] - a.hull[i];
+    const double least = -rounding * side.norm();
+    if (std::all_of(b.hull.begin(), b.hull.end(), [&](const Point<2> &p) {
+          return cross(side, p - a.hull[i]) >= least;
+        }))
+      return true;
+  }
+  return false;
+}
+
+/** True if a point of the picture is in both cells. */
+bool overlap_in_picture(const DrawnCell &a, const DrawnCell &b)
+{
+  const double rounding = rounding_of(a, b);
+  return !are_parted_by_side(a, b, rounding) &&
+         !are_parted_by_side(b, a, rounding);
 }
 
 /** The best of the planes that may separate two cells. */
 struct Separation
 {
-  /** How far the other cell lies outside the plane, at least; a length. */
+  /** How far the other cell lies outside the plane, at least. */
   double distance = std::numeric_limits<double>::lowest();
   /** The cosine between the plane's outer normal and the view. */
   double towards = 0.;
@@ -136,7 +182,7 @@ hidden_by(const std::vector<DrawnCell> &cells, const IsometricView &view)
     tree.query(boost::geometry::index::intersects(boxes[a]),
                std::back_inserter(found));
     for (const std::size_t b : found)
-      if (b > a)
+      if (b > a && overlap_in_picture(cells[a], cells[b]))
         if (const int who = hiding(cells[a], cells[b], view))
         {
           if (who > 0)

@@ -29,7 +29,7 @@ constexpr double least_cosine = 1e-9;
 constexpr unsigned int n_lights = 9;
 
 /** The brightness of a face that the light does not reach. */
-constexpr double least_brightness = 0.62;
+constexpr double least_brightness = 0.68;
 
 /** The area of each face that joints cover; L^2. */
 std::vector<double> covered_areas(const CellFaces &cells,
@@ -48,9 +48,9 @@ std::vector<double> covered_areas(const CellFaces &cells,
 /** The class of a face by the light on it, which falls from the upper left. */
 std::string light_class(const Tensor<1, 3> &normal, const IsometricView &view)
 {
-  const double light = -0.35 * (normal * view.right) +
-                       0.75 * (normal * view.up) +
-                       0.56 * (normal * view.towards);
+  const double light = -0.45 * (normal * view.right) +
+                       0.65 * (normal * view.up) +
+                       0.61 * (normal * view.towards);
   return text('l', std::lround(std::clamp(light, 0., 1.) * (n_lights - 1)));
 }
 
@@ -70,7 +70,7 @@ std::string cell_classes(const SpaceReport &report,
 /** A face that is drawn. */
 struct DrawnFace
 {
-  /** Of its centroid, a length. */
+  /** Of its centroid, in units of the view. */
   double nearness;
   /** Its number. */
   unsigned int face;
@@ -147,7 +147,10 @@ Drawing space_picture(const SpaceReport &report,
 {
   const CellFaces &cells = *report.cells;
   IsometricView view;
-  view.centre = box_of(cells).center();
+  const BoundingBox<3> box = box_of(cells);
+  view.centre = box.center();
+  view.unit =
+      std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
   std::vector<Point<2>> places;
   std::vector<unsigned int> drawn;
   for (const unsigned int f : faces)

@@ -11,12 +11,13 @@ namespace Voussoir
 {
 /**
  * The order in which cells are drawn over one another, the farthest first. Two
- * cells that may overlap in the picture are ordered by a plane of a face of one
- * of them that has the other on its outer side, as two convex cells that touch
- * have; if there is none, or if cells lie before one another in a circle, by
- * the nearness of their middles.
+ * cells whose hulls overlap in the picture are ordered by a plane of a face of
+ * one of them that has the other on its outer side, as two convex cells that
+ * touch have; if there is none, or if cells lie before one another in a circle,
+ * by the nearness of their middles.
  *
  * @param drawn the numbers of cells, each once.
+ * @param view with a unit of the order of the size of the whole.
  * @return the same numbers in that order.
  */
 std::vector<unsigned int> drawing_order(const CellFaces &cells,

@@ -18,6 +18,8 @@ struct IsometricView
 {
   /** The point that is projected on the origin; a length. */
   dealii::Point<3> centre;
+  /** The length that is one in the picture, before the projection. */
+  double unit = 1.;
   /** The unit vector that runs to the right in the picture. */
   dealii::Tensor<1, 3> right{{std::sqrt(1. / 2.), std::sqrt(1. / 2.), 0.}};
   /** The unit vector that runs upward in the picture. */
@@ -27,15 +29,20 @@ struct IsometricView
   dealii::Tensor<1, 3> towards{
       {std::sqrt(1. / 3.), -std::sqrt(1. / 3.), std::sqrt(1. / 3.)}};
 
-  /** The place in the picture, to the right and upward; lengths. */
+  /** The place in space from the centre on, in units. */
+  dealii::Point<3> in_units(const dealii::Point<3> &p) const
+  {
+    return dealii::Point<3>((p - centre) / unit);
+  }
+  /** The place in the picture, to the right and upward, in units. */
   dealii::Point<2> place(const dealii::Point<3> &p) const
   {
-    return {right * (p - centre), up * (p - centre)};
+    return {right * in_units(p), up * in_units(p)};
   }
-  /** The distance from the centre towards the viewer, a length. */
+  /** The distance from the centre towards the viewer, in units. */
   double nearness(const dealii::Point<3> &p) const
   {
-    return towards * (p - centre);
+    return towards * in_units(p);
   }
 };
 } // namespace Voussoir
