@@ -41,7 +41,7 @@ double diameter(const ConvexPolygon &polygon)
 /** Points that are nearest to a generator lie in its cell. */
 double probe(const Packing<2> &packing, const ConvexPolygon &polygon)
 {
-  const PointList probes =
+  const PointList<2> probes =
       random_points(300, 99, polygon, CellSize("1", "size"));
   double error = 0.;
   for (const Point<2> &p : probes.points)
@@ -64,7 +64,7 @@ struct Errors
 Errors errors_of(const std::vector<Point<2>> &points,
                  const ConvexPolygon &polygon)
 {
-  PointList list;
+  PointList<2> list;
   list.points = points;
   const Packing<2> packing(voronoi_cells(list, polygon));
   const double size = diameter(polygon);
@@ -271,7 +271,7 @@ void run()
     star.emplace_back(std::cos(0.8 * dealii::numbers::PI * i),
                       std::sin(0.8 * dealii::numbers::PI * i));
   refuse(star);
-  PointList list;
+  PointList<2> list;
   list.points = {{0., 0.}, {0.9, 0.9}};
   show_refusal([&] { voronoi_cells(list, regular(6)); });
 }
