@@ -34,7 +34,8 @@ void add_triangles(PointSource<2> &source,
     }
 }
 
-PointSource<2> source_in(const ConvexPolygon &polygon, const CellSize<2> &size)
+PointSource<2> source_in_polygon(const ConvexPolygon &polygon,
+                                 const CellSize<2> &size)
 {
   const unsigned int n = polygon.n_sides();
   Point<2> middle;
@@ -77,7 +78,7 @@ PointList<2> random_points(const unsigned int n,
                            const CellSize<2> &size)
 {
   PointList<2> list;
-  list.points = source_in(polygon, size).draw(n, seed);
+  list.points = source_in_polygon(polygon, size).draw(n, seed);
   order_along_curve(list.points);
   return list;
 }

@@ -12,8 +12,10 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace Voussoir
 {
@@ -33,7 +35,7 @@ using HullKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using HullMesh = CGAL::Surface_mesh<HullKernel::Point_3>;
 using HullFace = HullMesh::Face_index;
 
-double size_of(const std::vector<Point<3>> &points)
+double size_of_hull(const std::vector<Point<3>> &points)
 {
   const dealii::BoundingBox<3> box(points);
   return std::max({box.side_length(0), box.side_length(1), box.side_length(2)});
@@ -183,7 +185,7 @@ CellFaces convex_hull(const std::vector<Point<3>> &points)
     throw InputError(text("The polyhedron has ",
                           counted(points.size(), "point"),
                           "; it needs at least four."));
-  const double size = size_of(points);
+  const double size = size_of_hull(points);
   if (!(thickness_of(points) > flattest_edge * size))
     throw InputError(text("The polyhedron with ", points.size(),
                           " points from ", text_of_point(points[0]),

@@ -32,13 +32,15 @@ NarrowLoop::NarrowLoop(const dealii::ArrayView<const unsigned int> corners,
   chord = farthest_from(origin) - origin;
 }
 
-bool NarrowLoop::is_narrower_than(const double width) const
+bool NarrowLoop::is_narrower_than(const double width,
+                                  const dealii::Tensor<1, 3> &normal) const
 {
-  const double bound = width * width * chord.norm_square();
-  for (const unsigned int v : corners)
-    if (cross_product_3d(chord, places[v] - origin).norm_square() > bound)
-      return false;
-  return true;
+  const Point<3> &first = places[corners[0]];
+  double twice_area = 0.;
+  for (unsigned int i = 1; i + 1 < corners.size(); ++i)
+    twice_area += normal * cross_product_3d(places[corners[i]] - first,
+                                            places[corners[i + 1]] - first);
+  return twice_area <= 2. * width * chord.norm();
 }
 
 std::vector<unsigned int> NarrowLoop::along_chord() const
@@ -96,11 +98,13 @@ class NarrowFaceFolder
 public:
   NarrowFaceFolder(const SiteFaces<unsigned int> &faces,
                    const std::vector<Point<3>> &places,
+                   const VoronoiSites &sites,
                    const double resolution)
       : faces(faces), places(places)
   {
     for (unsigned int f = 0; f < faces.size(); ++f)
-      if (NarrowLoop(faces[f], places).is_narrower_than(resolution))
+      if (NarrowLoop(faces[f], places)
+              .is_narrower_than(resolution, sites.direction(faces.sides[f])))
         narrow.push_back(f);
   }
 
@@ -201,13 +205,14 @@ private:
 SiteFaces<unsigned int>
 without_narrow_faces(SiteFaces<unsigned int> faces,
                      const std::vector<Point<3>> &places,
+                     const VoronoiSites &sites,
                      const double resolution)
 {
   // Loops that come apart may leave narrow parts, which are fewer each time.
   for (unsigned int n_before = faces.size() + 1; faces.size() < n_before;)
   {
     n_before = faces.size();
-    NarrowFaceFolder folder(faces, places, resolution);
+    NarrowFaceFolder folder(faces, places, sites, resolution);
     if (folder.has_none())
       break;
     faces = folder.fold();

@@ -12,6 +12,20 @@ namespace Voussoir
 {
 namespace
 {
+/**
+ * The length of edges whose ends become one, over the least width of a face:
+ * faces that are wide enough to stay are not turned over when their vertices
+ * move by as much.
+ */
+constexpr double joined_edge = 0.25;
+
+/**
+ * The distance at which vertices next to each other along a narrow face become
+ * one, over the least width of a face: where many vertices lie close together
+ * they are one rather than a tangle of narrow faces.
+ */
+constexpr double joined_along_chord = 4.;
+
 /** For each vertex the one that stands for all that are the same point. */
 std::vector<unsigned int> stand_ins(const VertexFaces &faces,
                                     const FaceVertices &vertices,
@@ -19,22 +33,25 @@ std::vector<unsigned int> stand_ins(const VertexFaces &faces,
 {
   const unsigned int n = vertices.places.size();
   boost::disjoint_sets_with_storage<> sets(n);
-  const auto join = [&](const unsigned int a, const unsigned int b) {
+  const auto join = [&](const unsigned int a, const unsigned int b,
+                        const double distance) {
     if (vertices.places[a].distance_square(vertices.places[b]) <=
-        resolution * resolution)
+        distance * distance)
       sets.union_set(a, b);
   };
   for (unsigned int f = 0; f < faces.size(); ++f)
   {
     const auto corners = faces[f];
     for (unsigned int i = 0; i < corners.size(); ++i)
-      join(corners[i], corners[(i + 1) % corners.size()]);
+      join(corners[i], corners[(i + 1) % corners.size()],
+           joined_edge * resolution);
     const NarrowLoop loop(corners, vertices.places);
-    if (!loop.is_narrower_than(resolution))
+    if (!loop.is_narrower_than(resolution,
+                               vertices.sites.direction(faces.sides[f])))
       continue;
     const std::vector<unsigned int> along = loop.along_chord();
     for (unsigned int i = 0; i + 1 < along.size(); ++i)
-      join(along[i], along[i + 1]);
+      join(along[i], along[i + 1], joined_along_chord * resolution);
   }
 
   // Of the vertices in a set, keep the one that lies in most planes.
@@ -102,11 +119,11 @@ private:
   /** True for vertices with other edges, and corners of the domain. */
   std::vector<bool> is_end;
 };
-} // namespace
 
-VertexFaces without_small_features(const VertexFaces &faces,
-                                   const FaceVertices &vertices,
-                                   const double resolution)
+/** The faces with vertices that are close to each other joined to one. */
+VertexFaces with_vertices_joined(const VertexFaces &faces,
+                                 const FaceVertices &vertices,
+                                 const double resolution)
 {
   const std::vector<unsigned int> stand_in =
       stand_ins(faces, vertices, resolution);
@@ -122,10 +139,28 @@ VertexFaces without_small_features(const VertexFaces &faces,
       loop.push_back(stand_in[v]);
     add_simple_loops(result, faces.sides[f], loop);
   }
-  result = without_narrow_faces(std::move(result), vertices.places, resolution);
+  return result;
+}
+} // namespace
+
+VertexFaces without_small_features(const VertexFaces &faces,
+                                   const FaceVertices &vertices,
+                                   const double resolution)
+{
+  VertexFaces result = with_vertices_joined(faces, vertices, resolution);
+  // What was joined may have made other faces narrow; often none was.
+  for (std::size_t n_corners = faces.corners.size();
+       result.corners.size() < n_corners;)
+  {
+    n_corners = result.corners.size();
+    result = with_vertices_joined(result, vertices, resolution);
+  }
+  result = without_narrow_faces(std::move(result), vertices.places,
+                                vertices.sites, resolution);
   if (result.corners.size() == faces.corners.size())
     return result;
 
+  std::vector<unsigned int> loop;
   const StraightVertices straight(result, vertices);
   VertexFaces shortened;
   for (unsigned int f = 0; f < result.size(); ++f)

@@ -25,17 +25,17 @@ namespace
 {
 using dealii::Point;
 
-/** Vertices nearer to each other, relative to a cell, are the same point. */
+/** The narrowest face, relative to the mean size of a cell. */
 constexpr double relative_resolution_in_space = 1e-12;
 
-/** What is not resolved at least, in rounding errors of the coordinates. */
-constexpr double unresolved_epsilons = 64.;
+/** The same at least, in rounding errors of the coordinates. */
+constexpr double unresolved_epsilons = 256.;
 
 /**
  * The least distance of two generators over the resolution, so that no cell is
  * so flat that it goes with its narrow faces.
  */
-constexpr double least_generator_distance = 1e3;
+constexpr double least_generator_distance = 100.;
 
 using SpaceKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Tetrahedra = CGAL::Delaunay_triangulation_3<
@@ -49,13 +49,19 @@ SpaceKernel::Point_3 kernel_point(const Point<3> &p)
   return {p[0], p[1], p[2]};
 }
 
+bool is_finite(const Point<3> &p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
 /** Builds the cells; one object, used once. */
 class SpaceVoronoiBuilder
 {
 public:
   SpaceVoronoiBuilder(const PointList<3> &generators,
                       const ConvexPolyhedron &domain)
-      : generators(generators), domain(domain), sites(generators.points, domain)
+      : generators(generators), domain(domain),
+        sites(generators.points, domain), vertices{sites, {}, {}}
   {
     const double cell_size =
         std::cbrt(domain.volume() / std::max(1U, sites.n_generators()));
@@ -87,7 +93,8 @@ private:
       throw InputError("There are no points to make Voronoi cells of; give at "
                        "least one.");
     for (unsigned int c = 0; c < sites.n_generators(); ++c)
-      if (!domain.contains(generators.points[c], resolution))
+      if (!is_finite(generators.points[c]) ||
+          !domain.contains(generators.points[c], resolution))
         throw InputError("The " + generators.describe(c) +
                          " is not inside the " + domain.description() +
                          "; remove it or enlarge the " + domain.shape() + ".");
@@ -241,7 +248,7 @@ private:
   const PointList<3> &generators;
   const ConvexPolyhedron &domain;
   const VoronoiSites sites;
-  /** The distance below which points are the same; a length. */
+  /** The least width of a face; a length. */
   double resolution = 0.;
 
   Tetrahedra triangulation;

@@ -52,7 +52,7 @@ constexpr double epsilons_of_doubt = 64.;
 
 using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 
-Exact::Point_3 exact(const Point<3> &p)
+Exact::Point_3 exact_point(const Point<3> &p)
 {
   return {Exact::FT(p[0]), Exact::FT(p[1]), Exact::FT(p[2])};
 }
@@ -61,7 +61,7 @@ Exact::Plane_3 exact_plane(const ConvexPolyhedron &domain, const unsigned int k)
 {
   const auto &corners = domain.plane(k).corners;
   const auto corner = [&](const unsigned int i) {
-    return exact(domain.faces().vertices[corners[i]]);
+    return exact_point(domain.faces().vertices[corners[i]]);
   };
   return {corner(0), corner(1), corner(2)};
 }
@@ -71,18 +71,18 @@ Exact::Point_3 exact_vertex(const VoronoiSites &sites,
                             const ConvexPolyhedron &domain,
                             const VertexName &name)
 {
-  const Exact::Point_3 p = exact(sites.point(name[0]));
+  const Exact::Point_3 p = exact_point(sites.point(name[0]));
   if (!sites.is_plane(name[3]))
-    return CGAL::circumcenter(p, exact(sites.point(name[1])),
-                              exact(sites.point(name[2])),
-                              exact(sites.point(name[3])));
+    return CGAL::circumcenter(p, exact_point(sites.point(name[1])),
+                              exact_point(sites.point(name[2])),
+                              exact_point(sites.point(name[3])));
   std::array<Exact::Plane_3, 3> planes;
   for (unsigned int i = 0; i < 3; ++i)
   {
     const unsigned int site = name[i + 1];
     planes[i] = sites.is_plane(site)
                     ? exact_plane(domain, site - sites.n_points())
-                    : CGAL::bisector(p, exact(sites.point(site)));
+                    : CGAL::bisector(p, exact_point(sites.point(site)));
   }
   const auto common = CGAL::intersection(planes[0], planes[1], planes[2]);
   const Exact::Point_3 *const point =
@@ -110,6 +110,15 @@ VoronoiSites::VoronoiSites(const std::vector<Point<3>> &generators,
       guard[d] += direction[d] * distance / std::sqrt(3.);
     points.push_back(guard);
   }
+}
+
+Tensor<1, 3>
+VoronoiSites::direction(const std::array<unsigned int, 2> &sides) const
+{
+  if (is_plane(sides[1]))
+    return domain.plane(sides[1] - n_points()).normal;
+  const Tensor<1, 3> across = points[sides[1]] - points[sides[0]];
+  return across / across.norm();
 }
 
 Point<3> VoronoiSites::place(const VertexName &name) const

@@ -3,6 +3,7 @@
 #define voussoir_packing_polyhedra_voronoi_narrow_faces_h
 
 #include <voussoir/packing/polyhedra/voronoi/site_faces.h>
+#include <voussoir/packing/polyhedra/voronoi/voronoi_sites.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/point.h>
@@ -24,8 +25,13 @@ public:
   NarrowLoop(dealii::ArrayView<const unsigned int> corners,
              const std::vector<dealii::Point<3>> &places);
 
-  /** True if all corners are within @p width, a length, of the chord. */
-  bool is_narrower_than(double width) const;
+  /**
+   * True if the area is at most that of the chord times the @p width, a length.
+   *
+   * @param normal the unit vector about which the face should run right-handed:
+   *   if it runs the other way, its area is negative.
+   */
+  bool is_narrower_than(double width, const dealii::Tensor<1, 3> &normal) const;
 
   /** The different vertices in the order of their places along the chord. */
   std::vector<unsigned int> along_chord() const;
@@ -55,10 +61,12 @@ void add_simple_loops(SiteFaces<unsigned int> &faces,
  *
  * @param faces their loops visit a vertex once.
  * @param places of the vertices; lengths.
+ * @param sites between which the faces are.
  */
 SiteFaces<unsigned int>
 without_narrow_faces(SiteFaces<unsigned int> faces,
                      const std::vector<dealii::Point<3>> &places,
+                     const VoronoiSites &sites,
                      double resolution);
 } // namespace Voussoir
 

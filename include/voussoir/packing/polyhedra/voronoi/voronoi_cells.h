@@ -28,7 +28,7 @@ namespace Voussoir
  * the domain's faces; interior ones are all CellFaces::shared.
  *
  * @throws InputError if there is no generator, if one is not inside, or if the
- *   distance of two is not more than a thousand times the resolution.
+ *   distance of two is less than a hundred times the resolution.
  */
 CellFaces voronoi_cells(const PointList<3> &generators,
                         const ConvexPolyhedron &domain);

@@ -47,6 +47,12 @@ public:
   unsigned int plane_site(const unsigned int k) const { return n_points() + k; }
   /** True if a site is a plane of the domain. */
   bool is_plane(const unsigned int site) const { return site >= n_points(); }
+  /**
+   * The unit vector across the face between a generator and another site, out
+   * of the cell of the generator, which is the first.
+   */
+  dealii::Tensor<1, 3>
+  direction(const std::array<unsigned int, 2> &sides) const;
   /** The number of planes in which a vertex lies. */
   unsigned int n_planes(const VertexName &name) const
   {
