@@ -42,7 +42,7 @@ double diameter(const ConvexPolygon &polygon)
 double probe(const Packing<2> &packing, const ConvexPolygon &polygon)
 {
   const PointList<2> probes =
-      random_points(300, 99, polygon, CellSize("1", "size"));
+      random_points(300, 99, polygon, CellSize<2>("1", "size"));
   double error = 0.;
   for (const Point<2> &p : probes.points)
   {
@@ -137,7 +137,7 @@ ConvexPolygon regular(const unsigned int n)
 /** A number of sets of points at random, in few and in many. */
 std::vector<std::vector<Point<2>>> random_sets(const ConvexPolygon &polygon)
 {
-  const CellSize size("1", "size");
+  const CellSize<2> size("1", "size");
   std::vector<std::vector<Point<2>>> sets;
   for (unsigned int seed = 1; seed <= 20; ++seed)
     for (const unsigned int n : {1, 2, 3, 4, 7, 20, 100})

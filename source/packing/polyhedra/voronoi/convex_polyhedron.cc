@@ -39,8 +39,6 @@ void check_places(const std::vector<Point<3>> &points, const std::string &what)
                               text_of_point(points[i]),
                               ", is not finite; give three numbers \"x, y, "
                               "z\"."));
-  if (points.empty())
-    return; // for convex_hull() to refuse
   double size = 0., largest = 0.;
   for (const Point<3> &p : points)
     for (unsigned int d = 0; d < 3; ++d)
@@ -48,7 +46,8 @@ void check_places(const std::vector<Point<3>> &points, const std::string &what)
       size = std::max(size, std::abs(p[d] - points[0][d]));
       largest = std::max(largest, std::abs(p[d]));
     }
-  if (size < smallest_size || largest > largest_size)
+  // One point, once or often, is for convex_hull() to refuse.
+  if ((size > 0. && size < smallest_size) || largest > largest_size)
     throw InputError(text("The ", what, " from ", text_of_point(points[0]),
                           " to ", text_of_point(points.back()),
                           " is too large or too small to compute with; choose "

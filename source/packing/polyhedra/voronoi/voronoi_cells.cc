@@ -125,11 +125,11 @@ private:
       throw InputError("The " + generators.describe(later) +
                        " coincides with " + generators.describe(earlier) +
                        "; each cell needs a point of its own.");
-    throw InputError(text("The ", generators.describe(later), " is only ",
-                          distance, " away from ", generators.describe(earlier),
-                          "; at this size of the ", domain.shape(),
-                          " points must be ",
-                          least_generator_distance * resolution, " apart."));
+    throw InputError(text(
+        "The ", generators.describe(later), " is only ", distance,
+        " away from ", generators.describe(earlier), "; at this size of the ",
+        domain.shape(), " points must be ",
+        least_generator_distance * resolution, " apart; move or remove one."));
   }
 
   /** One in each tetrahedron that has a generator. */
