@@ -60,18 +60,18 @@ Json json_of_block(const CellFaces &cells, const unsigned int cell)
     add_new(face_data, key, Json::object());
   }
   const dealii::Point<3> origin;
-  return wrapped("compas_assembly.datastructures/Block",
-                 {{"attributes",
-                   {{"name", group_name_of(cells, cell)}, {"node", cell}}},
-                  {"default_vertex_attributes", json_of_point(origin)},
-                  {"default_edge_attributes", Json::object()},
-                  {"default_face_attributes", Json::object()},
-                  {"vertex", std::move(places)},
-                  {"face", std::move(faces)},
-                  {"facedata", std::move(face_data)},
-                  {"edgedata", Json::object()},
-                  {"max_vertex", static_cast<int>(vertices.size()) - 1},
-                  {"max_face", static_cast<int>(end - begin) - 1}});
+  return wrapped(
+      "compas_assembly.datastructures/Block",
+      {{"attributes", {{"name", group_name_of(cells, cell)}, {"node", cell}}},
+       {"default_vertex_attributes", json_of_point(origin)},
+       {"default_edge_attributes", Json::object()},
+       {"default_face_attributes", Json::object()},
+       {"vertex", std::move(places)},
+       {"face", std::move(faces)},
+       {"facedata", std::move(face_data)},
+       {"edgedata", Json::object()},
+       {"max_vertex", static_cast<int>(vertices.size()) - 1},
+       {"max_face", static_cast<int>(end - begin) - 1}});
 }
 
 Json json_of_node(const CellFaces &cells, const unsigned int cell)
@@ -102,10 +102,11 @@ Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch)
       "compas_assembly.datastructures/Interface",
       {{"points", std::move(points)},
        {"size", moments.area()},
-       {"frame", wrapped("compas.geometry/Frame",
-                         {{"point", json_of(moments.centroid)},
-                          {"xaxis", json_of(along)},
-                          {"yaxis", json_of(cross_product_3d(normal, along))}})},
+       {"frame",
+        wrapped("compas.geometry/Frame",
+                {{"point", json_of(moments.centroid)},
+                 {"xaxis", json_of(along)},
+                 {"yaxis", json_of(cross_product_3d(normal, along))}})},
        {"forces", nullptr},
        {"mesh", nullptr}});
 }
@@ -119,8 +120,8 @@ Json json_of_edges(const CellFaces &cells, const FaceContacts *const contacts)
     if (!(moments_of(contacts->patches[k]).area() > 0.))
       continue; // it has no frame
     const auto [a, b] = contacts->faces[k];
-    Json &edge = of_cell[cells.cell_of_face(a)]
-                        [std::to_string(cells.cell_of_face(b))];
+    Json &edge =
+        of_cell[cells.cell_of_face(a)][std::to_string(cells.cell_of_face(b))];
     if (edge.is_null())
       edge["interfaces"] = Json::array();
     edge["interfaces"].push_back(json_of_interface(contacts->patches[k]));

@@ -12,7 +12,7 @@ namespace Voussoir
 {
 using dealii::Point;
 using dealii::Tensor;
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -39,9 +39,9 @@ bool is_small_and_convex(const std::vector<Point<3>> &polygon,
   if (n > 4)
     return false;
   for (std::size_t i = 0; i < n; ++i)
-    if (!(vector_area * cross_product_3d(polygon[(i + 1) % n] - polygon[i],
-                                         polygon[(i + 2) % n] -
-                                             polygon[(i + 1) % n]) >
+    if (!(vector_area *
+              cross_product_3d(polygon[(i + 1) % n] - polygon[i],
+                               polygon[(i + 2) % n] - polygon[(i + 1) % n]) >
           0.))
       return false;
   return true;
@@ -66,25 +66,26 @@ bool is_simple_polygon(const std::vector<Point<3>> &polygon,
 }
 
 /** What is wrong with a face. */
-std::vector<ModelDefect>
-defects_of_face(const Surface &surface, const unsigned int face, double distance)
+std::vector<ModelDefect> defects_of_face(const Surface &surface,
+                                         const unsigned int face,
+                                         double distance)
 {
   const std::vector<Point<3>> polygon = polygon_of(surface, face);
   const FacePlane plane = plane_of(surface, face);
   const double area = plane.vector_area.norm();
   const double length = diagonal_of(polygon);
-  const auto defect = [&](const Kind kind, const double size) {
+  const auto defect = [&](const DefectKind kind, const double size) {
     return std::vector<ModelDefect>{
         {kind, 0, 1, surface.source[face], size, polygon[0]}};
   };
   if (!(area > least_relative_area * length * length))
-    return defect(Kind::flat_face, 0.);
+    return defect(DefectKind::flat_face, 0.);
   if (plane.deviation > largest_relative_warp * std::sqrt(area))
-    return defect(Kind::warped_face, plane.deviation);
+    return defect(DefectKind::warped_face, plane.deviation);
   if (!is_simple_polygon(polygon, plane.vector_area))
-    return defect(Kind::crossing_face, 0.);
+    return defect(DefectKind::crossing_face, 0.);
   if (plane.deviation > distance)
-    return defect(Kind::bent_face, plane.deviation);
+    return defect(DefectKind::bent_face, plane.deviation);
   return {};
 }
 } // namespace

@@ -31,8 +31,8 @@ bool is_true(const Json *const value)
 namespace
 {
 /** The keys by which the trees that are wrapped are known. */
-constexpr std::array<const char *, 6> keys_of_content = {
-    "vertex", "node", "elements", "graph", "blocks", "geometry"};
+constexpr std::array<const char *, 7> keys_of_content = {
+    "vertex", "node", "elements", "graph", "blocks", "geometry", "shape"};
 
 /** The numbers of vertices by their keys. */
 using VertexKeys = std::unordered_map<std::string, unsigned int>;
@@ -50,15 +50,16 @@ double coordinate_of(const Json &value, const std::string &key)
     return value.get<double>();
   if (value.is_null())
     return std::numeric_limits<double>::quiet_NaN();
-  if (value.is_string() && boost::conversion::try_lexical_convert(
-                               value.get<std::string>(), x))
+  if (value.is_string() &&
+      boost::conversion::try_lexical_convert(value.get<std::string>(), x))
     return x;
   throw CompasFault("has the coordinate " + value.dump() + " of vertex '" +
                     key + "', which is no number");
 }
 
-dealii::Point<3>
-place_of(const Json &vertex, const std::string &key, const Json *const defaults)
+dealii::Point<3> compas_place(const Json &vertex,
+                              const std::string &key,
+                              const Json *const defaults)
 {
   dealii::Point<3> place;
   const std::array<std::string, 3> axes = {"x", "y", "z"};
@@ -76,8 +77,9 @@ place_of(const Json &vertex, const std::string &key, const Json *const defaults)
   return place;
 }
 
-unsigned int
-vertex_of(const VertexKeys &keys, const std::string &key, const std::string &face)
+unsigned int compas_vertex(const VertexKeys &keys,
+                           const std::string &key,
+                           const std::string &face)
 {
   const auto found = keys.find(key);
   if (found == keys.end())
@@ -112,18 +114,18 @@ loop_of_next(const std::vector<std::array<unsigned int, 2>> &half_edges,
                     "' that are not one closed loop");
 }
 
-void add_face(const Json &loop,
-              const std::string &face,
-              const VertexKeys &keys,
-              BlockMesh &block)
+void add_compas_face(const Json &loop,
+                     const std::string &face,
+                     const VertexKeys &keys,
+                     BlockMesh &block)
 {
   if (loop.is_object())
   {
     std::vector<std::array<unsigned int, 2>> half_edges;
     for (const auto &edge : loop.items())
       half_edges.push_back(
-          {vertex_of(keys, edge.key(), face),
-           vertex_of(keys, text_of_key(edge.value()), face)});
+          {compas_vertex(keys, edge.key(), face),
+           compas_vertex(keys, text_of_key(edge.value()), face)});
     block.faces.add(loop_of_next(half_edges, face));
     return;
   }
@@ -131,7 +133,7 @@ void add_face(const Json &loop,
     throw CompasFault("has face '" + face + "' that is no list of vertices");
   std::vector<unsigned int> corners;
   for (const Json &key : loop)
-    corners.push_back(vertex_of(keys, text_of_key(key), face));
+    corners.push_back(compas_vertex(keys, text_of_key(key), face));
   block.faces.add(corners);
 }
 
@@ -152,8 +154,8 @@ void add_faces_of_half_edges(const Json &tree,
           auto &of_face = half_edges[face];
           if (of_face.empty())
             names.push_back(face);
-          of_face.push_back({vertex_of(keys, from.key(), face),
-                             vertex_of(keys, to.key(), face)});
+          of_face.push_back({compas_vertex(keys, from.key(), face),
+                             compas_vertex(keys, to.key(), face)});
         }
   for (const std::string &face : names)
     block.faces.add(loop_of_next(half_edges.at(face), face));
@@ -232,14 +234,14 @@ BlockMesh compas_mesh(const Json &tree)
   if (defaults == nullptr)
     defaults = value_of(*content, "dva");
   VertexKeys keys;
-  for_each_entry(*value_of(*content, "vertex"),
-                 [&](const std::string &key, const Json &vertex) {
-                   keys[key] = block.vertices.size();
-                   block.vertices.push_back(place_of(vertex, key, defaults));
-                 });
+  for_each_entry(*value_of(*content, "vertex"), [&](const std::string &key,
+                                                    const Json &vertex) {
+    keys[key] = block.vertices.size();
+    block.vertices.push_back(compas_place(vertex, key, defaults));
+  });
   if (const Json *const faces = value_of(*content, "face"))
     for_each_entry(*faces, [&](const std::string &key, const Json &loop) {
-      add_face(loop, key, keys, block);
+      add_compas_face(loop, key, keys, block);
     });
   else
     add_faces_of_half_edges(*value_of(*content, "halfedge"), keys, block);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/polyhedra/models/compas_map.h>
 #include <voussoir/packing/polyhedra/models/compas_mesh.h>
 #include <voussoir/packing/polyhedra/models/model_text.h>
 #include <voussoir/packing/polyhedra/models/readers.h>
-
-#include <deal.II/base/tensor.h>
 
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
@@ -27,55 +26,6 @@ constexpr unsigned int deepest_list = 16;
 
 /** The bytes before a fault of the notation that its message shows. */
 constexpr std::size_t shown_before_fault = 20;
-
-/** A map of places in space, x -> A x + b. */
-struct AffineMap
-{
-  dealii::Tensor<2, 3> A = dealii::unit_symmetric_tensor<3>();
-  dealii::Tensor<1, 3> b; // a length
-
-  dealii::Point<3> operator()(const dealii::Point<3> &x) const
-  {
-    return dealii::Point<3>(A * x + b);
-  }
-  /** This map, after @p inner. */
-  AffineMap after(const AffineMap &inner) const
-  {
-    AffineMap map;
-    map.A = A * inner.A;
-    map.b = A * inner.b + b;
-    return map;
-  }
-};
-
-/** The transformation of a model or an element; none if it has none. */
-std::optional<AffineMap> map_of(const Json *const tree)
-{
-  if (tree == nullptr || tree->is_null())
-    return {};
-  const Json *const matrix = value_of(*unwrapped(*tree).tree, "matrix");
-  AffineMap map;
-  bool is_valid = matrix != nullptr && matrix->is_array() && matrix->size() == 4;
-  for (unsigned int i = 0; i < 4 && is_valid; ++i)
-  {
-    const Json &row = (*matrix)[i];
-    is_valid = row.is_array() && row.size() == 4 &&
-               std::all_of(row.begin(), row.end(),
-                           [](const Json &x) { return x.is_number(); });
-    for (unsigned int j = 0; j < 4 && is_valid; ++j)
-    {
-      const double x = row[j].get<double>();
-      if (i == 3)
-        is_valid = x == (j == 3 ? 1. : 0.);
-      else
-        (j == 3 ? map.b[i] : map.A[i][j]) = x;
-    }
-  }
-  if (!is_valid)
-    throw CompasFault("has a transformation that is no matrix of 4 by 4 "
-                      "numbers with the last row 0, 0, 0, 1");
-  return map;
-}
 
 /** Reads one file; one object, used once. */
 class CompasReader
@@ -222,8 +172,8 @@ private:
     {
       add("node", entry.key(), [&] {
         BlockMesh block = compas_mesh(entry.value());
-        block.is_support |= is_support(
-            graph, nodes ? value_of(*nodes, entry.key()) : nullptr);
+        block.is_support |=
+            is_support(graph, nodes ? value_of(*nodes, entry.key()) : nullptr);
         return block;
       });
       keys.push_back(entry.key());
@@ -257,7 +207,9 @@ private:
     for (const auto &element : elements.items())
     {
       const Json &inside = *unwrapped(element.value()).tree;
-      const Json *const geometry = value_of(inside, "geometry");
+      const Json *geometry = value_of(inside, "geometry");
+      if (geometry == nullptr)
+        geometry = value_of(inside, "shape"); // in the first form of it
       if (geometry == nullptr || geometry->is_null())
         continue; // a group of others
       add("element", element.key(), [&] {
@@ -275,7 +227,7 @@ private:
   {
     try
     {
-      return map_of(tree);
+      return compas_map(tree);
     }
     catch (const CompasFault &fault)
     {
@@ -316,11 +268,12 @@ private:
                                   const AffineMap &outer)
   {
     BlockMesh block = compas_mesh(geometry);
-    const auto own = map_of(value_of(element, "transformation"));
+    const auto own = compas_map(value_of(element, "transformation"));
     const AffineMap map = own ? outer.after(*own) : outer;
     if (map.A != AffineMap().A || map.b != AffineMap().b)
       for (dealii::Point<3> &vertex : block.vertices)
-        vertex = map(vertex);
+        if (std::isfinite(vertex.norm_square())) // else it is refused later
+          vertex = map(vertex);
     block.is_support |= is_true(value_of(element, "is_support"));
     if (const std::string name = own_name(element); !name.empty())
       block.name = name;

@@ -19,17 +19,17 @@
 
 namespace Voussoir
 {
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
-using SpaceKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Place = SpaceKernel::Point_3;
-using TriangleMesh = CGAL::Surface_mesh<Place>;
-using Triangle = std::array<Place, 3>;
+using CrossingKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CrossingPlace = CrossingKernel::Point_3;
+using TriangleMesh = CGAL::Surface_mesh<CrossingPlace>;
+using CrossingTriangle = std::array<CrossingPlace, 3>;
 
 /** True if no vertex is further out of a face than @p distance. */
-bool is_convex(const Surface &surface, const double distance)
+bool is_convex_surface(const Surface &surface, const double distance)
 {
   for (unsigned int f = 0; f < surface.faces.size(); ++f)
   {
@@ -46,7 +46,7 @@ bool is_convex(const Surface &surface, const double distance)
 TriangleMesh triangles_of(const Surface &surface)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<Place> places;
+  std::vector<CrossingPlace> places;
   for (const dealii::Point<3> &p : surface.vertices)
     places.emplace_back(p[0], p[1], p[2]);
   std::vector<std::vector<std::size_t>> loops;
@@ -59,12 +59,12 @@ TriangleMesh triangles_of(const Surface &surface)
   return mesh;
 }
 
-Triangle corners_of(const TriangleMesh &mesh,
-                    const TriangleMesh::Face_index face)
+CrossingTriangle corners_of_triangle(const TriangleMesh &mesh,
+                                     const TriangleMesh::Face_index face)
 {
-  Triangle triangle;
+  CrossingTriangle triangle;
   auto halfedge = mesh.halfedge(face);
-  for (Place &corner : triangle)
+  for (CrossingPlace &corner : triangle)
   {
     corner = mesh.point(mesh.target(halfedge));
     halfedge = mesh.next(halfedge);
@@ -75,13 +75,13 @@ Triangle corners_of(const TriangleMesh &mesh,
 /** The points that an intersection of triangles is the hull of. */
 struct PointsOfIntersection
 {
-  using Points = std::vector<Place>;
-  Points operator()(const Place &p) const { return {p}; }
-  Points operator()(const SpaceKernel::Segment_3 &s) const
+  using Points = std::vector<CrossingPlace>;
+  Points operator()(const CrossingPlace &p) const { return {p}; }
+  Points operator()(const CrossingKernel::Segment_3 &s) const
   {
     return {s.source(), s.target()};
   }
-  Points operator()(const SpaceKernel::Triangle_3 &t) const
+  Points operator()(const CrossingKernel::Triangle_3 &t) const
   {
     return {t[0], t[1], t[2]};
   }
@@ -89,19 +89,19 @@ struct PointsOfIntersection
 };
 
 /** The longest distance within the intersection of triangles, and where. */
-std::pair<double, Place> extent_of_crossing(const Triangle &a,
-                                            const Triangle &b)
+std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
+                                                    const CrossingTriangle &b)
 {
   const auto crossing =
-      CGAL::intersection(SpaceKernel::Triangle_3(a[0], a[1], a[2]),
-                         SpaceKernel::Triangle_3(b[0], b[1], b[2]));
-  std::pair<double, Place> extent = {0., a[0]};
+      CGAL::intersection(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
+                         CrossingKernel::Triangle_3(b[0], b[1], b[2]));
+  std::pair<double, CrossingPlace> extent = {0., a[0]};
   if (!crossing)
     return extent;
-  const std::vector<Place> points =
+  const std::vector<CrossingPlace> points =
       boost::apply_visitor(PointsOfIntersection(), *crossing);
-  for (const Place &p : points)
-    for (const Place &q : points)
+  for (const CrossingPlace &p : points)
+    for (const CrossingPlace &q : points)
       if (const double length = std::sqrt(CGAL::squared_distance(p, q));
           length > extent.first)
         extent = {length, CGAL::midpoint(p, q)};
@@ -111,7 +111,7 @@ std::pair<double, Place> extent_of_crossing(const Triangle &a,
 
 void check_crossings(MendedSurface &mended, const double distance)
 {
-  if (is_convex(mended.surface, distance))
+  if (is_convex_surface(mended.surface, distance))
     return;
   const InvalidOperationsAllowed allowed;
   const TriangleMesh mesh = triangles_of(mended.surface);
@@ -119,11 +119,12 @@ void check_crossings(MendedSurface &mended, const double distance)
       pairs;
   CGAL::Polygon_mesh_processing::self_intersections(mesh,
                                                     std::back_inserter(pairs));
-  ModelDefect found = {Kind::crossing_surface};
+  ModelDefect found = {DefectKind::crossing_surface};
   found.count = 0;
   for (const auto &[f, g] : pairs)
   {
-    const Triangle a = corners_of(mesh, f), b = corners_of(mesh, g);
+    const CrossingTriangle a = corners_of_triangle(mesh, f),
+                           b = corners_of_triangle(mesh, g);
     if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end())
       continue;
     const auto [length, place] = extent_of_crossing(a, b);

@@ -2,7 +2,6 @@
 #include <voussoir/packing/polyhedra/models/mend_surface.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,7 +11,7 @@ namespace Voussoir
 {
 using dealii::Point;
 using dealii::Tensor;
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -36,8 +35,8 @@ class FaceJoining
 {
 public:
   FaceJoining(const Surface &surface, const double distance)
-      : surface(surface), distance(distance), next(surface.vertices.size(),
-                                                   no_vertex)
+      : surface(surface), distance(distance),
+        next(surface.vertices.size(), no_vertex)
   {
     for (unsigned int f = 0; f < surface.faces.size(); ++f)
     {
@@ -107,8 +106,8 @@ private:
     {
       if (std::abs(normal * (surface.vertices[v] - plane.place)) > distance)
         return false;
-      length = std::max(length, surface.vertices[v].distance(
-                                    surface.vertices[loop[0]]));
+      length = std::max(
+          length, surface.vertices[v].distance(surface.vertices[loop[0]]));
     }
     const bool is_sliver = areas[face] <= distance * length;
     return is_sliver || normal * planes[face].vector_area >=
@@ -174,7 +173,8 @@ private:
 
   /**
    * Add a face to the outline if it then still is one loop that touches itself
-   * nowhere: if the two have one chain of sides, and no other vertex, in common.
+   * nowhere: if the two have one chain of sides, and no other vertex, in
+   * common.
    */
   bool extend(const unsigned int face)
   {
@@ -292,7 +292,7 @@ void join_coplanar_faces(MendedSurface &mended, const double distance)
     return;
   const std::vector<std::vector<unsigned int>> loops = joining.join();
   Surface joined;
-  ModelDefect defect = {Kind::joined_face};
+  ModelDefect defect = {DefectKind::joined_face};
   defect.count = 0;
   for (unsigned int f = 0; f < loops.size(); ++f)
     if (!loops[f].empty())
@@ -307,84 +307,5 @@ void join_coplanar_faces(MendedSurface &mended, const double distance)
   joined.vertices = std::move(surface.vertices);
   surface = std::move(joined);
   mended.defects.push_back(defect);
-}
-
-namespace
-{
-/** The numbers of faces that have each vertex. */
-std::vector<unsigned int> numbers_of_faces(const Surface &surface)
-{
-  std::vector<unsigned int> n_faces(surface.vertices.size(), 0);
-  for (const unsigned int vertex : surface.faces.corners)
-    ++n_faces[vertex];
-  return n_faces;
-}
-
-/** The vertices before and behind one in a loop. */
-std::array<unsigned int, 2> beside(const std::vector<unsigned int> &loop,
-                                   const unsigned int vertex)
-{
-  const std::size_t n = loop.size();
-  const std::size_t i =
-      std::find(loop.begin(), loop.end(), vertex) - loop.begin();
-  return {loop[(i + n - 1) % n], loop[(i + 1) % n]};
-}
-
-bool is_between(const Point<3> &p,
-                const Point<3> &a,
-                const Point<3> &b,
-                const double distance)
-{
-  const Tensor<1, 3> line = b - a;
-  const double length = line.norm();
-  const double along = line * (p - a);
-  return along > 0. && along < length * length &&
-         cross_product_3d(line, p - a).norm() <= distance * length;
-}
-} // namespace
-
-void drop_straight_vertices(MendedSurface &mended, const double distance)
-{
-  Surface &surface = mended.surface;
-  const std::vector<unsigned int> n_faces = numbers_of_faces(surface);
-  if (std::find(n_faces.begin(), n_faces.end(), 2) == n_faces.end())
-    return;
-  std::vector<std::vector<unsigned int>> loops;
-  std::vector<std::vector<unsigned int>> faces_of(n_faces.size());
-  for (unsigned int f = 0; f < surface.faces.size(); ++f)
-  {
-    loops.emplace_back(surface.faces[f].begin(), surface.faces[f].end());
-    for (const unsigned int v : loops.back())
-      if (n_faces[v] == 2)
-        faces_of[v].push_back(f);
-  }
-  ModelDefect dropped = {Kind::straight_vertex};
-  dropped.count = 0;
-  for (unsigned int v = 0; v < n_faces.size(); ++v)
-  {
-    if (n_faces[v] != 2 || faces_of[v][0] == faces_of[v][1])
-      continue;
-    std::vector<unsigned int> &one = loops[faces_of[v][0]];
-    std::vector<unsigned int> &two = loops[faces_of[v][1]];
-    const auto [a, b] = beside(one, v);
-    if (one.size() == 3 || two.size() == 3 ||
-        beside(two, v) != std::array<unsigned int, 2>({b, a}) ||
-        !is_between(surface.vertices[v], surface.vertices[a],
-                    surface.vertices[b], distance))
-      continue;
-    for (std::vector<unsigned int> *const loop : {&one, &two})
-      loop->erase(std::find(loop->begin(), loop->end(), v));
-    if (dropped.count++ == 0)
-    {
-      dropped.face = surface.source[faces_of[v][0]];
-      dropped.place = surface.vertices[v];
-    }
-  }
-  if (dropped.count == 0)
-    return;
-  surface.faces = FaceLoops();
-  for (const std::vector<unsigned int> &loop : loops)
-    surface.faces.add(loop);
-  mended.defects.push_back(dropped);
 }
 } // namespace Voussoir

@@ -13,7 +13,7 @@
 namespace Voussoir
 {
 using dealii::Point;
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 bool MendedSurface::is_usable() const
 {
@@ -85,7 +85,7 @@ bool remove_repeated_vertices(std::vector<unsigned int> &loop)
 
 /** Count one more of a kind, of which the first face is told. */
 void count_face(std::optional<ModelDefect> &defect,
-                const Kind kind,
+                const DefectKind kind,
                 const unsigned int face,
                 const Point<3> &place)
 {
@@ -124,7 +124,7 @@ void remove_repeated_faces(MendedSurface &mended)
   std::optional<ModelDefect> repeated;
   for (unsigned int f = 0; f < n; ++f)
     if (is_repeated[f])
-      count_face(repeated, Kind::repeated_face, surface.source[f],
+      count_face(repeated, DefectKind::repeated_face, surface.source[f],
                  surface.vertices[surface.faces[f][0]]);
     else
       kept.add(surface.faces[f], surface.source[f]);
@@ -144,16 +144,16 @@ MendedSurface surface_of(const BlockMesh &block)
   std::iota(surface.source.begin(), surface.source.end(), 0);
   if (surface.faces.size() == 0)
   {
-    mended.defects.push_back({Kind::no_face});
+    mended.defects.push_back({DefectKind::no_face});
     return mended;
   }
-  ModelDefect bad_number = {Kind::bad_number};
+  ModelDefect bad_number = {DefectKind::bad_number};
   bad_number.count = 0;
   double largest = 0.;
   for (const Point<3> &p : surface.vertices)
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
-      largest = std::max({largest, std::abs(p[0]), std::abs(p[1]),
-                          std::abs(p[2])});
+      largest =
+          std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
     else if (bad_number.count++ == 0)
       bad_number.place = p;
   if (bad_number.count > 0)
@@ -161,11 +161,11 @@ MendedSurface surface_of(const BlockMesh &block)
     mended.defects.push_back(bad_number);
     return mended;
   }
-  const double diagonal = largest < longest_length
-                              ? diagonal_of(surface.vertices)
-                              : longest_length;
-  if (largest >= longest_length || (diagonal > 0. && diagonal < shortest_length))
-    mended.defects.push_back({Kind::bad_scale, 0, 1,
+  const double diagonal =
+      largest < longest_length ? diagonal_of(surface.vertices) : longest_length;
+  if (largest >= longest_length ||
+      (diagonal > 0. && diagonal < shortest_length))
+    mended.defects.push_back({DefectKind::bad_scale, 0, 1,
                               dealii::numbers::invalid_unsigned_int, diagonal,
                               surface.vertices[0]});
   return mended;
@@ -176,13 +176,13 @@ void weld(MendedSurface &mended, const double distance)
   const Surface &surface = mended.surface;
   const std::vector<unsigned int> first =
       first_vertices_nearby(surface.vertices, distance);
-  ModelDefect welded = {Kind::welded_vertex};
+  ModelDefect welded = {DefectKind::welded_vertex};
   welded.count = 0;
   for (unsigned int v = 0; v < first.size(); ++v)
     if (first[v] != v)
     {
-      const double moved = surface.vertices[v].distance(
-          surface.vertices[first[v]]);
+      const double moved =
+          surface.vertices[v].distance(surface.vertices[first[v]]);
       if (welded.count++ == 0 || moved > welded.size)
       {
         welded.size = moved;
@@ -200,15 +200,17 @@ void weld(MendedSurface &mended, const double distance)
     loop.clear();
     for (const unsigned int vertex : surface.faces[f])
       loop.push_back(first[vertex]);
-    const Point<3> place = loop.empty() ? surface.vertices[0]
-                                        : surface.vertices[loop[0]];
+    const Point<3> place =
+        loop.empty() ? surface.vertices[0] : surface.vertices[loop[0]];
     const bool is_shorter = remove_repeated_vertices(loop);
     if (loop.size() < 3)
-      count_face(degenerate, Kind::degenerate_face, surface.source[f], place);
+      count_face(degenerate, DefectKind::degenerate_face, surface.source[f],
+                 place);
     else
     {
       if (is_shorter)
-        count_face(repeated, Kind::repeated_vertex, surface.source[f], place);
+        count_face(repeated, DefectKind::repeated_vertex, surface.source[f],
+                   place);
       kept.add(loop, surface.source[f]);
     }
   }
@@ -219,6 +221,6 @@ void weld(MendedSurface &mended, const double distance)
       mended.defects.push_back(*defect);
   remove_repeated_faces(mended);
   if (mended.surface.faces.size() == 0)
-    mended.defects.push_back({Kind::no_face});
+    mended.defects.push_back({DefectKind::no_face});
 }
 } // namespace Voussoir

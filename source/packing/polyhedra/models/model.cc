@@ -52,10 +52,9 @@ CellFaces ModelGenerator::generate(const std::filesystem::path &directory,
     throw InputError("'Packing/model/Tolerance' must be finite: a tolerance "
                      "over the size of a block.");
   terminal.progress("reading blocks");
-  BlockMeshes meshes = read_model((directory / file).lexically_normal());
+  const BlockMeshes meshes = read_model((directory / file).lexically_normal());
   terminal.progress("mending blocks");
-  return cells_of_model(std::move(meshes), {scale, tolerance, uses_supports})
-      .cells;
+  return cells_of_model(meshes, {scale, tolerance, uses_supports}).cells;
 }
 
 std::vector<std::filesystem::path>

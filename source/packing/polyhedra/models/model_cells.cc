@@ -2,9 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
-#include <voussoir/packing/polyhedra/models/block_parts.h>
-#include <voussoir/packing/polyhedra/models/check_surface.h>
-#include <voussoir/packing/polyhedra/models/mend_surface.h>
+#include <voussoir/packing/polyhedra/models/model_block.h>
 #include <voussoir/packing/polyhedra/models/model_cells.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -19,7 +17,7 @@
 namespace Voussoir
 {
 using dealii::Point;
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -34,94 +32,8 @@ constexpr double tolerance_of_meshes = 1e-2, tolerance_of_computed = 1e-9;
 constexpr double rounding_of_coordinates =
     16. * std::numeric_limits<double>::epsilon();
 
-/**
- * The distance of vertices that are one, over the diagonal of the block: that of
- * numbers with seven digits, as in files of single precision.
- */
-constexpr double relative_welding_distance = 1e-6;
-
-/**
- * The distance from their common plane of faces that are joined, over the
- * tolerance: they may then still touch others within the tolerance.
- */
-constexpr double share_for_planes = 0.1;
-
-/**
- * The thickness of a block over the tolerance below which what lies on both
- * sides of it may be taken to touch through it.
- */
-constexpr double least_thickness_over_tolerance = 2.;
-
 /** How much the volumes of two blocks at one place differ that are the same. */
 constexpr double volume_of_same = 1e-3;
-
-/** A block on its way to a cell. */
-struct ModelBlock
-{
-  BlockMesh mesh;
-  MendedSurface mended;
-  SurfaceSums sums; // if it is usable
-};
-
-double distance_to_weld(const BlockMesh &mesh)
-{
-  return relative_welding_distance * diagonal_of(mesh.vertices);
-}
-
-/** Weld within a distance, and orient. */
-MendedSurface closed_surface(const BlockMesh &mesh, const double distance)
-{
-  MendedSurface mended = surface_of(mesh);
-  if (mended.is_usable())
-    weld(mended, distance);
-  if (mended.is_usable())
-    orient(mended);
-  return mended;
-}
-
-bool has(const MendedSurface &mended, const Kind kind)
-{
-  return std::any_of(mended.defects.begin(), mended.defects.end(),
-                     [&](const ModelDefect &d) { return d.kind == kind; });
-}
-
-/** The parts of all blocks, the fixed ones at the end. */
-std::vector<ModelBlock> blocks_of(BlockMeshes &meshes,
-                                  const ModelOptions &options)
-{
-  std::vector<ModelBlock> blocks;
-  for (BlockMesh &mesh : meshes.blocks)
-  {
-    mesh.is_support = mesh.is_support && options.uses_supports;
-    for (Point<3> &p : mesh.vertices)
-      for (unsigned int d = 0; d < 3; ++d)
-        if (options.scale != 1. && std::isfinite(p[d]))
-          p[d] *= options.scale;
-    const std::vector<std::vector<unsigned int>> parts = parts_of(mesh);
-    if (parts.size() <= 1)
-      blocks.push_back({std::move(mesh), {}, {}});
-    else
-      for (const std::vector<unsigned int> &part : parts)
-        blocks.push_back({part_of_block(mesh, part), {}, {}});
-    if (parts.size() > 1)
-      blocks[blocks.size() - parts.size()].mended.defects.push_back(
-          {Kind::separate_parts, 0, static_cast<unsigned int>(parts.size())});
-  }
-  std::stable_partition(blocks.begin(), blocks.end(), [](const ModelBlock &b) {
-    return !b.mesh.is_support;
-  });
-  return blocks;
-}
-
-void mend(ModelBlock &block, const double distance)
-{
-  MendedSurface closed = closed_surface(block.mesh, distance);
-  std::vector<ModelDefect> &defects = block.mended.defects;
-  closed.defects.insert(closed.defects.begin(), defects.begin(), defects.end());
-  block.mended = std::move(closed);
-  if (block.mended.is_usable())
-    block.sums = sums_of(block.mended.surface);
-}
 
 /** The cube root of the mean volume of what has one; else of the boxes. */
 double size_of_blocks(const std::vector<ModelBlock> &blocks)
@@ -134,8 +46,7 @@ double size_of_blocks(const std::vector<ModelBlock> &blocks)
       volume += block.sums.volume;
       ++n;
     }
-    else if (!has(block.mended, Kind::bad_number) &&
-             !has(block.mended, Kind::bad_scale))
+    else if (block.has_numbers())
     {
       diagonals += diagonal_of(block.mesh.vertices);
       ++n_boxes;
@@ -149,64 +60,30 @@ double largest_coordinate_of(const std::vector<ModelBlock> &blocks)
 {
   double largest = 0.;
   for (const ModelBlock &block : blocks)
-    if (!has(block.mended, Kind::bad_number) &&
-        !has(block.mended, Kind::bad_scale))
+    if (block.has_numbers())
       for (const Point<3> &p : block.mesh.vertices)
         for (unsigned int d = 0; d < 3; ++d)
           largest = std::max(largest, std::abs(p[d]));
   return largest;
 }
 
-double tolerance_of(const std::vector<ModelBlock> &blocks,
-                    const BlockMeshes &meshes,
-                    const double relative)
+double model_tolerance(const std::vector<ModelBlock> &blocks,
+                       const BlockMeshes &meshes,
+                       const double relative)
 {
   const double size = size_of_blocks(blocks);
   const double rounding =
       rounding_of_coordinates * largest_coordinate_of(blocks);
   if (relative == 0.)
-    return std::max(rounding, size * (meshes.is_computed
-                                          ? tolerance_of_computed
-                                          : tolerance_of_meshes));
+    return std::max(rounding,
+                    size * (meshes.is_computed ? tolerance_of_computed
+                                               : tolerance_of_meshes));
   if (relative * size < rounding)
     throw InputError(text("The tolerance ", relative, " of the size ", size,
                           " of a block is below the rounding ", rounding,
                           " of the coordinates of '", meshes.file.string(),
                           "'; give more, or 0 for an automatic value."));
   return relative * size;
-}
-
-/** All that is done to a block once the tolerance is known. */
-void finish(ModelBlock &block, const double tolerance)
-{
-  MendedSurface &mended = block.mended;
-  if (has(mended, Kind::open))
-  {
-    ModelBlock other = {block.mesh, {}, {}};
-    if (has(mended, Kind::separate_parts))
-      other.mended.defects.push_back(mended.defects.front());
-    mend(other, tolerance);
-    if (other.mended.is_usable())
-      block = std::move(other);
-  }
-  if (!mended.is_usable())
-    return;
-  const double distance = share_for_planes * tolerance;
-  join_coplanar_faces(mended, distance);
-  drop_straight_vertices(mended, distance_to_weld(block.mesh));
-  check_faces(mended, distance);
-  if (mended.is_usable())
-    check_crossings(mended, tolerance);
-  const double thickness = 2. * block.sums.volume / block.sums.area;
-  if (mended.is_usable() &&
-      thickness < least_thickness_over_tolerance * tolerance)
-  {
-    ModelDefect thin = {Kind::thin};
-    thin.size = thickness;
-    thin.place = block.sums.centroid;
-    thin.detail = text(tolerance);
-    mended.defects.push_back(thin);
-  }
 }
 
 /** Find blocks that are where one before them is. */
@@ -234,12 +111,12 @@ void check_repeated_blocks(std::vector<ModelBlock> &blocks,
          ++near)
     {
       const double other = blocks[near->second].sums.volume;
-      if (near->second < b && std::abs(other - blocks[b].sums.volume) <=
-                                  volume_of_same * other)
+      if (near->second < b &&
+          std::abs(other - blocks[b].sums.volume) <= volume_of_same * other)
       {
-        ModelDefect repeated = {Kind::repeated_block};
+        ModelDefect repeated = {DefectKind::repeated_block};
         repeated.place = centroid;
-        repeated.detail = records.describe(near->second);
+        repeated.detail = describe_named(records, near->second);
         blocks[b].mended.defects.push_back(repeated);
         break;
       }
@@ -260,7 +137,7 @@ CellRecords records_of(std::vector<ModelBlock> &blocks,
     std::string name = block.mesh.name.empty() ? "block" : block.mesh.name;
     if (!fault_of_group_name(name).empty())
     {
-      ModelDefect unusable = {Kind::unusable_name};
+      ModelDefect unusable = {DefectKind::unusable_name};
       unusable.detail = quoted_group_name(name);
       block.mended.defects.push_back(unusable);
       name = "block";
@@ -304,20 +181,21 @@ void add_cell(const Surface &surface, CellFaces &cells)
 }
 } // namespace
 
-ModelCells cells_of_model(BlockMeshes meshes, const ModelOptions &options)
+ModelCells cells_of_model(const BlockMeshes &meshes,
+                          const ModelOptions &options)
 {
   if (!(std::isfinite(options.scale) && options.scale > 0.))
     throw InputError(text("The scale ", text_of_number(options.scale),
                           " of the model '", meshes.file.string(),
                           "' must be a positive number."));
-  std::vector<ModelBlock> blocks = blocks_of(meshes, options);
+  std::vector<ModelBlock> blocks = model_blocks(meshes, options);
   ModelCells model;
   static_cast<CellRecords &>(model.cells) = records_of(blocks, meshes);
   for (ModelBlock &block : blocks)
-    mend(block, distance_to_weld(block.mesh));
-  const double tolerance = tolerance_of(blocks, meshes, options.tolerance);
+    mend_block(block);
+  const double tolerance = model_tolerance(blocks, meshes, options.tolerance);
   for (ModelBlock &block : blocks)
-    finish(block, tolerance);
+    finish_block(block, tolerance);
   check_repeated_blocks(blocks, model.cells, tolerance);
   for (unsigned int b = 0; b < blocks.size(); ++b)
     for (ModelDefect defect : blocks[b].mended.defects)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polyhedra/models/model_defects.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace Voussoir
 {
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -38,38 +40,41 @@ std::string upper_first(std::string sentence)
 }
 } // namespace
 
-std::string text_of(const Kind kind)
+std::string text_of(const DefectKind kind)
 {
   switch (kind)
   {
-  case Kind::separate_parts:
-    return "separate closed surfaces in one block, each made a cell";
-  case Kind::unusable_name:
+  case DefectKind::separate_parts:
+    return "closed surfaces of one name, each made a cell";
+  case DefectKind::unusable_name:
     return "names that no group can have, left out";
-  case Kind::welded_vertex: return "vertices at one place, welded";
-  case Kind::repeated_vertex:
+  case DefectKind::welded_vertex: return "vertices at one place, welded";
+  case DefectKind::repeated_vertex:
     return "faces with a vertex twice in a row, taken once";
-  case Kind::degenerate_face:
+  case DefectKind::degenerate_face:
     return "faces with less than three vertices, left out";
-  case Kind::repeated_face: return "faces listed twice, taken once";
-  case Kind::turned_face: return "faces that ran the wrong way round, turned";
-  case Kind::joined_face:
+  case DefectKind::repeated_face: return "faces listed twice, taken once";
+  case DefectKind::turned_face:
+    return "faces that ran the wrong way round, turned";
+  case DefectKind::joined_face:
     return "faces in the plane of a neighbour, joined to it";
-  case Kind::straight_vertex: return "vertices within straight edges, left out";
-  case Kind::bent_face: return "faces with vertices off their plane, kept";
-  case Kind::no_face: return "blocks without faces";
-  case Kind::bad_number: return "coordinates that are no numbers";
-  case Kind::bad_scale: return "blocks too large or too small";
-  case Kind::open: return "edges of one face only";
-  case Kind::branching: return "edges of more than two faces";
-  case Kind::one_sided: return "surfaces without an inside";
-  case Kind::no_volume: return "blocks without a volume";
-  case Kind::flat_face: return "faces without an area";
-  case Kind::crossing_face: return "faces that touch themselves";
-  case Kind::warped_face: return "faces without a plane";
-  case Kind::crossing_surface: return "faces that cross others";
-  case Kind::thin: return "blocks as thin as the tolerance";
-  case Kind::repeated_block: return "blocks where others are";
+  case DefectKind::straight_vertex:
+    return "vertices within straight edges, left out";
+  case DefectKind::bent_face:
+    return "faces with vertices off their plane, kept";
+  case DefectKind::no_face: return "blocks without faces";
+  case DefectKind::bad_number: return "coordinates that are no numbers";
+  case DefectKind::bad_scale: return "blocks too large or too small";
+  case DefectKind::open: return "edges of one face only";
+  case DefectKind::branching: return "edges of more than two faces";
+  case DefectKind::one_sided: return "surfaces without an inside";
+  case DefectKind::no_volume: return "blocks without a volume";
+  case DefectKind::flat_face: return "faces without an area";
+  case DefectKind::crossing_face: return "faces that touch themselves";
+  case DefectKind::warped_face: return "faces without a plane";
+  case DefectKind::crossing_surface: return "faces that cross others";
+  case DefectKind::thin: return "blocks as thin as the tolerance";
+  case DefectKind::repeated_block: return "blocks where others are";
   }
   return "";
 }
@@ -81,61 +86,69 @@ std::string text_of(const ModelDefect &defect)
   };
   switch (defect.kind)
   {
-  case Kind::no_face:
+  case DefectKind::no_face:
     return "has no face with three different vertices; delete it.";
-  case Kind::bad_number:
-    return sentence("has ", counted(defect.count, "vertex coordinate"),
-                    " that are not finite, ", one_of(defect, "the first"),
+  case DefectKind::bad_number:
+    return sentence("has ", defect.count == 1 ? "a vertex" : "vertices",
+                    " with coordinates that are not finite, ",
+                    one_of(defect, text(defect.count, ", the first")),
                     "; coordinates must be finite");
-  case Kind::bad_scale:
+  case DefectKind::bad_scale:
     return sentence("at ", text_of_point(defect.place),
                     " is too large or too small for its volume to be a "
                     "number; choose another unit of length");
-  case Kind::open:
-    return sentence("is open: it has ", counted(defect.count, "edge"),
+  case DefectKind::open:
+    return sentence("is open: ", counted(defect.count, "edge"),
                     " of one face only, ", one_of(defect, "the first of"),
                     "; close the surface");
-  case Kind::branching:
+  case DefectKind::branching:
     return sentence("has ", counted(defect.count, "edge"),
                     " of more than two faces, ", one_of(defect, "the first of"),
-                    "; take away faces inside, or separate what touches there "
-                    "into blocks");
-  case Kind::one_sided:
+                    "; take away faces inside, or make blocks of what touches "
+                    "there");
+  case DefectKind::one_sided:
     return sentence("has no inside: ", place_in_block(defect),
                     " cannot be turned to agree with all its neighbours; "
                     "redraw it");
-  case Kind::no_volume:
+  case DefectKind::no_volume:
     return sentence("at ", text_of_point(defect.place),
                     " has no volume: it is flat; delete it");
-  case Kind::flat_face:
-    return sentence("has ", counted(defect.count, "face"),
-                    " without an area, ", one_of(defect, "the first"),
-                    "; delete the vertices between the ends of it");
-  case Kind::crossing_face:
-    return sentence("has ", counted(defect.count, "face"),
-                    " that cross or touch themselves, ",
+  case DefectKind::flat_face:
+    return sentence("has ", counted(defect.count, "face"), ", ",
                     one_of(defect, "the first"),
-                    "; draw each as one loop that does neither, or cut it into "
-                    "several");
-  case Kind::warped_face:
-    return sentence("has ", counted(defect.count, "face"),
-                    " that are in no plane, by ", defect.size, ", ",
-                    one_of(defect, "the worst"), "; cut it into triangles");
-  case Kind::crossing_surface:
-    return sentence("crosses itself in ", counted(defect.count, "place"),
-                    ", over a length of ", defect.size, ' ',
-                    one_of(defect, "in the worst"), "; redraw it");
-  case Kind::thin:
+                    ", without an area; delete the vertices between its ends");
+  case DefectKind::crossing_face:
+    return sentence("has ", counted(defect.count, "face"), ", ",
+                    one_of(defect, "the first"),
+                    ", with a loop that crosses or touches itself; draw it as "
+                    "one that does neither, or cut it into several");
+  case DefectKind::warped_face:
+    return sentence("has ", counted(defect.count, "face"), ", ",
+                    one_of(defect, "the worst"), ", in no plane: vertices are ",
+                    defect.size, " off it; cut it into triangles");
+  case DefectKind::crossing_surface:
+    return sentence("crosses itself in ", counted(defect.count, "place"), ", ",
+                    one_of(defect, "the worst"), " over a length of ",
+                    defect.size, "; redraw it");
+  case DefectKind::thin:
     return sentence("at ", text_of_point(defect.place), " has the thickness ",
-                    defect.size,
-                    ", which is less than twice the tolerance ", defect.detail,
-                    "; lower 'Tolerance', or delete it");
-  case Kind::repeated_block:
+                    defect.size, ", which is less than twice the tolerance ",
+                    defect.detail, "; lower 'Tolerance', or delete it");
+  case DefectKind::repeated_block:
     return sentence("at ", text_of_point(defect.place), " is where ",
                     defect.detail, " is; delete one of them");
-  default:
-    return sentence("has ", text_of(defect.kind), ": ", defect.count);
+  default: return sentence("has ", text_of(defect.kind), ": ", defect.count);
   }
+}
+
+std::string describe_named(const CellRecords &records, const unsigned int cell)
+{
+  std::string description = records.describe(cell);
+  if (!records.group.empty())
+    description.insert(
+        text("cell ", cell).size(),
+        ' ' + quoted_group_name(records.group_names[records.group[cell]]));
+  return description;
 }
 
 std::vector<std::string> notices_of(const std::vector<ModelDefect> &defects,
@@ -146,7 +159,7 @@ std::vector<std::string> notices_of(const std::vector<ModelDefect> &defects,
     unsigned int n_cells = 0, count = 0;
     const ModelDefect *worst = nullptr;
   };
-  std::map<Kind, Sum> sums;
+  std::map<DefectKind, Sum> sums;
   for (const ModelDefect &defect : defects)
   {
     Sum &sum = sums[defect.kind];
@@ -159,18 +172,18 @@ std::vector<std::string> notices_of(const std::vector<ModelDefect> &defects,
   for (const auto &[kind, sum] : sums)
   {
     const ModelDefect &worst = *sum.worst;
-    const std::string in_cell = " in " + records.describe(worst.cell);
+    const std::string in_cell = " in " + describe_named(records, worst.cell);
     std::string notice =
         upper_first(text_of(kind)) +
         text(": ", sum.count, " in ", counted(sum.n_cells, "cell"), "; ");
     if (worst.size > 0.)
       notice += text("the largest distance, ", worst.size, ", is ",
                      place_in_block(worst), in_cell, '.');
-    else if (kind == Kind::unusable_name)
+    else if (kind == DefectKind::unusable_name)
       notice += "the first, " + worst.detail + ", is that of " +
-                records.describe(worst.cell) + '.';
-    else if (kind == Kind::separate_parts)
-      notice += "the first is " + records.describe(worst.cell) + '.';
+                describe_named(records, worst.cell) + '.';
+    else if (kind == DefectKind::separate_parts)
+      notice += "the first is " + describe_named(records, worst.cell) + '.';
     else
       notice += "the first is " + place_in_block(worst) + in_cell + '.';
     notices.push_back(notice);
@@ -184,7 +197,7 @@ void refuse_defects(const std::vector<ModelDefect> &defects,
   std::vector<std::string> lines;
   for (const ModelDefect &defect : defects)
     if (defect.is_refusal())
-      lines.push_back(upper_first(records.describe(defect.cell)) + ' ' +
+      lines.push_back(upper_first(describe_named(records, defect.cell)) + ' ' +
                       text_of(defect));
   if (lines.empty())
     return;

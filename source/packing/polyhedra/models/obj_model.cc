@@ -90,8 +90,8 @@ private:
     std::vector<unsigned int> faces;
     for (std::size_t k = 0; k < names.size(); ++k)
     {
-      const unsigned int end = k + 1 < names.size() ? names[k + 1].first_face
-                                                    : whole.faces.size();
+      const unsigned int end =
+          k + 1 < names.size() ? names[k + 1].first_face : whole.faces.size();
       if (end == names[k].first_face)
         continue; // the name of points, lines or nothing
       faces.resize(end - names[k].first_face);

@@ -7,7 +7,7 @@
 
 namespace Voussoir
 {
-using Kind = ModelDefect::Kind;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -28,18 +28,18 @@ struct FacePair
 std::vector<ModelDefect> faults_of_edges(const Surface &surface,
                                          const std::vector<FaceSide> &sides)
 {
-  ModelDefect open = {Kind::open}, branching = {Kind::branching},
-              crossing = {Kind::crossing_face};
+  ModelDefect open = {DefectKind::open}, branching = {DefectKind::branching},
+              crossing = {DefectKind::crossing_face};
   for (ModelDefect *const defect : {&open, &branching, &crossing})
     defect->count = 0;
   for (std::size_t k = 0; k < sides.size();)
   {
     const std::size_t end = end_of_edge(sides, k);
     const bool is_twice = end == k + 2 && sides[k].face == sides[k + 1].face;
-    ModelDefect *const defect = is_twice         ? &crossing
-                                : end == k + 1   ? &open
-                                : end > k + 2    ? &branching
-                                                 : nullptr;
+    ModelDefect *const defect = is_twice       ? &crossing
+                                : end == k + 1 ? &open
+                                : end > k + 2  ? &branching
+                                               : nullptr;
     if (defect != nullptr && defect->count++ == 0)
     {
       const dealii::Point<3> &a = surface.vertices[sides[k].low];
@@ -100,11 +100,11 @@ Agreement agreement_of(const unsigned int n_faces,
     for (std::size_t k = 0; k < queue.size(); ++k)
     {
       const unsigned int f = queue[k];
-      auto pair = std::lower_bound(
-          pairs.begin(), pairs.end(), f,
-          [](const FacePair &p, const unsigned int face) {
-            return p.face < face;
-          });
+      auto pair =
+          std::lower_bound(pairs.begin(), pairs.end(), f,
+                           [](const FacePair &p, const unsigned int face) {
+                             return p.face < face;
+                           });
       for (; pair != pairs.end() && pair->face == f; ++pair)
       {
         const unsigned int g = pair->neighbour;
@@ -131,15 +131,13 @@ void turn_inside_in(const Surface &surface, Agreement &agreement)
   for (unsigned int f = 0; f < n; ++f)
   {
     const unsigned int part = agreement.part[f];
-    const dealii::Point<3> &origin =
-        surface.vertices[surface.faces[part][0]];
+    const dealii::Point<3> &origin = surface.vertices[surface.faces[part][0]];
     const auto loop = surface.faces[f];
     const dealii::Tensor<1, 3> a = surface.vertices[loop[0]] - origin;
     for (unsigned int i = 1; i + 1 < loop.size(); ++i)
-      volume[part] +=
-          (agreement.is_turned[f] ? -1. : 1.) * a *
-          cross_product_3d(surface.vertices[loop[i]] - origin,
-                           surface.vertices[loop[i + 1]] - origin);
+      volume[part] += (agreement.is_turned[f] ? -1. : 1.) * a *
+                      cross_product_3d(surface.vertices[loop[i]] - origin,
+                                       surface.vertices[loop[i + 1]] - origin);
   }
   for (unsigned int f = 0; f < n; ++f)
     if (volume[agreement.part[f]] < 0.)
@@ -158,18 +156,17 @@ void orient(MendedSurface &mended)
   Agreement agreement = agreement_of(surface.faces.size(), pairs_of(sides));
   if (const unsigned int f = agreement.contradiction; f < surface.faces.size())
   {
-    mended.defects.push_back({Kind::one_sided, 0, 1, surface.source[f], 0.,
-                              surface.vertices[surface.faces[f][0]]});
+    mended.defects.push_back({DefectKind::one_sided, 0, 1, surface.source[f],
+                              0., surface.vertices[surface.faces[f][0]]});
     return;
   }
   turn_inside_in(surface, agreement);
-  ModelDefect turned = {Kind::turned_face};
+  ModelDefect turned = {DefectKind::turned_face};
   turned.count = 0;
   for (unsigned int f = 0; f < surface.faces.size(); ++f)
     if (agreement.is_turned[f])
     {
-      const auto begin =
-          surface.faces.corners.begin() + surface.faces.first[f];
+      const auto begin = surface.faces.corners.begin() + surface.faces.first[f];
       std::reverse(begin + 1,
                    surface.faces.corners.begin() + surface.faces.first[f + 1]);
       if (turned.count++ == 0)
@@ -181,9 +178,9 @@ void orient(MendedSurface &mended)
   if (turned.count > 0)
     mended.defects.push_back(turned);
   const SurfaceSums sums = sums_of(surface);
-  if (!(sums.volume > least_relative_thickness * sums.area *
-                          diagonal_of(surface.vertices)))
-    mended.defects.push_back({Kind::no_volume, 0, 1,
+  if (!(sums.volume >
+        least_relative_thickness * sums.area * diagonal_of(surface.vertices)))
+    mended.defects.push_back({DefectKind::no_volume, 0, 1,
                               dealii::numbers::invalid_unsigned_int,
                               sums.area > 0. ? sums.volume / sums.area : 0.,
                               surface.vertices[surface.faces.corners[0]]});

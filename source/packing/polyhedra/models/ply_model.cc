@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polyhedra/models/model_text.h>
+#include <voussoir/packing/polyhedra/models/ply_numbers.h>
 #include <voussoir/packing/polyhedra/models/readers.h>
 
-#include <boost/endian/conversion.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 #include <sstream>
 
 namespace Voussoir
 {
 namespace
 {
-/** The form in which a PLY file has its numbers. */
-enum class PlyForm
-{
-  text,
-  little_endian,
-  big_endian
-};
-
 /** A property of the elements of a PLY file: a number, or a list of them. */
 struct PlyProperty
 {
@@ -39,51 +32,6 @@ struct PlyElement
   std::size_t count;
   std::vector<PlyProperty> properties;
 };
-
-/** The bytes of a type; zero if there is no such. */
-unsigned int bytes_of_ply_type(const std::string &type)
-{
-  static const std::map<std::string, unsigned int> sizes = {
-      {"char", 1},    {"int8", 1},    {"uchar", 1},  {"uint8", 1},
-      {"short", 2},   {"int16", 2},   {"ushort", 2}, {"uint16", 2},
-      {"int", 4},     {"int32", 4},   {"uint", 4},   {"uint32", 4},
-      {"float", 4},   {"float32", 4}, {"double", 8}, {"float64", 8}};
-  const auto found = sizes.find(type);
-  return found == sizes.end() ? 0 : found->second;
-}
-
-template <typename Number>
-double load_ply_number(const unsigned char *const at, const PlyForm form)
-{
-  using boost::endian::order;
-  return form == PlyForm::big_endian
-             ? boost::endian::endian_load<Number, sizeof(Number), order::big>(
-                   at)
-             : boost::endian::endian_load<Number, sizeof(Number),
-                                          order::little>(at);
-}
-
-double load_ply_number(const unsigned char *const at,
-                       const std::string &type,
-                       const PlyForm form)
-{
-  const bool is_unsigned = type[0] == 'u';
-  switch (bytes_of_ply_type(type))
-  {
-  case 1:
-    return is_unsigned ? load_ply_number<std::uint8_t>(at, form)
-                       : load_ply_number<std::int8_t>(at, form);
-  case 2:
-    return is_unsigned ? load_ply_number<std::uint16_t>(at, form)
-                       : load_ply_number<std::int16_t>(at, form);
-  case 4:
-    if (type[0] == 'f')
-      return load_ply_number<float>(at, form);
-    return is_unsigned ? load_ply_number<std::uint32_t>(at, form)
-                       : load_ply_number<std::int32_t>(at, form);
-  default: return load_ply_number<double>(at, form);
-  }
-}
 
 /** Reads one file; one object, used once. */
 class PlyReader
@@ -139,11 +87,11 @@ private:
       if (words.empty() || words[0] == "comment" || words[0] == "obj_info")
         continue;
       if (!read_line_of_head(words))
-        refuse(text("cannot be read in line ", line, ": '",
-                    bytes.substr(0, at - 1).substr(
-                        bytes.rfind('\n', at - 2) + 1),
-                    "' is no line of the head of this format that is "
-                    "understood."));
+        refuse(
+            text("cannot be read in line ", line, ": '",
+                 bytes.substr(0, at - 1).substr(bytes.rfind('\n', at - 2) + 1),
+                 "' is no line of the head of this format that is "
+                 "understood."));
     }
   }
 
@@ -241,6 +189,7 @@ private:
                     const PlyElement &element,
                     const std::size_t number)
   {
+    const InvalidOperationsAllowed allowed; // a number may be none
     const unsigned int size = bytes_of_ply_type(type);
     if (at + size > bytes.size())
       refuse_end(element, number);
@@ -256,8 +205,8 @@ private:
     at = bytes.find_first_not_of(blanks, at);
     if (at == bytes.npos)
       refuse_end(element, number);
-    const std::size_t end = std::min(bytes.find_first_of(blanks, at),
-                                     bytes.size());
+    const std::size_t end =
+        std::min(bytes.find_first_of(blanks, at), bytes.size());
     double value = 0.;
     if (!boost::conversion::try_lexical_convert(bytes.data() + at, end - at,
                                                 value))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polyhedra/models/model_text.h>
 #include <voussoir/packing/polyhedra/models/readers.h>
@@ -106,6 +107,7 @@ BlockMeshes read_stl_bytes(const std::filesystem::path &file,
   if (n == 0)
     throw InputError("The STL file '" + file.string() +
                      "' has no triangles; a packing needs at least one block.");
+  const InvalidOperationsAllowed allowed; // a number may be none
   WeldedTriangles solid;
   solid.block.record = 1;
   std::array<dealii::Point<3>, 3> triangle;
@@ -116,9 +118,9 @@ BlockMeshes read_stl_bytes(const std::filesystem::path &file,
         data + bytes_of_stl_head + t * bytes_of_stl_triangle + 12;
     for (dealii::Point<3> &corner : triangle)
       for (unsigned int d = 0; d < 3; ++d, at += 4)
-        corner[d] = boost::endian::endian_load<float, 4,
-                                               boost::endian::order::little>(
-            at);
+        corner[d] =
+            boost::endian::endian_load<float, 4, boost::endian::order::little>(
+                at);
     solid.add(triangle);
   }
   BlockMeshes model;

@@ -47,7 +47,8 @@ bool is_closed(const FaceLoops &faces)
   return !sides.empty();
 }
 
-std::vector<Point<3>> polygon_of(const Surface &surface, const unsigned int face)
+std::vector<Point<3>> polygon_of(const Surface &surface,
+                                 const unsigned int face)
 {
   std::vector<Point<3>> places;
   for (const unsigned int vertex : surface.faces[face])

@@ -22,7 +22,8 @@ struct FaceLoops
   /** The number of faces. */
   unsigned int size() const { return first.size() - 1; }
   /** The vertex numbers of a face, in order around it. */
-  dealii::ArrayView<const unsigned int> operator[](const unsigned int face) const
+  dealii::ArrayView<const unsigned int>
+  operator[](const unsigned int face) const
   {
     return {corners.data() + first[face], first[face + 1] - first[face]};
   }

@@ -15,7 +15,7 @@ struct ModelOptions
 {
   /** What all coordinates are multiplied by. */
   double scale = 1.;
-  /** CellFaces::tolerance over the size of a block; 0: see tolerance_of(). */
+  /** CellFaces::tolerance over the size of a block; 0: see cells_of_model(). */
   double tolerance = 0.;
   /** True if blocks that the file calls supports are fixed. */
   bool uses_supports = true;
@@ -46,7 +46,8 @@ struct ModelCells
  * @throws InputError that names all blocks that cannot be used, or if the scale
  *   is not positive, or the tolerance below the rounding of the coordinates.
  */
-ModelCells cells_of_model(BlockMeshes meshes, const ModelOptions &options);
+ModelCells cells_of_model(const BlockMeshes &meshes,
+                          const ModelOptions &options);
 } // namespace Voussoir
 
 #endif

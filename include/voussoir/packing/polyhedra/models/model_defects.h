@@ -18,7 +18,7 @@ struct ModelDefect
   /** The kinds: those that were mended, then those that are refused. */
   enum class Kind
   {
-    /** Several closed surfaces, each of which is a cell. */
+    /** Several closed surfaces of one name, each of which is a cell. */
     separate_parts,
     /** A name that no group of cells can have; the cell is a "block". */
     unusable_name,
@@ -95,6 +95,9 @@ std::string text_of(ModelDefect::Kind kind);
  * surface." or "has 2 faces listed twice; they are left out.".
  */
 std::string text_of(const ModelDefect &defect);
+
+/** CellRecords::describe(), with the name of the cell's group in quotes. */
+std::string describe_named(const CellRecords &records, unsigned int cell);
 
 /**
  * One sentence for each kind of defect that was mended, with the numbers of

@@ -10,9 +10,9 @@
 namespace Voussoir
 {
 /**
- * Write cells as an OFF file, which read_off_model() reads back: the vertices of
- * each cell, as many as it has, and its faces. Names and what is fixed are not
- * in such a file. Coordinates have all their digits.
+ * Write cells as an OFF file, which read_off_model() reads back: the vertices
+ * of each cell, as many as it has, and its faces. Names and what is fixed are
+ * not in such a file. Coordinates have all their digits.
  */
 void write_off_model(std::ostream &out, const CellFaces &cells);
 
