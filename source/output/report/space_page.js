@@ -167,7 +167,8 @@
     };
     if (isJoint) {
       row("between block", String(jointCells[2 * k]), jointCells[2 * k]);
-      row("and block", String(jointCells[2 * k + 1]), jointCells[2 * k + 1]);
+      if (jointCells[2 * k + 1] === jointCells[2 * k]) row("and", "the ground");
+      else row("and block", String(jointCells[2 * k + 1]), jointCells[2 * k + 1]);
       row("area", written(areas[k]));
     } else {
       const group = drawing.querySelector(`[data-cell="${k}"]`);
@@ -183,7 +184,8 @@
         row(field.name + (field.unit && ` (${field.unit})`), written(field.values[k]));
     for (let j = 0; j < data.joints && !isJoint; ++j)
       if (jointCells[2 * j] === k || jointCells[2 * j + 1] === k)
-        row("joint with block " + (jointCells[2 * j] + jointCells[2 * j + 1] - k),
+        row(jointCells[2 * j] === jointCells[2 * j + 1] ? "joint with the ground" :
+            "joint with block " + (jointCells[2 * j] + jointCells[2 * j + 1] - k),
           String(j), data.cells + j);
     numbers.append(title, table);
   };

@@ -39,8 +39,10 @@ std::vector<double> covered_areas(const CellFaces &cells,
   for (unsigned int j = 0; contacts && j < contacts->faces.size(); ++j)
   {
     const double area = moments_of(contacts->patches[j]).area();
-    for (const unsigned int f : contacts->faces[j])
-      areas[f] += area;
+    const auto &[one, other] = contacts->faces[j];
+    areas[one] += area;
+    if (other != one)
+      areas[other] += area;
   }
   return areas;
 }

@@ -29,7 +29,10 @@ struct SpaceReport
   std::string title;
   /** The blocks; always there. */
   const CellFaces *cells = nullptr;
-  /** The joints between them; none if null. */
+  /**
+   * The joints between them; none if null. A pair of one face twice is a
+   * joint with the ground.
+   */
   const FaceContacts *contacts = nullptr;
   /** Fields with one value a block, CellFaces::n_fixed ones included. */
   std::vector<SpaceField> cell_fields;
