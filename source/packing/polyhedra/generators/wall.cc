@@ -75,7 +75,7 @@ public:
       const unsigned int widths = (row.back - row.front) / n;
       for (unsigned int i = 0; i < n; ++i)
         add(blocks, course, {stone.left, stone.right},
-            {row.front + i * widths, row.front + (i + 1) * widths},
+            {{row.front + i * widths, row.front + (i + 1) * widths}},
             is_through ? WallGroup::through_stone : WallGroup::brick);
     }
   }
