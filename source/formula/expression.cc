@@ -154,7 +154,8 @@ Condition::Condition(const std::string &formula,
                      const std::vector<std::string> &variables,
                      const std::string &parameter)
     : expression(formula, variables, parameter), formula(formula),
-      parameter(parameter)
+      parameter(parameter),
+      is_in_space(variables.size() > 2 && variables[2] == "z")
 {}
 
 bool Condition::operator()(const std::vector<double> &values) const
@@ -163,7 +164,9 @@ bool Condition::operator()(const std::vector<double> &values) const
   if (std::isnan(value))
     throw InputError("The condition '" + formula + "' of '" + parameter +
                      "' is not a number at " +
-                     text_of_point({values[0], values[1]}) +
+                     (is_in_space
+                          ? text_of_point<3>({values[0], values[1], values[2]})
+                          : text_of_point({values[0], values[1]})) +
                      "; it must be true or false.");
   return value != 0.;
 }

@@ -13,7 +13,19 @@
 
 namespace Voussoir
 {
-unsigned int group_of_name(const Packing<2> &packing,
+namespace
+{
+/** What the coordinates of a place are called in expressions. */
+template <int dim>
+std::vector<std::string> coordinate_names()
+{
+  const std::vector<std::string> names = {"x", "y", "z"};
+  return {names.begin(), names.begin() + dim};
+}
+} // namespace
+
+template <int dim>
+unsigned int group_of_name(const Packing<dim> &packing,
                            const std::string &name,
                            const std::string &parameter)
 {
@@ -27,7 +39,8 @@ unsigned int group_of_name(const Packing<2> &packing,
                    "; 'Packing/Groups' makes others.");
 }
 
-std::vector<unsigned int> cells_of_name(const Packing<2> &packing,
+template <int dim>
+std::vector<unsigned int> cells_of_name(const Packing<dim> &packing,
                                         const std::string &name,
                                         const std::string &parameter)
 {
@@ -50,25 +63,41 @@ std::vector<unsigned int> cells_of_name(const Packing<2> &packing,
   return cells;
 }
 
-void assign_groups(Packing<2> &packing, const std::string &groups)
+template <int dim>
+void assign_groups(Packing<dim> &packing, const std::string &groups)
 {
   const std::string parameter = "Packing/Groups";
   for (const auto &[name, condition] : split_named_list(groups, parameter))
   {
-    const Condition holds(condition, {"x", "y"}, parameter);
+    const Condition holds(condition, coordinate_names<dim>(), parameter);
     bool any = false;
     for (unsigned int c = 0; c < packing.n_cells(); ++c)
-      if (holds({packing.centre(c)[0], packing.centre(c)[1]}))
+    {
+      const dealii::Point<dim> &x = packing.centre(c);
+      if (holds({x.begin_raw(), x.end_raw()}))
       {
         packing.set_group(c, name);
         any = true;
       }
+    }
     if (!any)
       throw InputError("The condition '" + condition + "' of the group '" +
                        name +
                        "' in 'Packing/Groups' is met by no cell; change it, or "
-                       "leave the group out. x and y are the coordinates of a "
-                       "cell's centre.");
+                       "leave the group out. " +
+                       (dim == 2 ? "x and y" : "x, y and z") +
+                       " are the coordinates of a cell's centre.");
   }
 }
+
+template unsigned int
+group_of_name(const Packing<2> &, const std::string &, const std::string &);
+template unsigned int
+group_of_name(const Packing<3> &, const std::string &, const std::string &);
+template std::vector<unsigned int>
+cells_of_name(const Packing<2> &, const std::string &, const std::string &);
+template std::vector<unsigned int>
+cells_of_name(const Packing<3> &, const std::string &, const std::string &);
+template void assign_groups(Packing<2> &, const std::string &);
+template void assign_groups(Packing<3> &, const std::string &);
 } // namespace Voussoir

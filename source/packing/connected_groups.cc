@@ -4,12 +4,13 @@
 
 namespace Voussoir
 {
-std::vector<unsigned int> connected_groups(const Packing<2> &packing,
+template <int dim>
+std::vector<unsigned int> connected_groups(const Packing<dim> &packing,
                                            const Ground ground)
 {
   const unsigned int n = packing.n_cells() + 1;
   boost::disjoint_sets_with_storage<> sets(n);
-  for (const Packing<2>::Interface &interface : packing.interfaces())
+  for (const typename Packing<dim>::Interface &interface : packing.interfaces())
     if (ground == Ground::connects || interface.cell_plus != packing.ground())
       sets.union_set(interface.cell_minus, interface.cell_plus);
   return lowest_in_sets(sets, n);
@@ -25,4 +26,7 @@ unsigned int static_indeterminacy(const Packing<2> &packing,
   return n_per_cell *
          (packing.interfaces().size() + n_free_groups - packing.n_cells());
 }
+
+template std::vector<unsigned int> connected_groups(const Packing<2> &, Ground);
+template std::vector<unsigned int> connected_groups(const Packing<3> &, Ground);
 } // namespace Voussoir

@@ -4,7 +4,6 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/invalid_index.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/group_names.h>
 #include <voussoir/packing/packing.h>
 
 #include <deal.II/base/exceptions.h>
@@ -293,24 +292,6 @@ dealii::BoundingBox<2> Packing<2>::box() const
 double Packing<2>::area() const
 {
   return std::accumulate(areas.begin(), areas.end(), 0.);
-}
-
-unsigned int Packing<2>::group(const unsigned int cell) const
-{
-  if (cell == ground())
-    return mesh.group_names.size() - 1;
-  return mesh.group.empty() ? 0 : mesh.group[cell];
-}
-
-void Packing<2>::set_group(const unsigned int cell, const std::string &name)
-{
-  check_group_name(name);
-  auto &names = mesh.group_names;
-  mesh.group.resize(n_cells(), 0);
-  auto found = std::find(names.begin(), names.end() - 1, name);
-  if (found == names.end() - 1)
-    found = names.insert(found, name);
-  mesh.group[cell] = found - names.begin();
 }
 
 double Packing<2>::distance(const Interface &interface) const

@@ -19,6 +19,7 @@ std::vector<py::ssize_t> shape_of(const FieldDescription &field,
   {
   case FieldShape::number: return {py::ssize_t(n)};
   case FieldShape::tensor: return {py::ssize_t(n), 2, 2};
+  case FieldShape::space_vector: return {py::ssize_t(n), 3};
   default: return {py::ssize_t(n), 2};
   }
 }
@@ -44,7 +45,9 @@ std::string help_on(const FieldDescription &field)
       field.condition.empty() ? "" : field.condition + " only: ";
   const std::string shape = field.shape == FieldShape::number   ? ""
                             : field.shape == FieldShape::tensor ? "(n, 2, 2)"
-                                                                : "(n, 2)";
+                            : field.shape == FieldShape::space_vector
+                                ? "(n, 3)"
+                                : "(n, 2)";
   return condition + std::regex_replace(field.words, link, "$1") +
          (shape.empty() ? "" : "; shape " + shape) +
          (field.unit.empty() ? "." : "; " + field.unit + ".");

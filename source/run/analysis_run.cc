@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters/parameter_input.h>
-#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
-#include <voussoir/run/unused_settings.h>
-#include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/proofs/reactions.h>
 
-#include <deal.II/base/utilities.h>
-
-#include <boost/algorithm/string/predicate.hpp>
-
 #include <iostream>
-#include <set>
 #include <variant>
 
 namespace Voussoir
 {
 AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
-    : terminal(terminal), processes(processes),
+    : Run(terminal), processes(processes),
       timer(std::cout,
             dealii::TimerOutput::never,
             dealii::TimerOutput::wall_times),
@@ -27,58 +18,12 @@ AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
       writer(terminal, this->processes, timer)
 {}
 
-void AnalysisRun::read(const ParameterSources &sources)
+void AnalysisRun::declare(const std::set<std::string> &load_cases)
 {
-  std::vector<ParameterInput> inputs;
-  if (sources.file)
-    inputs.emplace_back(*sources.file);
-  if (!sources.text.empty())
-    inputs.emplace_back(sources.text, "the text");
-  std::set<std::string> cases;
-  for (const ParameterInput &input : inputs)
-    cases.merge(input.sections_in(load_cases_section));
-  for (const std::string &text : sources.assignments)
-  {
-    const SectionPath section = assignment_of_text(text).to.section;
-    if (section.size() > 1 && section[0] == load_cases_section)
-      cases.insert(section[1]);
-  }
-
   writer.add_entries(prm);
   analysis.add_entries(prm);
-  analysis.add_sections(prm, cases);
+  analysis.add_sections(prm, load_cases);
   writer.add_sections(prm);
-  assigned.watch(prm);
-  for (const ParameterInput &input : inputs)
-    if (input.assign_to(prm))
-      assigned.forget_unchanged();
-  for (const std::string &assignment : sources.assignments)
-    assign_parameter(prm, assignment);
-}
-
-void AnalysisRun::assign(const std::string &assignment)
-{
-  assign_parameter(prm, assignment);
-}
-
-void AnalysisRun::print(std::ostream &out,
-                        const std::string &section,
-                        const ParameterFormat format,
-                        const Detail detail)
-{
-  check_section(prm, dealii::Utilities::split_string_list(section, '/'),
-                "--print-parameters=" + section);
-  const auto is_wanted = [&](const std::string &path) {
-    return (section.empty() || boost::starts_with(path, section + '/')) &&
-           (detail == Detail::listing || assigned.contains(path));
-  };
-  print_parameters(out, prm, is_wanted, format, detail);
-}
-
-void AnalysisRun::warn_of_unused() const
-{
-  for (const std::string &warning : unused_settings(assigned))
-    terminal.warning(warning);
 }
 
 std::shared_ptr<const Packing<2>>
@@ -97,6 +42,11 @@ void AnalysisRun::validate(const std::filesystem::path &directory) const
   analysis.show(analysis.data(analysis.read_packing(directory)),
                 writer.unit_names());
   terminal.stage("Valid", "nothing was solved, and nothing written");
+}
+
+std::string AnalysisRun::carry_out(const std::filesystem::path &directory)
+{
+  return run(directory, true).message;
 }
 
 RunOutcome AnalysisRun::run(const std::filesystem::path &directory,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
@@ -14,6 +13,7 @@
 #include <voussoir/output/vtu/pvd.h>
 #include <voussoir/output/vtu/stress_pieces.h>
 #include <voussoir/output/vtu/stress_vtu.h>
+#include <voussoir/run/output_entries.h>
 #include <voussoir/run/result_writer.h>
 #include <voussoir/run/unused_settings.h>
 #include <voussoir/stress/cell_means.h>
@@ -29,31 +29,10 @@ namespace Voussoir
 {
 namespace
 {
-const std::string parameters_prm = "parameters.prm";
-
-/** Every file that any run may write. */
-FilesOfRuns all_files()
-{
-  return {{interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
-           stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
-           mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
-           results_pvd, report_html, drawing_check_html, parameters_prm,
-           summary_json},
-          {packing_wkt, packing_off, packing_centres},
-          is_stress_piece};
-}
-
 /** What the largest displacement of a mechanism, one, is drawn as: a cell. */
 double size_of_mechanism(const Scene &scene)
 {
   return std::sqrt(scene.packing.area() / scene.packing.n_cells());
-}
-
-/** Write a collection of @p grids, which ParaView opens as one file. */
-void write_collection(ResultDirectory &files,
-                      const std::vector<std::string> &grids)
-{
-  files.write(results_pvd, [&](std::ostream &out) { write_pvd(out, grids); });
 }
 } // namespace
 
@@ -62,16 +41,6 @@ ResultWriter::ResultWriter(Terminal &terminal,
                            dealii::TimerOutput &timer)
     : terminal(terminal), processes(processes), timer(timer)
 {}
-
-void ResultWriter::add_entries(dealii::ParameterHandler &prm)
-{
-  using dealii::Patterns::Anything;
-  prm.add_parameter("Title", title, "A title for the results.", Anything());
-  prm.add_parameter("Output directory", output_directory,
-                    "Where the results go; created if need be. A relative path "
-                    "starts at the directory that the program is run in.",
-                    Anything());
-}
 
 void ResultWriter::add_sections(dealii::ParameterHandler &prm)
 {
@@ -86,12 +55,7 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
 
 void ResultWriter::add_output(dealii::ParameterHandler &prm)
 {
-  prm.add_parameter(
-      "Verbosity", shown,
-      "0: the closing summary alone; 1: also the stages and, on a "
-      "screen, the progress of long ones; 2: also the iterations "
-      "of the solver and the joints of which the most is used.",
-      dealii::Patterns::Integer(0, 2));
+  entries.add_verbosity(prm);
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},
@@ -146,8 +110,8 @@ ResultDirectory ResultWriter::open(const std::string &forces_from)
   std::error_code not_there;
   keeps_forces =
       !forces_from.empty() &&
-      std::filesystem::equivalent(forces_from, output_directory, not_there);
-  return {output_directory, all_files(), terminal};
+      std::filesystem::equivalent(forces_from, entries.directory, not_there);
+  return {entries.directory, files_of_all_runs(), terminal};
 }
 
 std::string ResultWriter::show_faults(ResultDirectory &files,
@@ -164,7 +128,7 @@ std::string ResultWriter::show_faults(ResultDirectory &files,
     files.write(drawing_check_html,
                 [&](std::ostream &out) { write_report(out, refused); });
   files.publish_beside();
-  const std::filesystem::path directory = output_directory;
+  const std::filesystem::path directory = entries.directory;
   return text(
       "All are in '", (directory / drawing_check_vtu).string(),
       "'; open it in ParaView",
@@ -191,7 +155,7 @@ std::string ResultWriter::write(ResultDirectory &files,
                                 Results &results,
                                 const dealii::ParameterHandler &prm)
 {
-  results.title = title;
+  results.title = entries.title;
   timer.enter_subsection("stress");
   terminal.begin("Stress");
   const std::optional<StressPart> own_part = find_stresses(results);
@@ -200,7 +164,8 @@ std::string ResultWriter::write(ResultDirectory &files,
   timer.enter_subsection("output");
   terminal.begin("Output");
   const MotionBeside *const beside = results.motion_beside();
-  const auto add = [&](const std::string &name, const auto &writer) {
+  using Writer = void (*)(std::ostream &, const Results &);
+  const auto add = [&](const std::string &name, const Writer writer) {
     files.write(name, [&](std::ostream &out) { writer(out, results); });
   };
   if (writes(ResultFiles::csv))
@@ -291,7 +256,7 @@ std::string ResultWriter::write(ResultDirectory &files,
                                 Collapse &collapse,
                                 const dealii::ParameterHandler &prm)
 {
-  collapse.title = title;
+  collapse.title = entries.title;
   timer.enter_subsection("output");
   terminal.begin("Output");
   write_mechanism(files, collapse.scene, collapse.motion,
@@ -355,11 +320,7 @@ void ResultWriter::publish(ResultDirectory &files,
                            const dealii::ParameterHandler &prm)
 {
   write_packing(files, found.scene.packing);
-  files.write(parameters_prm, [&](std::ostream &out) {
-    using Style = dealii::ParameterHandler;
-    out << listing_title() << '\n';
-    prm.print_parameters(out, Style::ShortPRM | Style::KeepDeclarationOrder);
-  });
+  write_parameters(files, prm);
   timer.leave_subsection();
   found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
   const bool has_page = reports(found.scene.packing);
@@ -379,7 +340,7 @@ void ResultWriter::publish(ResultDirectory &files,
     views.push_back(results_pvd + " in ParaView");
   terminal.stage(
       "Output",
-      "written to " + output_directory +
+      "written to " + entries.directory +
           (views.empty() ? "" : "; " + boost::algorithm::join(views, ", ")));
 }
 } // namespace Voussoir

@@ -62,7 +62,8 @@ void Search::look_into(const std::string &path)
   const Json &section = at(path);
   // With the forces of an earlier run no formulation is used at all, and the
   // file is that of the earlier run.
-  const bool solves = at("/Forces from/value") == "";
+  const bool solves =
+      !all.contains("Forces from") || at("/Forces from/value") == "";
   for (const auto &[name, node] : section.items())
     if (is_entry(node) && (solves || path + "/" + name != "/Formulation"))
       look_beside(path, name, uses_in(node.at("pattern_description")));

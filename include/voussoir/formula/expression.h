@@ -65,7 +65,8 @@ private:
 class Condition
 {
 public:
-  /** As for Expression; the first two variables are x and y. */
+  /** As for Expression; the first two variables are x and y, in space z is the
+   * third. */
   Condition(const std::string &formula,
             const std::vector<std::string> &variables,
             const std::string &parameter);
@@ -83,6 +84,7 @@ public:
 private:
   Expression expression;
   std::string formula, parameter;
+  bool is_in_space;
 };
 } // namespace Voussoir
 

@@ -3,6 +3,7 @@
 #define voussoir_packing_cell_groups_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/packing/polyhedra/packing.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +16,8 @@ namespace Voussoir
  * @throws InputError naming @p parameter and listing the groups if there is
  *   none of that name.
  */
-unsigned int group_of_name(const Packing<2> &packing,
+template <int dim>
+unsigned int group_of_name(const Packing<dim> &packing,
                            const std::string &name,
                            const std::string &parameter);
 
@@ -25,19 +27,21 @@ unsigned int group_of_name(const Packing<2> &packing,
  *
  * @throws InputError as group_of_name() does, or if there is no such cell.
  */
-std::vector<unsigned int> cells_of_name(const Packing<2> &packing,
+template <int dim>
+std::vector<unsigned int> cells_of_name(const Packing<dim> &packing,
                                         const std::string &name,
                                         const std::string &parameter);
 
 /**
  * Put cells into groups by the list @p groups, "name: condition; ...", where
- * the conditions are expressions in the coordinates x, y of the centre. Of the
- * conditions that a cell meets the last one counts; one that meets none keeps
- * the group it has.
+ * the conditions are expressions in the coordinates x, y, z of the centre. Of
+ * the conditions that a cell meets the last one counts; one that meets none
+ * keeps the group it has.
  *
  * @throws InputError if a condition cannot be evaluated or is met by no cell.
  */
-void assign_groups(Packing<2> &packing, const std::string &groups);
+template <int dim>
+void assign_groups(Packing<dim> &packing, const std::string &groups);
 } // namespace Voussoir
 
 #endif

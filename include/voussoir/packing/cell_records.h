@@ -32,6 +32,16 @@ struct CellRecords
    */
   void name_groups();
 
+  /** The number among group_names of a cell's group, from @p ground on its. */
+  unsigned int group_of(unsigned int cell, unsigned int ground) const;
+  /**
+   * Let one of @p n_cells cells belong to the group @p name.
+   *
+   * @throws InputError if that cannot be a name; see check_group_name().
+   */
+  void
+  set_group(unsigned int cell, const std::string &name, unsigned int n_cells);
+
   /** "cell 3", with its record if it was read. */
   std::string describe(unsigned int cell) const;
 };

@@ -3,6 +3,7 @@
 #define voussoir_packing_connected_groups_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/packing/polyhedra/packing.h>
 
 #include <vector>
 
@@ -25,7 +26,8 @@ enum class Ground
  * each other nowhere, so a group without the ground must be balanced by itself.
  * If the ground separates, it is a group of its own.
  */
-std::vector<unsigned int> connected_groups(const Packing<2> &packing,
+template <int dim>
+std::vector<unsigned int> connected_groups(const Packing<dim> &packing,
                                            Ground ground = Ground::connects);
 
 /**

@@ -143,7 +143,10 @@ public:
     return mesh.group_names;
   }
   /** The group of a cell, as its number among group_names(). */
-  unsigned int group(unsigned int cell) const;
+  unsigned int group(const unsigned int cell) const
+  {
+    return mesh.group_of(cell, ground());
+  }
   /** The name of that group. */
   const std::string &group_name(const unsigned int cell) const
   {
@@ -154,7 +157,10 @@ public:
    *
    * @throws InputError if that cannot be a name; see check_group_name().
    */
-  void set_group(unsigned int cell, const std::string &name);
+  void set_group(const unsigned int cell, const std::string &name)
+  {
+    mesh.set_group(cell, name, n_cells());
+  }
 
   /**
    * The distance d_e of the centres along the normal, positive; a length.

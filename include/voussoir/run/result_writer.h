@@ -7,6 +7,7 @@
 #include <voussoir/output/results.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/parallel/process_group.h>
+#include <voussoir/run/output_entries.h>
 #include <voussoir/stress/reconstruction.h>
 #include <voussoir/stress/stress_part.h>
 #include <voussoir/terminal/terminal.h>
@@ -30,12 +31,12 @@ public:
 
   /** @{ */
   /** Declare the entries outside all sections, and the sections. */
-  void add_entries(dealii::ParameterHandler &prm);
+  void add_entries(dealii::ParameterHandler &prm) { entries.add_entries(prm); }
   void add_sections(dealii::ParameterHandler &prm);
   /** @} */
 
   /** What the terminal shows; 0 to 2. */
-  unsigned int verbosity() const { return shown; }
+  unsigned int verbosity() const { return entries.verbosity; }
   /**
    * The directory of the results, into which the others write.
    *
@@ -132,9 +133,7 @@ private:
   Terminal &terminal;
   const ProcessGroup &processes;
   dealii::TimerOutput &timer;
-  std::string title;
-  std::string output_directory = "output";
-  unsigned int shown = 1;
+  OutputEntries entries;
   ResultFiles result_files = ResultFiles::all;
   PackingFile packing_file = PackingFile::none;
   Report report = Report::automatic;

@@ -95,6 +95,33 @@ ParameterInput::sections_in(const std::string &section) const
   return names;
 }
 
+std::optional<std::string>
+ParameterInput::value_of(const std::string &entry) const
+{
+  if (const auto *const nested = std::get_if<Nested>(&content))
+  {
+    const auto node = nested->get_child_optional(entry);
+    if (!node)
+      return {};
+    return node->get("value", node->data());
+  }
+  dealii::ParameterHandler prm;
+  prm.declare_entry(entry, "");
+  std::istringstream in(std::get<std::string>(content));
+  try
+  {
+    prm.parse_input(in, name, "", true);
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    return {}; // assign_to() explains what is wrong
+  }
+  const std::string value = prm.get(entry);
+  if (value.empty())
+    return {};
+  return value;
+}
+
 bool ParameterInput::assign_to(dealii::ParameterHandler &prm) const
 {
   if (const auto *const nested = std::get_if<Nested>(&content))

@@ -26,6 +26,7 @@ FieldDescription::component_names(const std::string &of) const
   case FieldShape::number: return {of};
   case FieldShape::pair: return {of + "_0", of + "_1"};
   case FieldShape::vector: return {of + "_x", of + "_y"};
+  case FieldShape::space_vector: return {of + "_x", of + "_y", of + "_z"};
   case FieldShape::tensor:
     return {of + "_xx", of + "_xy", of + "_yx", of + "_yy"};
   }

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t at_a_time = 64;
 
 /**
- * Add an array of the components in the plane @p of, by their numbers, where -1
+ * Add an array of the components @p of, by their numbers, where -1
  * is a zero.
  */
 template <typename Number, std::size_t n>
@@ -69,6 +69,9 @@ void add_fields(VtuFile &file, const BoundFields &fields)
       break;
     case FieldShape::vector:
       add_array<double, 3>(file, about.name, field, {{0, 1, -1}});
+      break;
+    case FieldShape::space_vector:
+      add_array<double, 3>(file, about.name, field, {{0, 1, 2}});
       break;
     case FieldShape::tensor:
       add_array<double, 9>(file, about.name, field,

@@ -146,6 +146,18 @@ VtuFile VtuFile::separate(const Shape shape,
           shape};
 }
 
+VtuFile VtuFile::polyhedra(const Items<double> &points,
+                           const Items<std::int64_t> &ends,
+                           const Items<std::int64_t> &faces,
+                           const Items<std::int64_t> &face_ends)
+{
+  VtuFile file = separate(Shape::polyhedron, points, ends);
+  file.cells.push_back(make_array("faces", 1, faces.number, faces.fill));
+  file.cells.push_back(
+      make_array("faceoffsets", 1, face_ends.number, face_ends.fill));
+  return file;
+}
+
 void VtuFile::write(std::ostream &out) const
 {
   // The positions in the file of the offsets of the arrays, and the arrays.
@@ -159,10 +171,10 @@ void VtuFile::write(std::ostream &out) const
     write_later(out, 0);
     out << "/>\n";
   };
-  const Compressor compressor(cells.back().n_items);
+  const Compressor compressor(number_of_cells());
   write_begin(out, "UnstructuredGrid", compressor);
   out << ">\n<Piece NumberOfPoints=\"" << points.n_items
-      << "\" NumberOfCells=\"" << cells.back().n_items << "\">\n<Points>\n";
+      << "\" NumberOfCells=\"" << number_of_cells() << "\">\n<Points>\n";
   announce(points);
   out << "</Points>\n<Cells>\n";
   std::for_each(cells.begin(), cells.end(), announce);
@@ -193,7 +205,7 @@ void VtuFile::write_record(std::ostream &out,
     write_head(out, array, "PDataArray");
     out << "/>\n";
   };
-  write_begin(out, "PUnstructuredGrid", Compressor(cells.back().n_items));
+  write_begin(out, "PUnstructuredGrid", Compressor(number_of_cells()));
   out << " GhostLevel=\"0\">\n<PPoints>\n";
   announce(points);
   out << "</PPoints>\n<PPointData>\n";
@@ -212,7 +224,7 @@ void VtuFile::write_record(std::ostream &out,
  */
 void VtuFile::write_data(std::ostream &out, const Array &array) const
 {
-  const Compressor compressor(cells.back().n_items);
+  const Compressor compressor(number_of_cells());
   const std::size_t n = array.n_items;
   const std::size_t per_block = block_size / array.item_size;
   const std::size_t n_blocks = (n + per_block - 1) / per_block;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters/parameters.h>
-#include <voussoir/base/text.h>
 #include <voussoir/packing/generators/arch.h>
 #include <voussoir/packing/generators/arch_joints.h>
-
-#include <cmath>
+#include <voussoir/packing/polyhedra/generators/measures.h>
 
 namespace Voussoir
 {
@@ -123,44 +119,14 @@ private:
 };
 } // namespace
 
+ArchGenerator::ArchGenerator(const std::string &section)
+    : section(section), profile(section)
+{}
+
 void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  add_choice<bool>(
-      prm, "Shape", pointed,
-      {{false, "circular",
-        "one arc around the origin, of 'Mean radius' and 'Embrace'.",
-        "Mean radius, Embrace"},
-       {true, "pointed",
-        "two arcs from springings on y = 0, of 'Span' and 'Radius over "
-        "span'.",
-        "Span, Radius over span"}},
-      "The middle line of the arch, which is symmetric to x = 0.");
-  prm.add_parameter("Mean radius", mean_radius,
-                    "Radius of the middle line of a circular arch; a length, "
-                    "positive.",
-                    Double(0.));
-  prm.add_parameter("Embrace", embrace,
-                    "Angle from springing to springing of a circular arch; "
-                    "degrees, positive. 180 is a semicircle, less a segmental "
-                    "arch.",
-                    Double(0., 180.));
-  prm.add_parameter("Span", span,
-                    "Distance of the springings of a pointed arch, of its "
-                    "middle line; a length, positive.",
-                    Double(0.));
-  prm.add_parameter("Radius over span", radius_over_span,
-                    "Radius of the arcs of a pointed arch, of the middle line, "
-                    "over 'Span'; 0.5 is a semicircle, 1 an equilateral arch.",
-                    Double(0.5));
-  prm.add_parameter("Thickness", thickness,
-                    "Distance from the intrados to the extrados; a length, "
-                    "positive.",
-                    Double(0.));
-  prm.add_parameter("Voussoirs", n_voussoirs,
-                    "Number of voussoirs along the whole arch; if it is odd, "
-                    "there is a keystone at the crown.",
-                    Integer(2, 1000000));
+  profile.add_parameters(prm);
   prm.add_parameter("Abutments", n_abutment_courses,
                     "Number of courses of the pier under each springing; 0 for "
                     "no piers. Under an inclined springing the top course is a "
@@ -175,29 +141,14 @@ void ArchGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellLoops ArchGenerator::generate(const std::filesystem::path &,
                                   Terminal &) const
 {
-  std::vector<std::pair<std::string, double>> measures = {
-      {"Thickness", thickness}};
-  if (pointed)
-    measures.insert(measures.end(),
-                    {{"Span", span}, {"Radius over span", radius_over_span}});
-  else
-    measures.insert(measures.end(),
-                    {{"Mean radius", mean_radius}, {"Embrace", embrace}});
   if (n_abutment_courses > 0)
-    measures.emplace_back("Abutment height", abutment_height);
-  for (const auto &[entry, value] : measures)
-    if (!std::isfinite(value) || value <= 0.)
-      throw InputError(text("'Packing/arch/", entry, "' is ", value,
-                            "; it must be positive and finite."));
+    check_measures(section, {{"Abutment height", abutment_height}});
+  const HalfArch half = profile.joints();
 
-  const HalfArch half =
-      pointed ? pointed_arch(span, radius_over_span, thickness, n_voussoirs)
-              : circular_arch(mean_radius, thickness, n_voussoirs, embrace);
-
-  LeftHalf left(half.joints.front(), thickness, n_abutment_courses,
+  LeftHalf left(half.joints.front(), profile.thickness(), n_abutment_courses,
                 abutment_height);
   for (unsigned int k = 1; k < half.joints.size(); ++k)
     left.add(half.joints[k], voussoir);
-  return left.mirrored(n_voussoirs % 2 == 1, half.apex);
+  return left.mirrored(profile.n_voussoirs() % 2 == 1, half.apex);
 }
 } // namespace Voussoir

@@ -12,13 +12,14 @@ namespace Voussoir
 {
 using dealii::Point;
 
-HalfArch circular_arch(const double mean_radius,
+HalfArch circular_arch(const std::string &section,
+                       const double mean_radius,
                        const double thickness,
                        const unsigned int n_voussoirs,
                        const double embrace)
 {
   if (!(thickness < 2. * mean_radius))
-    throw InputError(text("The arch 'Packing/arch' has the thickness ",
+    throw InputError(text("The arch '", section, "' has the thickness ",
                           thickness, " and the mean radius ", mean_radius,
                           "; the thickness must be less than twice the "
                           "radius."));
@@ -69,13 +70,14 @@ struct Arc
 };
 } // namespace
 
-HalfArch pointed_arch(const double span,
+HalfArch pointed_arch(const std::string &section,
+                      const double span,
                       const double radius_over_span,
                       const double thickness,
                       const unsigned int n_voussoirs)
 {
   if (!(thickness < span))
-    throw InputError(text("The arch 'Packing/arch' has the thickness ",
+    throw InputError(text("The arch '", section, "' has the thickness ",
                           thickness, " and the span ", span,
                           "; the thickness must be less than the span of the "
                           "middle line, or no opening is left."));
@@ -94,12 +96,12 @@ HalfArch pointed_arch(const double span,
   if (!(half.joints.back().intrados[0] < 0.))
   {
     const double centre = arc.radius - arc.half_span;
-    throw InputError(text(
-        "The joints next to the crown of the arch 'Packing/arch' reach over "
-        "it: with ",
-        n_voussoirs, " voussoirs the thickness must be less than ",
-        2. * (arc.radius - centre / std::cos(angle)), " and is ", thickness,
-        "; reduce 'Thickness' or 'Voussoirs'."));
+    throw InputError(text("The joints next to the crown of the arch '", section,
+                          "' reach over it: with ", n_voussoirs,
+                          " voussoirs the thickness must be less than ",
+                          2. * (arc.radius - centre / std::cos(angle)),
+                          " and is ", thickness,
+                          "; reduce 'Thickness' or 'Voussoirs'."));
   }
   if (n_voussoirs % 2 == 0)
     half.joints.push_back({arc.crown(-offset), arc.crown(offset)});

@@ -6,11 +6,13 @@
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
+#include <voussoir/run/packing_run.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/version.h>
 
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <ostream>
@@ -94,21 +96,33 @@ std::optional<std::string> text_to_print(const Arguments &arguments)
   return {};
 }
 
+/** A run of the kind that the parameters ask for. */
+std::unique_ptr<Run> make_run(const ParameterSources &sources,
+                              Terminal &terminal,
+                              const ProcessGroup &processes)
+{
+  if (dimension_of(sources) == 3)
+    return std::make_unique<PackingRun>(terminal);
+  return std::make_unique<AnalysisRun>(terminal, processes);
+}
+
 /** One that tells of the parameters. */
 std::optional<std::string> text_of_parameters(const Arguments &arguments,
-                                              AnalysisRun &analysis)
+                                              Run &run)
 {
   std::ostringstream text;
   if (arguments.print_parameters || arguments.print_settings)
-    analysis.print(text, arguments.print_parameters.value_or(""),
-                   parameter_format_of(arguments.format.value_or("prm")),
-                   arguments.print_settings ? Detail::value : Detail::listing);
+    run.print(text, arguments.print_parameters.value_or(""),
+              parameter_format_of(arguments.format.value_or("prm")),
+              arguments.print_settings ? Detail::value : Detail::listing);
   else if (arguments.print_schema)
-    print_schema(text, analysis.entries(), load_cases_section);
+    print_schema(text, run.entries(), load_cases_section);
   else if (arguments.print_reference)
-    write_reference(text, analysis.entries());
+    write_reference(text, run.entries(),
+                    run.dimension() == 3 ? "Parameters in space" : "Parameters",
+                    run.dimension() == 3 ? " --set Dimension=3" : "");
   else if (arguments.print_completion)
-    print_bash_completion(text, option_names(), analysis.tree());
+    print_bash_completion(text, option_names(), run.tree());
   else
     return {};
   return text.str();
@@ -137,7 +151,6 @@ ExitStatus run(const Arguments &arguments,
     terminal.be_quiet();
   if (run_many(arguments, processes, terminal))
     return ExitStatus::solved;
-  AnalysisRun analysis(terminal, processes);
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;
@@ -145,8 +158,9 @@ ExitStatus run(const Arguments &arguments,
   if (arguments.print_schema) // of load cases by any name
     sources.assignments.push_back(load_cases_section +
                                   "/case/Boundary load=traction");
-  analysis.read(sources);
-  if (const auto text = text_of_parameters(arguments, analysis))
+  const std::unique_ptr<Run> run = make_run(sources, terminal, processes);
+  run->read(sources);
+  if (const auto text = text_of_parameters(arguments, *run))
     return print(streams.out, *text);
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
@@ -158,14 +172,13 @@ ExitStatus run(const Arguments &arguments,
       fs::proximate(fs::canonical(arguments.file).parent_path());
   if (arguments.validate)
   {
-    analysis.validate(directory);
+    run->validate(directory);
     return ExitStatus::solved;
   }
-  terminal.set_verbosity(analysis.verbosity());
-  const RunOutcome outcome = analysis.run(directory, true);
-  return outcome.message.empty()
-             ? ExitStatus::solved
-             : fail(streams, ExitStatus::load_not_carried, outcome.message);
+  terminal.set_verbosity(run->verbosity());
+  const std::string message = run->carry_out(directory);
+  return message.empty() ? ExitStatus::solved
+                         : fail(streams, ExitStatus::load_not_carried, message);
 }
 
 /** Run, whatever is thrown. */

@@ -7,6 +7,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -34,6 +35,14 @@ public:
 
   /** The names of the sections directly in @p section, which need not exist. */
   std::set<std::string> sections_in(const std::string &section) const;
+
+  /**
+   * The value that is given to an entry outside all sections, the last one;
+   * whatever else is there may be undeclared.
+   *
+   * @throws InputError if what is written is not of the form of the format.
+   */
+  std::optional<std::string> value_of(const std::string &entry) const;
 
   /**
    * Assign all to @p prm.

@@ -50,14 +50,15 @@ struct FieldDescription
   /** How its values are written. */
   FieldType type = FieldType::real;
 
-  /** The number of its components in the plane. */
+  /** The number of its components. */
   unsigned int n_components() const
   {
-    return shape == FieldShape::number   ? 1
-           : shape == FieldShape::tensor ? 4
-                                         : 2;
+    return shape == FieldShape::number         ? 1
+           : shape == FieldShape::space_vector ? 3
+           : shape == FieldShape::tensor       ? 4
+                                               : 2;
   }
-  /** The names of its components: those of vectors end in _x and _y. */
+  /** The names of its components: those of vectors end in _x, _y, _z. */
   std::vector<std::string> component_names(const std::string &of) const;
 };
 

@@ -32,10 +32,11 @@ struct FieldMemory
 /** What the values of a quantity are of. */
 enum class FieldShape
 {
-  number, /**< one component */
-  pair,   /**< the numbers of the start and of the end of an edge */
-  vector, /**< two components, x and y */
-  tensor  /**< four components: xx, xy, yx, yy */
+  number,       /**< one component */
+  pair,         /**< the numbers of the start and of the end of an edge */
+  vector,       /**< two components, x and y */
+  space_vector, /**< three components, x, y and z */
+  tensor        /**< four components: xx, xy, yx, yy */
 };
 
 /** How the values of a quantity are written. */
@@ -79,6 +80,7 @@ constexpr FieldShape shape_of_values =
     std::is_arithmetic_v<Value>                      ? FieldShape::number
     : std::is_same_v<Value, std::array<double, 2>>   ? FieldShape::pair
     : std::is_base_of_v<dealii::Tensor<2, 2>, Value> ? FieldShape::tensor
+    : std::is_base_of_v<dealii::Tensor<1, 3>, Value> ? FieldShape::space_vector
                                                      : FieldShape::vector;
 
 /** The values @p value(e) of the elements e, computed when they are wanted. */
@@ -95,6 +97,9 @@ FieldValues values_of_each(const Function &value)
       else if constexpr (shape == FieldShape::tensor)
         for (const unsigned int i : {0, 1, 2, 3})
           *place++ = v[i / 2][i % 2];
+      else if constexpr (shape == FieldShape::space_vector)
+        for (const unsigned int i : {0, 1, 2})
+          *place++ = v[i];
       else
         for (const unsigned int i : {0, 1})
           *place++ = v[i];

@@ -28,9 +28,10 @@ public:
   /** VTK's number for the shape of the cells. */
   enum class Shape : std::uint8_t
   {
-    line = 3,         /**< two points */
-    polygon = 7,      /**< any number of points, around it */
-    quadrilateral = 9 /**< four points, around it */
+    line = 3,          /**< two points */
+    polygon = 7,       /**< any number of points, around it */
+    quadrilateral = 9, /**< four points, around it */
+    polyhedron = 42    /**< any number of points, with faces */
   };
 
   /**
@@ -69,6 +70,18 @@ public:
                           const Items<std::int64_t> &ends);
 
   /**
+   * A grid of polyhedra that share no points, as separate().
+   *
+   * @param faces of each cell a sequence of numbers: that of its faces, and for
+   *   each face that of its points and these.
+   * @param face_ends of each cell how many numbers it and those before it have.
+   */
+  static VtuFile polyhedra(const Items<double> &points,
+                           const Items<std::int64_t> &ends,
+                           const Items<std::int64_t> &faces,
+                           const Items<std::int64_t> &face_ends);
+
+  /**
    * Give every cell @p n_components values: three make a vector and nine a
    * tensor, row by row. Number is double, int32_t or uint8_t.
    */
@@ -77,7 +90,7 @@ public:
                       const unsigned int n_components,
                       const Fill<Number> &values)
   {
-    const std::size_t n_cells = cells.back().n_items;
+    const std::size_t n_cells = number_of_cells();
     cell_fields.push_back(make_array(name, n_components, n_cells, values));
   }
 
@@ -129,8 +142,10 @@ private:
           const Items<std::int64_t> &ends,
           Shape shape);
 
+  std::size_t number_of_cells() const { return cells[1].n_items; }
+
   Array points;
-  /** connectivity, offsets and types. */
+  /** connectivity, offsets and types; of polyhedra also what faces are. */
   std::vector<Array> cells;
   std::vector<Array> cell_fields;
   std::vector<Array> point_fields;

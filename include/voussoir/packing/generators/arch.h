@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_generators_arch_h
 #define voussoir_packing_generators_arch_h
 
+#include <voussoir/packing/generators/arch_profile.h>
 #include <voussoir/packing/generators/generator.h>
 
 namespace Voussoir
@@ -29,6 +30,9 @@ namespace Voussoir
 class ArchGenerator : public PackingGenerator<2>
 {
 public:
+  /** @param section of the entries, which messages name. */
+  explicit ArchGenerator(const std::string &section = "Packing/arch");
+
   std::string name() const override { return "arch"; }
   std::string meaning() const override
   {
@@ -39,13 +43,8 @@ public:
                      Terminal &terminal) const override;
 
 private:
-  bool pointed = false;
-  double mean_radius = 1.;
-  double embrace = 180.;
-  double span = 2.;
-  double radius_over_span = 1.;
-  double thickness = 0.2;
-  unsigned int n_voussoirs = 15;
+  std::string section;
+  ArchProfile profile;
   unsigned int n_abutment_courses = 0;
   double abutment_height = 1.;
 };

@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -33,13 +34,15 @@ struct HalfArch
  * A circular arch around the origin: n+1 joints at equal angles, on radii.
  * The springings of a semicircle lie on y = 0.
  *
+ * @param section of its entries, which a message names: "Packing/arch".
  * @param mean_radius of the middle line; a length.
  * @param thickness a length.
  * @param n_voussoirs n, at least 2.
  * @param embrace the angle from springing to springing; degrees, at most 180.
  * @throws InputError if the intrados has no radius.
  */
-HalfArch circular_arch(double mean_radius,
+HalfArch circular_arch(const std::string &section,
+                       double mean_radius,
                        double thickness,
                        unsigned int n_voussoirs,
                        double embrace);
@@ -50,6 +53,7 @@ HalfArch circular_arch(double mean_radius,
  * divide the middle line into n equal parts; where n is even, the joint at the
  * crown is vertical instead.
  *
+ * @param section of its entries, which a message names: "Packing/arch".
  * @param span of the middle line; a length.
  * @param radius_over_span radius of the middle line's arcs over the span, at
  *   least 1/2, a semicircle; 1 is an equilateral arch.
@@ -58,7 +62,8 @@ HalfArch circular_arch(double mean_radius,
  * @throws InputError if the arch has no clear span, or if the joints next to
  *   the crown would reach over it.
  */
-HalfArch pointed_arch(double span,
+HalfArch pointed_arch(const std::string &section,
+                      double span,
                       double radius_over_span,
                       double thickness,
                       unsigned int n_voussoirs);

@@ -47,6 +47,8 @@ struct CellFaces : CellRecords
 
   /** The distance between faces that touch, at most; a length. */
   double tolerance = 0.;
+  /** The width of joints between faces that face each other; a length. */
+  double joint_width = 0.;
 
   /** The number of cells, fixed ones included. */
   unsigned int n_cells() const { return first_face.size() - 1; }

@@ -35,11 +35,16 @@ struct FaceContacts
 struct ContactTolerance
 {
   /**
-   * The distance of faces that touch, and their lack of parallelism over the
-   * size of the patch, at most; a length.
+   * The distance of faces that touch, at most, at every corner of the patch; a
+   * length. That limits the angle between them too, the more the larger the
+   * patch is. What is less than 16 units of rounding of the largest coordinate
+   * counts as that.
    */
   double distance;
-  /** The width of a joint between two faces that face each other; a length. */
+  /**
+   * The width of a joint between two faces that face each other; a length. Then
+   * their distance may be as much more, if nothing lies between them.
+   */
   double joint_width = 0.;
 };
 
@@ -47,12 +52,40 @@ struct ContactTolerance
  * Find the contacts of all cells. Faces touch where two of different cells with
  * opposite normals lie in one plane within the tolerance: in the convex
  * polygons that their convex pieces have in common. Patches and free parts
- * narrower than the tolerance are dropped. Two fixed cells touch nowhere.
+ * narrower than the tolerance are dropped, and so are faces. Corners as near to
+ * a vertex or side of the other face lie on that; one that is a vertex of a
+ * face in the plane of the patch is that to the last bit. Two fixed cells touch
+ * nowhere.
  *
- * Faces that are CellFaces::shared are taken as they are.
+ * Patches are in the order of the lower cell, its face, and the other cell and
+ * its face, whatever the number of threads.
+ *
+ * Faces that are CellFaces::shared are taken as they are, and all others are
+ * free.
+ *
+ * @throws InputError if a tolerance is negative or not finite, or a coordinate
+ *   is not finite, or a face that is not convex crosses itself.
  */
 FaceContacts face_contacts(const CellFaces &cells,
                            const ContactTolerance &tolerance);
+
+/** How many contacts there are. */
+struct ContactCount
+{
+  /** The number of pairs of cells that touch. */
+  unsigned int pairs_of_cells = 0;
+  /** The number of patches in which they do. */
+  unsigned int patches = 0;
+};
+
+/**
+ * Count the contacts that face_contacts() would find, to see how they depend
+ * on the tolerance.
+ *
+ * @throws InputError as face_contacts().
+ */
+ContactCount count_contacts(const CellFaces &cells,
+                            const ContactTolerance &tolerance);
 } // namespace Voussoir
 
 #endif

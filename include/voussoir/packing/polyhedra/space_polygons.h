@@ -34,6 +34,15 @@ struct SpacePolygons
     vertices.insert(vertices.end(), corners.begin(), corners.end());
     first.push_back(vertices.size());
   }
+  /** Add all polygons of another list behind. */
+  void append(const SpacePolygons &other)
+  {
+    const unsigned int offset = vertices.size();
+    vertices.insert(vertices.end(), other.vertices.begin(),
+                    other.vertices.end());
+    for (unsigned int k = 1; k < other.first.size(); ++k)
+      first.push_back(offset + other.first[k]);
+  }
 };
 
 /** The area of a plane polygon, and where it is. */

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_fields_polyhedra_h
+#define voussoir_output_fields_polyhedra_h
+
+#include <voussoir/output/fields/field_table.h>
+#include <voussoir/packing/polyhedra/packing.h>
+
+namespace Voussoir
+{
+// All quantities of packings in space, in explicit lists.
+
+/** The quantities of all polyhedra, fixed cells included. */
+const FieldTable<Packing<3>> &polyhedron_fields();
+/** The quantities of interfaces. */
+const FieldTable<Packing<3>> &face_interface_fields();
+/** The quantities of boundary faces, and in grids of their parts. */
+const FieldTable<Packing<3>> &boundary_face_fields();
+} // namespace Voussoir
+
+#endif

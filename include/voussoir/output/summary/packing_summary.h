@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_summary_packing_summary_h
+#define voussoir_output_summary_packing_summary_h
+
+#include <voussoir/packing/polyhedra/packing.h>
+#include <voussoir/terminal/terminal.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace Voussoir
+{
+/** Show what a packing in space consists of, and what it rests on. */
+void show_packing(Terminal &terminal, const Packing<3> &packing);
+
+/** Write what a packing in space consists of, as JSON. */
+void write_summary_json(std::ostream &out,
+                        const Packing<3> &packing,
+                        const std::string &title);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_vtu_polyhedra_vtu_h
+#define voussoir_output_vtu_polyhedra_vtu_h
+
+#include <voussoir/packing/polyhedra/packing.h>
+
+#include <iosfwd>
+
+namespace Voussoir
+{
+/**
+ * The polyhedra of a packing, fixed ones included, as a VTK unstructured grid
+ * of polyhedra that share no points, with polyhedron_fields() as cell data.
+ */
+void write_blocks_vtu(std::ostream &out, const Packing<3> &packing);
+
+/**
+ * The interfaces as a VTK unstructured grid of polygons, with
+ * face_interface_fields() as cell data.
+ */
+void write_interfaces_vtu(std::ostream &out, const Packing<3> &packing);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_run_packing_run_h
+#define voussoir_run_packing_run_h
+
+#include <voussoir/packing/polyhedra/packing_parameters.h>
+#include <voussoir/run/output_entries.h>
+#include <voussoir/run/run.h>
+#include <voussoir/scene/space_supports.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace Voussoir
+{
+/**
+ * A run in space, which ends with the packing: it is made or read, checked,
+ * supported and written.
+ */
+class PackingRun : public Run
+{
+public:
+  /** @param terminal sees what the run notices. */
+  explicit PackingRun(Terminal &terminal) : Run(terminal) {}
+
+  unsigned int dimension() const override { return 3; }
+  unsigned int verbosity() const override { return output.verbosity; }
+  void validate(const std::filesystem::path &directory) const override;
+  std::string carry_out(const std::filesystem::path &directory) override;
+
+protected:
+  void declare(const std::set<std::string> &load_cases) override;
+
+private:
+  /** The file in which the packing is written, too. */
+  enum class PackingFile
+  {
+    none,
+    off,
+    obj,
+    compas
+  };
+
+  /** Make the packing with its supports, and show what was understood. */
+  Packing<3> read_packing(const std::filesystem::path &directory) const;
+  void write(ResultDirectory &files, const Packing<3> &packing) const;
+  void write_packing(ResultDirectory &files, const Packing<3> &packing) const;
+
+  OutputEntries output;
+  PackingParameters<3> packing_parameters;
+  SpaceSupports supports;
+  PackingFile packing_file = PackingFile::none;
+  bool reports = true;
+};
+} // namespace Voussoir
+
+#endif

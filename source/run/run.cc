@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameter_input.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/run/run.h>
+#include <voussoir/run/unused_settings.h>
+#include <voussoir/scene/loads/load_cases.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+
+namespace Voussoir
+{
+namespace
+{
+const std::string dimension_entry = "Dimension";
+
+/** What is written in files and texts. */
+std::vector<ParameterInput> inputs_of(const ParameterSources &sources)
+{
+  std::vector<ParameterInput> inputs;
+  if (sources.file)
+    inputs.emplace_back(*sources.file);
+  if (!sources.text.empty())
+    inputs.emplace_back(sources.text, "the text");
+  return inputs;
+}
+
+/** The load cases of the sources. */
+std::set<std::string> load_cases_in(const std::vector<ParameterInput> &inputs,
+                                    const ParameterSources &sources)
+{
+  std::set<std::string> cases;
+  for (const ParameterInput &input : inputs)
+    cases.merge(input.sections_in(load_cases_section));
+  for (const std::string &text : sources.assignments)
+  {
+    const SectionPath section = assignment_of_text(text).to.section;
+    if (section.size() > 1 && section[0] == load_cases_section)
+      cases.insert(section[1]);
+  }
+  return cases;
+}
+} // namespace
+
+unsigned int dimension_of(const ParameterSources &sources)
+{
+  std::string value;
+  for (const ParameterInput &input : inputs_of(sources))
+    value = input.value_of(dimension_entry).value_or(value);
+  for (const std::string &text : sources.assignments)
+  {
+    const Assignment assignment = assignment_of_text(text);
+    if (assignment.to.section.empty() && assignment.to.entry == dimension_entry)
+      value = assignment.value;
+  }
+  return value == "3" ? 3 : 2;
+}
+
+void Run::read(const ParameterSources &sources)
+{
+  const std::vector<ParameterInput> inputs = inputs_of(sources);
+  prm.declare_entry(dimension_entry, "2", dealii::Patterns::Integer(2, 3),
+                    "2: the blocks are polygons in the plane. 3: they are "
+                    "polyhedra in space, with parameters of their own, which "
+                    "'voussoir --print-parameters --set Dimension=3' lists; "
+                    "the packing is made or read, checked and written.");
+  declare(load_cases_in(inputs, sources));
+  assigned.watch(prm);
+  for (const ParameterInput &input : inputs)
+    if (input.assign_to(prm))
+      assigned.forget_unchanged();
+  for (const std::string &assignment : sources.assignments)
+    assign_parameter(prm, assignment);
+  if (prm.get_integer(dimension_entry) != dimension())
+    throw InputError("'Dimension' is " + prm.get(dimension_entry) +
+                     ": packings in space are made, checked and written by "
+                     "'voussoir FILE.prm' alone; --sweep, --find and Python "
+                     "are for packings in the plane.");
+}
+
+void Run::assign(const std::string &assignment)
+{
+  assign_parameter(prm, assignment);
+}
+
+void Run::print(std::ostream &out,
+                const std::string &section,
+                const ParameterFormat format,
+                const Detail detail)
+{
+  check_section(prm, dealii::Utilities::split_string_list(section, '/'),
+                "--print-parameters=" + section);
+  const auto is_wanted = [&](const std::string &path) {
+    return (section.empty() || boost::starts_with(path, section + '/')) &&
+           (detail == Detail::listing || assigned.contains(path));
+  };
+  print_parameters(out, prm, is_wanted, format, detail);
+}
+
+void Run::warn_of_unused() const
+{
+  for (const std::string &warning : unused_settings(assigned))
+    terminal.warning(warning);
+}
+} // namespace Voussoir
