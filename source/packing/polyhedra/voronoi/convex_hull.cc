@@ -90,9 +90,7 @@ public:
       if (group[face] == invalid_index)
         spread(face, n_groups++);
 
-    std::vector<std::vector<unsigned int>> loops(n_groups);
-    for (unsigned int g = 0; g < n_groups; ++g)
-      loops[g] = outline(g);
+    std::vector<std::vector<unsigned int>> loops = outlines(n_groups);
     drop_what_is_no_corner(loops);
     return loops;
   }
@@ -144,18 +142,23 @@ private:
     }
   }
 
-  /** Vertices around the faces of a group. */
-  std::vector<unsigned int> outline(const unsigned int g) const
+  /** Vertices around the faces of each group. */
+  std::vector<std::vector<unsigned int>>
+  outlines(const unsigned int n_groups) const
   {
-    std::map<unsigned int, unsigned int> next;
+    std::vector<std::map<unsigned int, unsigned int>> next(n_groups);
     for (const auto h : mesh.halfedges())
-      if (group[mesh.face(h)] == g && group[mesh.face(mesh.opposite(h))] != g)
-        next[mesh.source(h)] = mesh.target(h);
-    std::vector<unsigned int> loop;
-    for (unsigned int v = next.begin()->first; loop.size() < next.size();
-         v = next[v])
-      loop.push_back(v);
-    return loop;
+    {
+      const unsigned int g = group[mesh.face(h)];
+      if (group[mesh.face(mesh.opposite(h))] != g)
+        next[g][mesh.source(h)] = mesh.target(h);
+    }
+    std::vector<std::vector<unsigned int>> loops(n_groups);
+    for (unsigned int g = 0; g < n_groups; ++g)
+      for (unsigned int v = next[g].begin()->first;
+           loops[g].size() < next[g].size(); v = next[g][v])
+        loops[g].push_back(v);
+    return loops;
   }
 
   /** Of the @p loops, keep the vertices that three or more have. */

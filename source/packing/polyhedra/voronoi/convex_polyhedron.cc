@@ -56,7 +56,7 @@ void check_places(const std::vector<Point<3>> &points, const std::string &what)
 }
 
 /** Vertex numbers bit by bit: x, then y, then z of the upper corner. */
-constexpr std::array<std::array<unsigned int, 4>, 6> faces_of_box = {
+constexpr std::array<std::array<unsigned int, 4>, 6> loops_of_box = {
     {{{0, 4, 6, 2}},
      {{1, 3, 7, 5}},
      {{0, 1, 5, 4}},
@@ -83,7 +83,7 @@ ConvexPolyhedron::ConvexPolyhedron(const Box &box) : shape_name("box")
       corner[d] = i >> d & 1 ? box.upper[d] : box.lower[d];
     surface.vertices.push_back(corner);
   }
-  for (const auto &face : faces_of_box)
+  for (const auto &face : loops_of_box)
     surface.add_face(face);
   surface.end_cell();
   measure();

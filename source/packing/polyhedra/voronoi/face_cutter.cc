@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace Voussoir

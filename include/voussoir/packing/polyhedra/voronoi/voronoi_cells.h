@@ -21,8 +21,10 @@ namespace Voussoir
  *
  * Features smaller than the resolution, 1e-12 of the mean size of a cell or
  * rounding of the coordinates if that is more, are left out, in all cells
- * alike: see without_small_features(). Cells that meet in an edge or a point
- * only, as eight cubes of a grid do, are not neighbours.
+ * alike: see without_small_features(). Vertices lie in the planes of their
+ * faces to rounding of the size of the domain, or to some ten times the
+ * resolution where features were left out. Cells that meet in an edge or a
+ * point only, as eight cubes of a grid do, are not neighbours.
  *
  * The faces of a cell are in the order of the cells behind them, and then of
  * the domain's faces; interior ones are all CellFaces::shared.
