@@ -110,7 +110,7 @@ FaceLoops with_welded_numbers(const BlockMesh &block)
   for (const dealii::Point<3> &p : block.vertices)
     // A zero with a sign is one without.
     number.push_back(
-        numbers.emplace(Key{p[0] + 0., p[1] + 0., p[2] + 0.}, number.size())
+        numbers.emplace(Key{{p[0] + 0., p[1] + 0., p[2] + 0.}}, number.size())
             .first->second);
   FaceLoops faces = block.faces;
   for (unsigned int &corner : faces.corners)

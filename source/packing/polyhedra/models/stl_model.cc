@@ -36,7 +36,7 @@ private:
   unsigned int number_of(const dealii::Point<3> &p)
   {
     // A zero with a sign is one without.
-    const std::array<double, 3> key = {p[0] + 0., p[1] + 0., p[2] + 0.};
+    const std::array<double, 3> key = {{p[0] + 0., p[1] + 0., p[2] + 0.}};
     const auto [entry, is_new] = numbers.emplace(key, block.vertices.size());
     if (is_new)
       block.vertices.push_back(p);
