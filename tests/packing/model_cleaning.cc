@@ -105,10 +105,10 @@ void test_joining()
     check_error("notched block: volume", std::abs(volume_of(cells) - 4.),
                 1e-14);
   }
-  std::vector<std::array<double, 2>> circle;
+  std::vector<Point<2>> circle;
   for (unsigned int k = 0; k < 64; ++k)
-    circle.push_back({std::cos(k * dealii::numbers::PI / 32),
-                      std::sin(k * dealii::numbers::PI / 32)});
+    circle.emplace_back(std::cos(k * dealii::numbers::PI / 32),
+                        std::sin(k * dealii::numbers::PI / 32));
   const CellFaces drum = cells_of(triangulated(prism(circle, 1.))).cells;
   std::vector<unsigned int> sizes(64, 4);
   sizes.insert(sizes.end(), {64, 64});

@@ -31,8 +31,8 @@ bool is_true(const Json *const value)
 namespace
 {
 /** The keys by which the trees that are wrapped are known. */
-constexpr std::array<const char *, 7> keys_of_content = {
-    {"vertex", "node", "elements", "graph", "blocks", "geometry", "shape"}};
+constexpr const char *keys_of_content[] = {
+    "vertex", "node", "elements", "graph", "blocks", "geometry", "shape"};
 
 /** The numbers of vertices by their keys. */
 using VertexKeys = std::unordered_map<std::string, unsigned int>;

@@ -4,6 +4,7 @@
 #include <voussoir/packing/polyhedra/models/readers.h>
 
 #include <algorithm>
+#include <array>
 
 namespace Voussoir
 {
