@@ -166,7 +166,7 @@ void test_holes()
         are_sound(cells));
   check_error("block with a hole: volume", std::abs(volume_of(cells) - 8.),
               1e-13);
-  // Four sides without and four within, and two faces of two pieces at least.
+  // Four sides outside and four within, and two faces of two pieces at least.
   check("block with a hole: faces around it are cut",
         cells.n_faces() >= 12 && cells.n_faces() <= 14);
   double area = 0.;
