@@ -3,6 +3,8 @@
 #define voussoir_tests_block_checks_h
 
 #include <voussoir/packing/polyhedra/cell_moments.h>
+#include <voussoir/packing/polyhedra/cell_overlaps.h>
+#include <voussoir/packing/polyhedra/face_contacts.h>
 #include <voussoir/packing/polyhedra/space_polygons.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -95,7 +97,56 @@ inline double volume_of(const Voussoir::CellFaces &cells)
   return volume;
 }
 
-/** Check that all cells are closed, convex and turned outwards, and planes. */
+/**
+ * The area in which cells touch, times the sizes of the components of its
+ * normal; L^2. All faces touch or are free, which is checked.
+ */
+inline dealii::Tensor<1, 3> areas_of_contacts(const Voussoir::CellFaces &cells)
+{
+  const auto contacts = face_contacts(cells, {cells.tolerance});
+  dealii::Tensor<1, 3> areas;
+  double free = 0., touching = 0., all = 0.;
+  for (unsigned int k = 0; k < contacts.patches.size(); ++k)
+  {
+    const auto patch = Voussoir::moments_of(contacts.patches[k]);
+    touching += patch.area();
+    for (unsigned int d = 0; d < 3; ++d)
+      areas[d] += std::abs(patch.vector_area[d]);
+  }
+  for (unsigned int k = 0; k < contacts.free_parts.size(); ++k)
+    free += Voussoir::moments_of(contacts.free_parts[k]).area();
+  for (unsigned int f = 0; f < cells.n_faces(); ++f)
+  {
+    const auto polygon = cells.polygon(f);
+    all += Voussoir::moments_of(dealii::make_array_view(polygon)).area();
+  }
+  check_error("  faces touch or are free",
+              std::abs(2. * touching + free - all) / all, 1e-12);
+  return areas;
+}
+
+/**
+ * Check the contacts of boxes against the areas of the pairs that touch.
+ *
+ * @return areas_of_contacts().
+ */
+inline dealii::Tensor<1, 3> check_contacts(const Voussoir::CellFaces &cells)
+{
+  const std::vector<Box3> boxes = boxes_of(cells);
+  check("  no overlaps",
+        n_overlapping(boxes) == 0 && overlaps(cells, cells.tolerance).empty());
+  const dealii::Tensor<1, 3> areas = areas_of_contacts(cells);
+  double error = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double area = area_between(boxes, d);
+    error = std::max(error, std::abs(areas[d] - area) / std::max(area, 1e-3));
+  }
+  check_error("  areas of contacts", error, 1e-12);
+  return areas;
+}
+
+/** Check that all cells are closed, convex, turned outwards and plane-faced. */
 inline void check_blocks(const Voussoir::CellFaces &cells, const double volume)
 {
   bool closed = true, positive = true;

@@ -1,5 +1,5 @@
 # That a page of the manual is what the program prints.
-execute_process(COMMAND ${VOUSSOIR} --print-reference
+execute_process(COMMAND ${VOUSSOIR} --print-reference ${OPTIONS}
   OUTPUT_FILE parameters.md RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "voussoir ended with status ${status}")
@@ -7,6 +7,6 @@ endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files parameters.md ${PAGE}
   RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
-  message(FATAL_ERROR "doc/parameters.md is out of date; write it again by "
-    "contrib/run --print-reference > doc/parameters.md")
+  message(FATAL_ERROR "${PAGE} is out of date; write it again by "
+    "contrib/run --print-reference ${OPTIONS} > ${PAGE}")
 endif()

@@ -71,19 +71,23 @@ void check_column(const unsigned int n_drums,
   check_blocks(cells, unit_area(n_sides) * height *
                           (bottom * bottom + bottom * top + top * top) / 3.);
   bool joined = true;
-  double error = 0.;
+  double error = 0., sections = 0.;
   for (unsigned int k = 0; k + 1 < n_drums; ++k)
   {
     const auto below = end_of(cells, k, true);
     joined &= below.size() == n_sides && below == end_of(cells, k + 1, false);
     const double radius = bottom + (top - bottom) * (k + 1) / n_drums;
+    sections += unit_area(n_sides) * radius * radius;
     error =
         std::max(error, std::abs(area_of(below, {0., 0., below[0][2]}) /
                                      (unit_area(n_sides) * radius * radius) -
                                  1.));
   }
   check("  drums share their sections", joined);
-  check_error("  areas of the joints", error, 1e-13);
+  check_error("  areas of the sections", error, 1e-13);
+  const auto areas = areas_of_contacts(cells);
+  check_error("  areas of contacts", std::abs(areas[2] - sections), 1e-12);
+  check_error("  only at beds", areas[0] + areas[1], 0.);
   const Box3 box(cells.vertices);
   check_error("  height", std::abs(box.upper_bound(2) - height), 1e-15);
   const double reach =
@@ -121,6 +125,15 @@ void check_row()
   check("  each block on the one below",
         stacked && boxes[21].lower_bound(2) == boxes[20].upper_bound(2) &&
             boxes[22].lower_bound(2) == boxes[6].upper_bound(2));
+  // Between drums, drums and slabs, and beams; the top of a capital carries
+  // beams over its width, and two beams meet.
+  const auto areas = areas_of_contacts(cells);
+  double joints = 0.;
+  for (unsigned int k = 0; k <= 5; ++k)
+    joints += 3. * 2. * std::pow(0.4 - 0.02 * k, 2);
+  check_error("  beds", std::abs(areas[2] - joints - 3. * 0.9 * 0.7), 1e-12);
+  check_error("  between the beams", std::abs(areas[0] - 0.7 * 0.5), 1e-15);
+  check("  no overlaps", overlaps(cells, cells.tolerance).empty());
   check("  beams meet above the axis",
         boxes[21].upper_bound(0) == boxes[22].lower_bound(0) &&
             boxes[21].upper_bound(0) == 2.3);

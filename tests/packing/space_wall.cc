@@ -122,7 +122,7 @@ void check_bond(const std::string &bond,
       generate(bond_of(bond, n_widths, length) + "set Height = 5");
   check_blocks(cells, length * 2 * n_widths * 5);
   const std::vector<Box3> boxes = boxes_of(cells);
-  check("  no overlaps", n_overlapping(boxes) == 0);
+  check_contacts(cells);
   double longest = 0., shortest = length, smallest = 1e9, largest = 0.;
   for (const Box3 &box : boxes)
   {
@@ -177,14 +177,13 @@ void check_numbers(const unsigned int n)
 void check_areas()
 {
   // 5 courses of 5 bricks, with halves at the ends of the second and fourth.
-  const std::vector<Box3> leaves =
-      boxes_of(generate("set Thickness = 6\nset Height = 5"));
-  check_error("areas of two leaves: beds",
-              std::abs(area_between(leaves, 2) - 4 * 20. * 6.), 1e-10);
-  check_error("  head joints",
-              std::abs(area_between(leaves, 0) - (3 * 4 + 2 * 5) * 6.), 1e-10);
-  check_error("  between leaves",
-              std::abs(area_between(leaves, 1) - 2 * 20. * 5.), 1e-10);
+  std::cout << "three leaves" << std::endl;
+  const auto areas =
+      areas_of_contacts(generate("set Thickness = 6\nset Height = 5"));
+  check_error("  beds", std::abs(areas[2] - 4 * 20. * 6.), 1e-10);
+  check_error("  head joints", std::abs(areas[0] - (3 * 4 + 2 * 5) * 6.),
+              1e-10);
+  check_error("  between leaves", std::abs(areas[1] - 2 * 20. * 5.), 1e-10);
 }
 
 void check_through_stones()
@@ -199,7 +198,7 @@ void check_through_stones()
   check("  number", sizes["through stone"] == n_through);
   check("  bricks", sizes["brick"] == 3 * (5 * 5 + 5 * 6 - n_through));
   const std::vector<Box3> boxes = boxes_of(cells);
-  check("  no overlaps", n_overlapping(boxes) == 0);
+  check_contacts(cells);
   bool in_place = true;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
     if (cells.group_names[cells.group[c]] == "through stone")
@@ -230,7 +229,7 @@ void check_openings(const std::string &name,
         generate("set Thickness = 6\nset Bond = " + bond + "\n" + settings);
     check_blocks(cells, 6. * area);
     const std::vector<Box3> boxes = boxes_of(cells);
-    check("  no overlaps", n_overlapping(boxes) == 0);
+    check_contacts(cells);
     double narrowest = 20.;
     for (unsigned int c = 0; c < cells.n_cells(); ++c)
       if (cells.group_names[cells.group[c]] != "lintel")
@@ -265,6 +264,36 @@ void check_common_places()
             generate("set Openings = 8.00000001, 1.999999999, 12, "
                      "6.000000001")
                 .vertices);
+}
+
+/** Walls of another unit of length have the same bricks. */
+void check_scales()
+{
+  const auto scaled = [](const double unit) {
+    return generate(
+        text("set Bond = English\nset Thickness = ", 6 * unit,
+             "\nset Length = ", 20 * unit, "\nset Height = ", 10 * unit,
+             "\nset Brick length = ", 4 * unit,
+             "\nset Brick width = ", 2 * unit, "\nset Brick height = ", unit,
+             "\nset Lintel bearing = ", unit, "\nset Openings = ", 7.3 * unit,
+             ", ", 2 * unit, ", ", 12.9 * unit, ", ", 6 * unit));
+  };
+  const CellFaces wall = scaled(1.);
+  const ContactCount contacts = count_contacts(wall, {wall.tolerance});
+  for (const double unit : {1e-6, 1e-3, 1e3, 1e6})
+  {
+    const CellFaces other = scaled(unit);
+    const ContactCount same = count_contacts(other, {other.tolerance});
+    check(text("a wall ", unit, " times as large"),
+          other.n_cells() == wall.n_cells() && other.group == wall.group &&
+              same.patches == contacts.patches &&
+              same.pairs_of_cells == contacts.pairs_of_cells);
+    check_error(
+        "  volume",
+        std::abs(volume_of(other) / std::pow(unit, 3) / (6. * (200. - 22.4)) -
+                 1.),
+        1e-12);
+  }
 }
 
 void refuse(const std::string &settings)
@@ -331,6 +360,9 @@ void run()
   check_openings("a lintel to the end", "set Openings = 1.3, 2, 7.6, 6",
                  200. - 25.2);
   check_common_places();
+  check_scales();
+  check("a wall narrower than a piece of a brick",
+        generate("set Length = 0.3").n_cells() == 10);
   check_failures();
 }
 

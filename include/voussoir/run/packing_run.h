@@ -23,12 +23,12 @@ public:
   /** @param terminal sees what the run notices. */
   explicit PackingRun(Terminal &terminal) : Run(terminal) {}
 
+  unsigned int dimension() const override { return 3; }
   unsigned int verbosity() const override { return output.verbosity; }
   void validate(const std::filesystem::path &directory) const override;
   std::string carry_out(const std::filesystem::path &directory) override;
 
 protected:
-  unsigned int dimension() const override { return 3; }
   void declare(const std::set<std::string> &load_cases) override;
 
 private:

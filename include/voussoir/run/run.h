@@ -79,6 +79,8 @@ public:
              ParameterFormat format,
              Detail detail);
 
+  /** The value of `Dimension` that this is for. */
+  virtual unsigned int dimension() const { return 2; }
   /** What the terminal is to show; 0 to 2. */
   virtual unsigned int verbosity() const = 0;
   /**
@@ -101,8 +103,6 @@ public:
 protected:
   /** @param terminal sees what the run notices. */
   explicit Run(Terminal &terminal) : terminal(terminal) {}
-  /** The value of `Dimension` that this is for. */
-  virtual unsigned int dimension() const { return 2; }
   /** Declare all parameters but `Dimension`, with load cases by their names. */
   virtual void declare(const std::set<std::string> &load_cases) = 0;
   /** Warn of settings that have no effect. */

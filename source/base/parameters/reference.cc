@@ -61,16 +61,22 @@ void write_section(std::ostream &out,
 }
 } // namespace
 
-void write_reference(std::ostream &out, const dealii::ParameterHandler &prm)
+void write_reference(std::ostream &out,
+                     const dealii::ParameterHandler &prm,
+                     const std::string &title,
+                     const std::string &options)
 {
-  out << "# Parameters\n\n";
+  out << "# " << title << "\n\n";
   write_paragraph(
       out,
       "Every entry of a .prm file, by section, with its default and what it "
-      "accepts. `voussoir --print-reference` has written this page, and "
-      "`voussoir --print-parameters` prints the same as a .prm file. What a "
-      "file leaves out keeps its default. On the command line an entry is "
-      "assigned by its path, as in `--set \"Solver/Tolerance=1e-8\"`.",
+      "accepts. `voussoir --print-reference" +
+          options +
+          "` has written this page, and `voussoir --print-parameters" +
+          options +
+          "` prints the same as a .prm file. What a "
+          "file leaves out keeps its default. On the command line an entry is "
+          "assigned by its path, as in `--set \"Solver/Tolerance=1e-8\"`.",
       "");
   write_section(out, tree_of(prm), "");
 }

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/polyhedra/generators/building.h>
+#include <voussoir/packing/polyhedra/generators/column.h>
+#include <voussoir/packing/polyhedra/generators/cross_vault.h>
+#include <voussoir/packing/polyhedra/generators/dome.h>
+#include <voussoir/packing/polyhedra/generators/stairs.h>
+#include <voussoir/packing/polyhedra/generators/vault.h>
+#include <voussoir/packing/polyhedra/generators/wall.h>
 #include <voussoir/packing/polyhedra/packing_parameters.h>
 
 #include <utility>
@@ -9,6 +16,13 @@ namespace Voussoir
 PackingParameters<3>::PackingParameters()
 {
   // The one place where a generator is registered.
+  generators.add<SpaceWallGenerator>();
+  generators.add<BuildingGenerator>();
+  generators.add<ColumnGenerator>();
+  generators.add<StairsGenerator>();
+  generators.add<VaultGenerator>();
+  generators.add<DomeGenerator>();
+  generators.add<CrossVaultGenerator>();
 }
 
 void PackingParameters<3>::add_parameters(dealii::ParameterHandler &prm)

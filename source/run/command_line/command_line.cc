@@ -108,19 +108,21 @@ std::unique_ptr<Run> make_run(const ParameterSources &sources,
 
 /** One that tells of the parameters. */
 std::optional<std::string> text_of_parameters(const Arguments &arguments,
-                                              Run &analysis)
+                                              Run &run)
 {
   std::ostringstream text;
   if (arguments.print_parameters || arguments.print_settings)
-    analysis.print(text, arguments.print_parameters.value_or(""),
-                   parameter_format_of(arguments.format.value_or("prm")),
-                   arguments.print_settings ? Detail::value : Detail::listing);
+    run.print(text, arguments.print_parameters.value_or(""),
+              parameter_format_of(arguments.format.value_or("prm")),
+              arguments.print_settings ? Detail::value : Detail::listing);
   else if (arguments.print_schema)
-    print_schema(text, analysis.entries(), load_cases_section);
+    print_schema(text, run.entries(), load_cases_section);
   else if (arguments.print_reference)
-    write_reference(text, analysis.entries());
+    write_reference(text, run.entries(),
+                    run.dimension() == 3 ? "Parameters in space" : "Parameters",
+                    run.dimension() == 3 ? " --set Dimension=3" : "");
   else if (arguments.print_completion)
-    print_bash_completion(text, option_names(), analysis.tree());
+    print_bash_completion(text, option_names(), run.tree());
   else
     return {};
   return text.str();
@@ -156,10 +158,9 @@ ExitStatus run(const Arguments &arguments,
   if (arguments.print_schema) // of load cases by any name
     sources.assignments.push_back(load_cases_section +
                                   "/case/Boundary load=traction");
-  const std::unique_ptr<Run> run_of = make_run(sources, terminal, processes);
-  Run &analysis = *run_of;
-  analysis.read(sources);
-  if (const auto text = text_of_parameters(arguments, analysis))
+  const std::unique_ptr<Run> run = make_run(sources, terminal, processes);
+  run->read(sources);
+  if (const auto text = text_of_parameters(arguments, *run))
     return print(streams.out, *text);
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
@@ -171,11 +172,11 @@ ExitStatus run(const Arguments &arguments,
       fs::proximate(fs::canonical(arguments.file).parent_path());
   if (arguments.validate)
   {
-    analysis.validate(directory);
+    run->validate(directory);
     return ExitStatus::solved;
   }
-  terminal.set_verbosity(analysis.verbosity());
-  const std::string message = analysis.carry_out(directory);
+  terminal.set_verbosity(run->verbosity());
+  const std::string message = run->carry_out(directory);
   return message.empty() ? ExitStatus::solved
                          : fail(streams, ExitStatus::load_not_carried, message);
 }

@@ -67,17 +67,28 @@ double inside_of_sides(const CellFaces &cells,
 }
 } // namespace
 
+std::array<unsigned int, 2> CellProbes::pieces_of(const unsigned int cell) const
+{
+  return {{geometry.pieces.first_of_face(geometry.cells.first_face[cell]),
+           geometry.pieces.first_of_face(geometry.cells.first_face[cell + 1])}};
+}
+
 double CellProbes::winding_number(const unsigned int cell,
                                   const Point<3> &place) const
 {
-  const CellFaces &cells = geometry.cells;
+  // By the pieces of faces, so that a place in the plane of a notched face is
+  // not in two triangles of which one has to cancel the other.
+  const std::vector<Point<3>> &vertices = geometry.cells.vertices;
+  const auto [begin, end] = pieces_of(cell);
   double angle = 0.;
-  for (unsigned int f = cells.first_face[cell]; f < cells.first_face[cell + 1];
-       ++f)
-    for (unsigned int i = 1; i + 1 < cells.n_corners(f); ++i)
-      angle +=
-          solid_angle(cells.vertex(f, 0) - place, cells.vertex(f, i) - place,
-                      cells.vertex(f, i + 1) - place);
+  for (unsigned int p = begin; p < end; ++p)
+  {
+    const auto corners = geometry.pieces.corners(p);
+    const Tensor<1, 3> first = vertices[corners[0]] - place;
+    for (unsigned int i = 1; i + 1 < corners.size(); ++i)
+      angle += solid_angle(first, vertices[corners[i]] - place,
+                           vertices[corners[i + 1]] - place);
+  }
   return angle / (4. * dealii::numbers::PI);
 }
 

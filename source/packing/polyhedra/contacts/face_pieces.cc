@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
+#include <array>
 
 namespace Voussoir
 {
@@ -41,6 +42,23 @@ bool is_simple_ring(const std::vector<Point<2>> &ring)
   for (const Point<2> &p : ring)
     points.emplace_back(p[0], p[1]);
   return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
+}
+
+/**
+ * The corner that is first in the order of coordinates: pieces do not depend on
+ * where a loop begins.
+ */
+std::size_t lowest_corner(const CellFaces &cells, const Numbers &corners)
+{
+  const auto key = [&](const unsigned int v) {
+    const Point<3> &place = cells.vertices[v];
+    return std::array<double, 3>{{place[0], place[1], place[2]}};
+  };
+  return std::min_element(corners.begin(), corners.end(),
+                          [&](const unsigned int v, const unsigned int w) {
+                            return key(v) < key(w);
+                          }) -
+         corners.begin();
 }
 
 /** The vertices of a face without those next to the one before. */
@@ -78,10 +96,12 @@ std::vector<Numbers> pieces_with_corners(const CellFaces &cells,
              text_of_point(cells.vertices[corners[0]]),
              ", cross or touch each other. Correct the order of its vertices, "
              "or cut it into faces that do not."));
+  const std::size_t first = lowest_corner(cells, corners);
+  std::rotate(ring.begin(), ring.begin() + first, ring.end());
   std::vector<Numbers> pieces = convex_pieces(ring);
   for (Numbers &piece : pieces)
     for (unsigned int &number : piece)
-      number = corners[number];
+      number = corners[(first + number) % corners.size()];
   return pieces;
 }
 

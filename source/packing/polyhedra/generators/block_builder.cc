@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Voussoir
 {
@@ -22,6 +23,25 @@ constexpr std::array<std::array<unsigned int, 4>, 6> faces_of_box = {
      {{2, 6, 7, 3}},
      {{0, 2, 3, 1}},
      {{4, 5, 7, 6}}}};
+/**
+ * The distance at which faces of blocks touch, over the largest extent of all:
+ * more than rounding in a few operations, less than any measure of a block.
+ */
+constexpr double tolerance_of_blocks = 1e-9;
+
+/** The largest extent along an axis of points, if there are any; a length. */
+double largest_extent(const BlockBuilder::Loop &points)
+{
+  double extent = 0.;
+  for (unsigned int d = 0; d < 3 && !points.empty(); ++d)
+  {
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(),
+        [&](const Point<3> &a, const Point<3> &b) { return a[d] < b[d]; });
+    extent = std::max(extent, (*high)[d] - (*low)[d]);
+  }
+  return extent;
+}
 } // namespace
 
 BlockBuilder::BlockBuilder(std::vector<std::string> group_names)
@@ -108,6 +128,12 @@ void BlockBuilder::add_polyhedron(
     cells.add_face(face);
   }
   finish_block(group);
+}
+
+CellFaces BlockBuilder::take()
+{
+  cells.tolerance = tolerance_of_blocks * largest_extent(cells.vertices);
+  return std::exchange(cells, CellFaces());
 }
 
 void BlockBuilder::finish_block(const unsigned int group)

@@ -42,6 +42,8 @@ public:
 private:
   using Segment = std::array<dealii::Point<3>, 2>;
 
+  /** The first piece of the faces of a cell, and the end. */
+  std::array<unsigned int, 2> pieces_of(unsigned int cell) const;
   /** The edges of a cell, and the lines into it. */
   std::vector<Segment> segments_of(unsigned int cell) const;
   /** Where a segment crosses faces of a cell, from 0 to 1, ascending. */

@@ -26,16 +26,18 @@ enum class WallBond
   /**
    * Even courses with stretchers in front, odd ones with headers in front; what
    * is behind is laid in headers, and in stretchers at the back where one brick
-   * width is left over, so that no joint between rows is above another. Headers
-   * in odd courses have a closer next to the header at either end. In a wall
-   * thicker than two brick widths the end headers of two courses are the one
-   * above the other inside the wall.
+   * width is left over, so that no joint between rows is above another. Rows of
+   * headers in odd courses have a closer next to the first header, and next to
+   * the last if the wall is a whole number of stretchers long. In a wall
+   * thicker than two brick widths the joints beside these headers are above
+   * each other inside the wall.
    */
   English,
   /**
    * In a wall two brick widths thick, two stretchers side by side and a header
    * alternate in each course. Even courses begin with stretchers; odd ones with
-   * a header and a closer.
+   * a header and a closer, and end so if the wall is 1, 5/2, 4, 11/2, ...
+   * stretchers long, for which even courses end with stretchers.
    */
   Flemish
 };

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Contacts of faces of polyhedra: what they do not depend on, what they add up
+// to, and areas against exact arithmetic.
+
+#include <CGAL/Boolean_set_operations_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/convex_hull_2.h>
+
+#include "cell_faces.h"
+#include "tests.h"
+#include <iterator>
+#include <map>
+
+namespace test_face_contact_properties
+{
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+constexpr double tolerance = 1e-9;
+
+/** For each pair of cells that touch the number of patches, and their area. */
+using Pairs =
+    std::map<std::array<unsigned int, 2>, std::pair<unsigned int, double>>;
+
+/** @param names what the cells are called. */
+Pairs pairs_of(const CellFaces &cells,
+               const FaceContacts &contacts,
+               const std::vector<unsigned int> &names)
+{
+  Pairs pairs;
+  for (unsigned int k = 0; k < contacts.faces.size(); ++k)
+  {
+    const auto [a, b] =
+        std::minmax({names[cells.cell_of_face(contacts.faces[k][0])],
+                     names[cells.cell_of_face(contacts.faces[k][1])]});
+    auto &[n, area] = pairs[{{a, b}}];
+    ++n;
+    area += moments_of(contacts.patches[k]).area();
+  }
+  return pairs;
+}
+
+/** The largest relative difference of areas; infinite for other pairs. */
+double difference(const Pairs &one, const Pairs &other, const double factor)
+{
+  double largest = one.size() == other.size() ? 0. : 1e300;
+  for (const auto &[cells, patches] : one)
+  {
+    const auto found = other.find(cells);
+    if (found == other.end() || found->second.first != patches.first)
+      return 1e300;
+    largest = std::max(
+        largest, std::abs(factor * found->second.second / patches.second - 1.));
+  }
+  return largest;
+}
+
+/** Bricks, a block with a notch that bears some of them, and a drum. */
+CellFaces mixed_blocks()
+{
+  CellFaces cells = brick_wall(3, 2, 4);
+  add_prism(cells,
+            {{0, 0}, {6, 0}, {6, 2}, {3, 2}, {3, 1}, {1, 1}, {1, 2}, {0, 2}},
+            -1., 0.);
+  std::vector<Point<2>> ring;
+  for (unsigned int i = 0; i < 9; ++i)
+    ring.emplace_back(4. + std::cos(0.7 * i), 1. + std::sin(0.7 * i));
+  add_prism(cells, ring, 2., 3.);
+  return cells;
+}
+
+void check_invariance()
+{
+  std::cout << "Blocks that are turned, scaled, shuffled, and moved"
+            << std::endl;
+  const CellFaces cells = mixed_blocks();
+  std::vector<unsigned int> same(cells.n_cells());
+  std::iota(same.begin(), same.end(), 0);
+  const FaceContacts contacts = face_contacts(cells, {tolerance});
+  const Pairs pairs = pairs_of(cells, contacts, same);
+  const double free_area = total_area(contacts.free_parts);
+
+  Random random(3);
+  double error = 0., free_error = 0., open = 0., moved_error = 0.;
+  for (unsigned int k = 0; k < 40; ++k)
+  {
+    const Tensor<2, 3> R = random_rotation(random);
+    const double scale = std::pow(10., -3. + 9. * random());
+    const std::vector<unsigned int> order =
+        random_order(cells.n_cells(), random);
+    const CellFaces others = renumbered(cells, order, random);
+    const CellFaces turned = mapped(others, [&](const Point<3> &p) {
+      return Point<3>(scale * (R * Tensor<1, 3>(p)));
+    });
+    const FaceContacts found = face_contacts(turned, {scale * tolerance});
+    error = std::max(error, difference(pairs, pairs_of(turned, found, order),
+                                       1. / (scale * scale)));
+    free_error = std::max(free_error, std::abs(total_area(found.free_parts) /
+                                                   (scale * scale * free_area) -
+                                               1.));
+    open = std::max(open, uncovered(turned, found));
+
+    const CellFaces moved = mapped(turned, [&](const Point<3> &p) {
+      return p + 1e4 * scale * Tensor<1, 3>({1., -1., 1.});
+    });
+    moved_error = std::max(
+        moved_error,
+        difference(
+            pairs,
+            pairs_of(moved, face_contacts(moved, {scale * tolerance}), order),
+            1. / (scale * scale)));
+  }
+  check_error("  areas of patches", error, 1e-12);
+  check_error("  free area", free_error, 1e-12);
+  check_error("  faces are covered", open, 1e-12);
+  // The coordinates are rounded to 1e-12.
+  check_error("  areas of patches far away", moved_error, 2e-11);
+
+  const CellFaces far = mapped(brick_wall(3, 2, 4), [](const Point<3> &p) {
+    return p + 16384. * Tensor<1, 3>({1., -1., 1.});
+  });
+  const FaceContacts found = face_contacts(far, {tolerance});
+  unsigned int n_vertices = 0;
+  for (const Point<3> &p : found.patches.vertices)
+    n_vertices += std::find(far.vertices.begin(), far.vertices.end(), p) !=
+                  far.vertices.end();
+  check("  corners far away are vertices to the last bit",
+        n_vertices == found.patches.vertices.size());
+}
+
+void check_closed_cells()
+{
+  std::cout << "Patches and free parts of a cell close it" << std::endl;
+  Random random(5);
+  const Tensor<2, 3> R = random_rotation(random);
+  const CellFaces cells = mapped(mixed_blocks(), [&](const Point<3> &p) {
+    return Point<3>(R * Tensor<1, 3>(p));
+  });
+  const FaceContacts contacts = face_contacts(cells, {tolerance});
+  std::vector<Tensor<1, 3>> sums(cells.n_cells());
+  for (unsigned int k = 0; k < contacts.faces.size(); ++k)
+  {
+    const Tensor<1, 3> area = moments_of(contacts.patches[k]).vector_area;
+    sums[cells.cell_of_face(contacts.faces[k][0])] += area;
+    sums[cells.cell_of_face(contacts.faces[k][1])] -= area;
+  }
+  for (unsigned int k = 0; k < contacts.free_faces.size(); ++k)
+    sums[cells.cell_of_face(contacts.free_faces[k])] +=
+        moments_of(contacts.free_parts[k]).vector_area;
+  double largest = 0.;
+  for (const Tensor<1, 3> &sum : sums)
+    largest = std::max(largest, sum.norm());
+  check_error("  sum of vector areas", largest, 1e-13);
+}
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using ExactPolygon = CGAL::Polygon_2<Kernel>;
+
+/** The convex hull of some random points around the origin. */
+ExactPolygon random_hull(Random &random)
+{
+  std::vector<Kernel::Point_2> points, hull;
+  const unsigned int n = 3 + static_cast<unsigned int>(12. * random());
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const double x = 2. * random() - 1.; // in this order
+    points.emplace_back(x, 2. * random() - 1.);
+  }
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  return ExactPolygon(hull.begin(), hull.end());
+}
+
+std::vector<Point<2>> rounded(const ExactPolygon &polygon)
+{
+  std::vector<Point<2>> ring;
+  for (const Kernel::Point_2 &p : polygon.container())
+    ring.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  return ring;
+}
+
+void check_exact_areas()
+{
+  std::cout << "Random convex faces, against exact arithmetic" << std::endl;
+  Random random(7);
+  double error = 0., open = 0.;
+  unsigned int n_touching = 0;
+  for (unsigned int k = 0; k < 500; ++k)
+  {
+    const ExactPolygon below = random_hull(random), above = random_hull(random);
+    std::vector<CGAL::Polygon_with_holes_2<Kernel>> common;
+    CGAL::intersection(below, above, std::back_inserter(common));
+    double exact = 0.;
+    for (const auto &part : common)
+      exact += CGAL::to_double(part.outer_boundary().area());
+    CellFaces cells;
+    add_prism(cells, rounded(below), 0., 1.);
+    add_prism(cells, rounded(above), 1., 2.);
+    const FaceContacts contacts = face_contacts(cells, {1e-13});
+    n_touching += !contacts.faces.empty();
+    error = std::max(error, std::abs(total_area(contacts.patches) - exact));
+    open = std::max(open, uncovered(cells, contacts));
+  }
+  check("  most touch", n_touching > 400);
+  check_error("  area", error, 1e-12);
+  check_error("  faces are covered", open, 1e-11);
+}
+
+/** How many of some polygons have a point of their plane z = 0 inside. */
+unsigned int n_with(const SpacePolygons &polygons, const Point<3> &p)
+{
+  unsigned int n = 0;
+  for (unsigned int k = 0; k < polygons.size(); ++k)
+  {
+    const auto ring = polygons[k];
+    double least = ring[0][2] == 0. ? 1. : -1.;
+    for (unsigned int i = 0; i < ring.size(); ++i)
+      least = std::min(least,
+                       cross_product_3d(ring[(i + 1) % ring.size()] - ring[i],
+                                        p - ring[i])[2]);
+    n += least > 0.;
+  }
+  return n;
+}
+
+void check_plate()
+{
+  std::cout << "A plate under many blocks" << std::endl;
+  Random random(11);
+  CellFaces cells;
+  for (unsigned int i = 0; i < 12; ++i)
+    for (unsigned int j = 0; j < 12; ++j)
+    {
+      std::vector<Point<2>> ring;
+      const double turn = random();
+      const unsigned int n = 3 + (i + j) % 5;
+      for (unsigned int k = 0; k < n; ++k)
+        ring.emplace_back(
+            i + 0.5 + 0.45 * std::cos(turn + 2. * dealii::numbers::PI * k / n),
+            j + 0.5 + 0.45 * std::sin(turn + 2. * dealii::numbers::PI * k / n));
+      add_prism(cells, ring, 0., 1.);
+    }
+  add_box(cells, {0., 0., -1.}, {11.5, 12., 0.});
+  cells.n_fixed = 1;
+  const FaceContacts contacts = face_contacts(cells, {tolerance});
+  check("  each touches it", contacts.faces.size() == 144);
+  check_error("  faces are covered", uncovered(cells, contacts), 1e-12);
+  SpacePolygons top; // of the plate
+  for (unsigned int k = 0; k < contacts.free_faces.size(); ++k)
+    if (contacts.free_faces[k] == cells.first_face[144] + 1)
+      top.add(contacts.free_parts[k]);
+  SpacePolygons patches; // seen from above
+  for (unsigned int k = 0; k < contacts.patches.size(); ++k)
+  {
+    const auto ring = contacts.patches[k];
+    patches.add(
+        std::vector<Point<3>>(std::make_reverse_iterator(ring.end()),
+                              std::make_reverse_iterator(ring.begin())));
+  }
+  bool is_partition = true;
+  for (unsigned int k = 0; k < 2000; ++k)
+  {
+    const double x = 11.5 * random(); // in this order
+    const Point<3> p(x, 12. * random(), 0.);
+    is_partition = is_partition && n_with(top, p) + n_with(patches, p) == 1;
+  }
+  check("  each point of it is in one patch or free part", is_partition);
+}
+
+void check_rough_blocks()
+{
+  std::cout << "Blocks with vertices moved at random" << std::endl;
+  const double noise = 1e-3;
+  const CellFaces cells = mixed_blocks();
+  std::vector<unsigned int> same(cells.n_cells());
+  std::iota(same.begin(), same.end(), 0);
+  const Pairs smooth = pairs_of(cells, face_contacts(cells, {tolerance}), same);
+  Random random(13);
+  double order_error = 0., area_error = 0.;
+  bool are_same = true;
+  for (unsigned int k = 0; k < 20; ++k)
+  {
+    CellFaces rough = cells;
+    for (Point<3> &vertex : rough.vertices)
+      for (unsigned int d = 0; d < 3; ++d)
+        vertex[d] += noise * (2. * random() - 1.);
+    const Pairs pairs =
+        pairs_of(rough, face_contacts(rough, {10. * noise}), same);
+    are_same = are_same && pairs.size() == smooth.size();
+    for (const auto &[pair, patches] : smooth)
+    {
+      const auto found = pairs.find(pair);
+      if (found == pairs.end())
+        are_same = false;
+      else
+        area_error = std::max(area_error,
+                              std::abs(found->second.second - patches.second));
+    }
+    const std::vector<unsigned int> order =
+        random_order(cells.n_cells(), random);
+    const CellFaces others = renumbered(rough, order, random);
+    order_error = std::max(
+        order_error,
+        difference(
+            pairs,
+            pairs_of(others, face_contacts(others, {10. * noise}), order), 1.));
+  }
+  check("  the same pairs touch", are_same);
+  check_error("  areas differ by the noise", area_error, 10. * noise);
+  check_error("  and do not depend on the numbers", order_error, 1e-12);
+}
+
+void run()
+{
+  check_invariance();
+  check_closed_cells();
+  check_exact_areas();
+  check_plate();
+  check_rough_blocks();
+}
+
+const RoomTest test("face_contact_properties", run);
+} // namespace test_face_contact_properties
