@@ -2,9 +2,6 @@
 #ifndef voussoir_tests_shell_checks_h
 #define voussoir_tests_shell_checks_h
 
-#include <voussoir/packing/polyhedra/cell_overlaps.h>
-#include <voussoir/packing/polyhedra/face_contacts.h>
-
 #include "block_checks.h"
 
 // What the tests of vaults and domes share, whose blocks need not be convex.
@@ -96,7 +93,7 @@ inline void check_shell(const Voussoir::CellFaces &cells,
   check_error("  faces plane, over the size", off_plane / extent, 1e-14);
   check("  no face in two parts", n_flat_edges(cells) == 0);
   check("  blocks that are not convex", n_bent_cells(cells) == n_bent);
-  check("  none in another", overlaps(cells, 1e-9 * extent).empty());
+  check("  none in another", overlaps(cells, cells.tolerance).empty());
   check_error("  volume", std::abs(volume_of(cells) / volume - 1.), 1e-12);
 }
 
@@ -119,7 +116,7 @@ contact_areas(const Voussoir::CellFaces &cells,
               const std::function<bool(const dealii::Point<3> &,
                                        const dealii::Tensor<1, 3> &)> &is_head)
 {
-  const Voussoir::ContactTolerance tolerance = {1e-9 * extent_of(cells)};
+  const Voussoir::ContactTolerance tolerance = {cells.tolerance};
   const auto contacts = face_contacts(cells, tolerance);
   ContactAreas areas;
   areas.n_pairs = count_contacts(cells, tolerance).pairs_of_cells;

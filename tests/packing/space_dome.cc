@@ -76,11 +76,10 @@ struct Shape
     for (unsigned int k = 0; k < n_courses; ++k)
       if (level)
       {
-        const double high = inner() * std::cos(angle(k));
-        const double low = inner() * std::cos(angle(k + 1));
+        const double high = height(k), low = height(k + 1);
         area += 0.5 * (high - low) *
-                (outer_at(high) - inner() * std::sin(angle(k)) + outer_at(low) -
-                 inner() * std::sin(angle(k + 1)));
+                (radius_at(outer(), high) - radius_at(inner(), high) +
+                 radius_at(outer(), low) - radius_at(inner(), low));
       }
       else
         area += 0.5 * std::sin(angle(k + 1) - angle(k)) *
