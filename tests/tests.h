@@ -77,7 +77,7 @@ inline std::string bracketed(const double x)
 namespace Voussoir
 {
 /** Voronoi cells in a rectangle. */
-inline CellLoops voronoi_cells(const PointList &generators,
+inline CellLoops voronoi_cells(const PointList<2> &generators,
                                const Rectangle &rectangle)
 {
   return voronoi_cells(generators, ConvexPolygon(rectangle));
@@ -250,7 +250,7 @@ inline Voussoir::Scene shear_wall(const double strength,
 /** n^2 / 2 squares, the points of a lattice turned by 45 degrees. */
 inline Voussoir::Packing<2> turned_squares(const int n)
 {
-  Voussoir::PointList list;
+  Voussoir::PointList<2> list;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       if ((i + j) % 2 == 0)

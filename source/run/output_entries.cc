@@ -36,13 +36,13 @@ void OutputEntries::add_verbosity(dealii::ParameterHandler &prm)
 
 FilesOfRuns files_of_all_runs()
 {
-  return {{interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
-           stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
-           mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
-           results_pvd, report_html, drawing_check_html, parameters_prm,
-           summary_json},
-          {packing_wkt, packing_off, packing_centres},
-          is_stress_piece};
+  return {
+      {interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
+       stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
+       mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu, results_pvd,
+       report_html, drawing_check_html, parameters_prm, summary_json},
+      {packing_wkt, packing_off, packing_obj, packing_json, packing_centres},
+      is_stress_piece};
 }
 
 void write_parameters(ResultDirectory &files,

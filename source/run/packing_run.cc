@@ -1,18 +1,65 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
 #include <voussoir/output/csv.h>
 #include <voussoir/output/polyhedra_csv.h>
+#include <voussoir/output/report/packing_report.h>
+#include <voussoir/output/report/report.h>
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
 #include <voussoir/output/vtu/interfaces_vtu.h>
+#include <voussoir/output/vtu/packing_files.h>
 #include <voussoir/output/vtu/polyhedra_vtu.h>
 #include <voussoir/output/vtu/pvd.h>
+#include <voussoir/packing/polyhedra/cell_overlaps.h>
+#include <voussoir/packing/polyhedra/models/writers.h>
 #include <voussoir/run/packing_run.h>
 
 #include <ostream>
 
 namespace Voussoir
 {
+namespace
+{
+/** The factors by which a tolerance is changed, to see whether it matters. */
+constexpr double smaller_tolerance = 0.1, larger_tolerance = 10.;
+
+/** The contacts of two polyhedra each. */
+FaceContacts contacts_of_cells(const Packing<3> &packing)
+{
+  FaceContacts contacts;
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+  {
+    const Packing<3>::Interface &i = packing.interfaces()[e];
+    if (i.faces[0] == i.faces[1]) // on ground without a shape
+      continue;
+    contacts.faces.push_back(i.faces);
+    contacts.patches.add(packing.polygon(e));
+  }
+  return contacts;
+}
+
+/** Show what a file of blocks may hide: overlaps, and contacts in doubt. */
+void look_at_model(Terminal &terminal, const CellFaces &cells)
+{
+  const std::vector<CellOverlap> found = overlaps(cells, cells.tolerance);
+  if (!found.empty())
+    terminal.warning(describe_overlaps(cells, found));
+  const auto pairs_with = [&](const double factor) {
+    return count_contacts(
+               cells, {factor * cells.tolerance, factor * cells.joint_width})
+        .pairs_of_cells;
+  };
+  if (cells.tolerance > 0.)
+    terminal.stage("Contacts",
+                   text(counted(pairs_with(1.), "pair"), " of blocks within ",
+                        cells.tolerance, "; ", pairs_with(smaller_tolerance),
+                        " within a tenth of that, and ",
+                        pairs_with(larger_tolerance), " within ten times"));
+}
+} // namespace
+
 void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
 {
   output.add_entries(prm);
@@ -20,6 +67,20 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
   supports.add_parameters(prm);
   prm.enter_subsection("Output");
   output.add_verbosity(prm);
+  add_choice<PackingFile>(
+      prm, "Packing", packing_file,
+      {{PackingFile::none, "none", "nothing."},
+       {PackingFile::off, "OFF", packing_off + ", without names."},
+       {PackingFile::obj, "OBJ", packing_obj + ", with the names of groups."},
+       {PackingFile::compas, "COMPAS",
+        packing_json + ", an Assembly with its interfaces and supports."}},
+      "What to write for another program, or to be read again by the generator "
+      "'model'.");
+  prm.add_parameter("Report", reports,
+                    "Whether to write " + report_html +
+                        ", a page that any browser opens, with the blocks to "
+                        "be turned, cut and taken apart.",
+                    dealii::Patterns::Bool());
   prm.leave_subsection();
 }
 
@@ -49,6 +110,8 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   for (const std::string &notice : packing.notices())
     terminal.warning(notice);
   show_packing(terminal, packing);
+  if (!packing.polyhedra().file.empty())
+    look_at_model(terminal, packing.polyhedra());
   return packing;
 }
 
@@ -65,12 +128,42 @@ void PackingRun::write(ResultDirectory &files, const Packing<3> &packing) const
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
   write_collection(files, {blocks_vtu, interfaces_vtu});
+  write_packing(files, packing);
+  if (reports)
+    files.write(report_html, [&](std::ostream &out) {
+      write_packing_report(out, packing, output.title, terminal.warnings());
+    });
   write_parameters(files, prm);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set
     write_summary_json(out, packing, output.title);
   });
   files.publish();
-  terminal.stage("Output", "written to " + output.directory + "; " +
-                               results_pvd + " shows it in ParaView");
+  terminal.stage("Output",
+                 "written to " + output.directory + "; " +
+                     (reports ? report_html + " shows it in a browser, " : "") +
+                     results_pvd + " in ParaView");
+}
+
+void PackingRun::write_packing(ResultDirectory &files,
+                               const Packing<3> &packing) const
+{
+  const CellFaces &cells = packing.polyhedra();
+  switch (packing_file)
+  {
+  case PackingFile::none: break;
+  case PackingFile::off:
+    files.write(packing_off,
+                [&](std::ostream &out) { write_off_model(out, cells); });
+    break;
+  case PackingFile::obj:
+    files.write(packing_obj,
+                [&](std::ostream &out) { write_obj_model(out, cells); });
+    break;
+  case PackingFile::compas:
+    files.write(packing_json, [&](std::ostream &out) {
+      const FaceContacts contacts = contacts_of_cells(packing);
+      write_compas_assembly(out, cells, &contacts);
+    });
+  }
 }
 } // namespace Voussoir

@@ -23,9 +23,9 @@ using dealii::Point;
 const auto pressure = tensor(-1., 0., 0., -1.);
 const Rectangle unit = {{0., 0.}, {1., 1.}};
 
-PointList points(const std::vector<Point<2>> &list)
+PointList<2> points(const std::vector<Point<2>> &list)
 {
-  PointList result;
+  PointList<2> result;
   result.points = list;
   return result;
 }
@@ -190,7 +190,7 @@ void try_meeting_cells()
   for (const double perturbation :
        {0., 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4})
   {
-    PointList list;
+    PointList<2> list;
     for (unsigned int i = 0; i < 5; ++i)
     {
       const double angle = 0.3 + 2. * dealii::numbers::PI * i / 5;
@@ -201,7 +201,7 @@ void try_meeting_cells()
     carry_pressure(text("five cells at a point but for ", perturbation),
                    Packing<2>(voronoi_cells(list, unit)));
   }
-  PointList grid;
+  PointList<2> grid;
   for (unsigned int i = 0; i < 7; ++i)
     for (unsigned int j = 0; j < 7; ++j)
       grid.points.emplace_back((i + 0.5) / 7, (j + 0.5) / 7);
@@ -284,7 +284,7 @@ void try_few_cells()
           judge(alone, method).verdict == Verdict::carried);
   for (const unsigned int n : {2, 3})
   {
-    PointList row;
+    PointList<2> row;
     for (unsigned int i = 0; i < n; ++i)
       row.points.emplace_back((i + 0.5) / n, 0.5);
     Worst error;

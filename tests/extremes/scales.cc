@@ -107,7 +107,8 @@ void try_offset(const double offset)
   // of the shortest sides feel most.
   const double rounding = 1e-15 * offset / 1e-4;
   const double sensitive = 20.; // hard contact presses short sides as hard
-  PointList points = random_points(n_cells, 1, Rectangle{{0., 0.}, {1., 1.}});
+  PointList<2> points =
+      random_points(n_cells, 1, Rectangle{{0., 0.}, {1., 1.}});
   const Packing<2> here(voronoi_cells(points, Rectangle{{0., 0.}, {1., 1.}}));
   for (auto &p : points.points)
     p += dealii::Point<2>(offset, -offset);

@@ -39,7 +39,7 @@ double mean_size(const Packing<2> &packing, const double from, const double to)
 /** The relative standard deviation of sqrt(area) / h. */
 double spread(const Packing<2> &packing, const std::string &formula)
 {
-  const CellSize size(formula, "size");
+  const CellSize<2> size(formula, "size");
   double sum = 0., squares = 0.;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
@@ -59,7 +59,7 @@ double largest_distance(const Packing<2> &a, const Packing<2> &b)
 }
 
 /** The number of n points left of x, over its standard deviation from n p. */
-double deviation(const PointList &list, const double x, const double p)
+double deviation(const PointList<2> &list, const double x, const double p)
 {
   const double n = list.points.size();
   const auto n_left =
@@ -73,7 +73,7 @@ void check_density()
   // In the unit square, with the density f over the integral of f.
   const ConvexPolygon square(Rectangle{{0., 0.}, {1., 1.}});
   const auto draw = [&](const std::string &h) {
-    return random_points(200000, 3, square, CellSize(h, "size"));
+    return random_points(200000, 3, square, CellSize<2>(h, "size"));
   };
   check("uniform", deviation(draw("7"), 0.3, 0.3) < 3.);
   check("h = 1 + x", deviation(draw("1 + x"), 0.5, 2. / 3.) < 3.);
@@ -88,7 +88,7 @@ void check_density()
   // A triangle with a linear density: x has the density 2 (1 - x) uniformly.
   const ConvexPolygon triangle({{0., 0.}, {1., 0.}, {0., 1.}});
   check("a triangle",
-        deviation(random_points(200000, 5, triangle, CellSize("1", "size")),
+        deviation(random_points(200000, 5, triangle, CellSize<2>("1", "size")),
                   0.5, 0.75) < 3.);
 }
 

@@ -41,8 +41,8 @@ double diameter(const ConvexPolygon &polygon)
 /** Points that are nearest to a generator lie in its cell. */
 double probe(const Packing<2> &packing, const ConvexPolygon &polygon)
 {
-  const PointList probes =
-      random_points(300, 99, polygon, CellSize("1", "size"));
+  const PointList<2> probes =
+      random_points(300, 99, polygon, CellSize<2>("1", "size"));
   double error = 0.;
   for (const Point<2> &p : probes.points)
   {
@@ -64,7 +64,7 @@ struct Errors
 Errors errors_of(const std::vector<Point<2>> &points,
                  const ConvexPolygon &polygon)
 {
-  PointList list;
+  PointList<2> list;
   list.points = points;
   const Packing<2> packing(voronoi_cells(list, polygon));
   const double size = diameter(polygon);
@@ -137,7 +137,7 @@ ConvexPolygon regular(const unsigned int n)
 /** A number of sets of points at random, in few and in many. */
 std::vector<std::vector<Point<2>>> random_sets(const ConvexPolygon &polygon)
 {
-  const CellSize size("1", "size");
+  const CellSize<2> size("1", "size");
   std::vector<std::vector<Point<2>>> sets;
   for (unsigned int seed = 1; seed <= 20; ++seed)
     for (const unsigned int n : {1, 2, 3, 4, 7, 20, 100})
@@ -271,7 +271,7 @@ void run()
     star.emplace_back(std::cos(0.8 * dealii::numbers::PI * i),
                       std::sin(0.8 * dealii::numbers::PI * i));
   refuse(star);
-  PointList list;
+  PointList<2> list;
   list.points = {{0., 0.}, {0.9, 0.9}};
   show_refusal([&] { voronoi_cells(list, regular(6)); });
 }

@@ -11,7 +11,7 @@ using namespace Voussoir;
 
 /** The defining properties, whatever the points. */
 void check_voronoi(const std::string &name,
-                   const PointList &points,
+                   const PointList<2> &points,
                    const Rectangle &rectangle)
 {
   const Packing<2> packing(voronoi_cells(points, rectangle));
@@ -68,9 +68,9 @@ void check_voronoi(const std::string &name,
   check_error("  boundary edges on the sides", off_side, 0.);
 }
 
-PointList points(const std::vector<dealii::Point<2>> &list)
+PointList<2> points(const std::vector<dealii::Point<2>> &list)
 {
-  PointList result;
+  PointList<2> result;
   result.points = list;
   return result;
 }
@@ -100,7 +100,7 @@ void run()
   std::cout << "slender triangles: OK" << std::endl;
 
   // A square grid: every inner vertex is on the circle of four points.
-  PointList grid;
+  PointList<2> grid;
   const unsigned int n = 16;
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
@@ -111,7 +111,7 @@ void run()
             2 * n * (n - 1));
 
   // The same with coordinates that are not binary fractions.
-  PointList thirds;
+  PointList<2> thirds;
   for (unsigned int i = 0; i < 9; ++i)
     for (unsigned int j = 0; j < 9; ++j)
       thirds.points.emplace_back((i + 0.5) / 9 * 0.7, (j + 0.5) / 9 * 0.1);
@@ -122,7 +122,7 @@ void run()
             2 * 9 * 8);
 
   // Twelve points on a circle around a thirteenth, far from the sides.
-  PointList ring = points({{0.5, 0.5}});
+  PointList<2> ring = points({{0.5, 0.5}});
   for (unsigned int i = 0; i < 12; ++i)
     ring.points.emplace_back(0.5 + 0.3 * std::cos(i * dealii::numbers::PI / 6),
                              0.5 + 0.3 * std::sin(i * dealii::numbers::PI / 6));

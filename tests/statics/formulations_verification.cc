@@ -16,7 +16,7 @@ void verify(const std::string &name,
             const Method &method)
 {
   const auto S = tensor(-1, -1, -1, -1);
-  PointList list;
+  PointList<2> list;
   list.points = points;
   const Scene scene = scene_under_stress(
       Packing<2>(voronoi_cells(list, {{0, 0}, {1, 1}})), 10, S);

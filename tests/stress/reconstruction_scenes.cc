@@ -35,12 +35,12 @@ void run()
 {
   const auto S = tensor(-1, -1, -1, -1);
   const Rectangle unit = {{0, 0}, {1, 1}};
-  PointList squares, triangles;
+  PointList<2> squares, triangles;
   squares.points = {{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.25}, {0.75, 0.75}};
   triangles.points = {
       {0.5, 1. / 6}, {0.5, 5. / 6}, {1. / 6, 0.5}, {5. / 6, 0.5}};
   for (const Method &method : all_methods)
-    for (const PointList &points : {squares, triangles})
+    for (const PointList<2> &points : {squares, triangles})
       check_error(
           std::to_string(points.points.size()) + " cells, " + method.name,
           error_of_uniform(scene_under_stress(

@@ -26,7 +26,7 @@ turned_grid(const int n, const double angle, const unsigned int decimals)
   const auto round = [&](const double x) {
     return std::round(x * unit) / unit;
   };
-  PointList list;
+  PointList<2> list;
   for (int i = -n; i < n; ++i)
     for (int j = -n; j < n; ++j)
     {

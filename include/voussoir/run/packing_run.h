@@ -44,11 +44,13 @@ private:
   /** Make the packing with its supports, and show what was understood. */
   Packing<3> read_packing(const std::filesystem::path &directory) const;
   void write(ResultDirectory &files, const Packing<3> &packing) const;
+  void write_packing(ResultDirectory &files, const Packing<3> &packing) const;
 
   OutputEntries output;
   PackingParameters<3> packing_parameters;
   SpaceSupports supports;
   PackingFile packing_file = PackingFile::none;
+  bool reports = true;
 };
 } // namespace Voussoir
 

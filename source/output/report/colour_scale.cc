@@ -14,9 +14,6 @@ namespace
 {
 using Colour = std::array<double, 3>;
 
-/** The number of colours of a scale: an odd one, so that zero has its own. */
-constexpr unsigned int n_steps = 17;
-
 /** A value, over the largest, that is no sign of its own. */
 constexpr double rounding_of_values = 1e-9;
 
@@ -109,13 +106,21 @@ std::string ColourScale::class_of(const double value) const
   return name + (std::isfinite(value) ? std::to_string(step(value)) : "none");
 }
 
+std::vector<std::string> ColourScale::colours() const
+{
+  const auto &anchors = has_both_signs() ? diverging : sequential;
+  std::vector<std::string> all;
+  for (unsigned int k = 0; k < n_steps; ++k)
+    all.push_back(hexadecimal(anchors, double(k) / (n_steps - 1)));
+  return all;
+}
+
 std::string ColourScale::rules(const std::string &selector) const
 {
   std::string css;
-  const auto &anchors = has_both_signs() ? diverging : sequential;
+  const std::vector<std::string> all = colours();
   for (unsigned int k = 0; k < n_steps; ++k)
-    css += text(selector, " .", name, k,
-                "{--colour:", hexadecimal(anchors, double(k) / (n_steps - 1)),
+    css += text(selector, " .", name, k, "{--colour:", all[k],
                 ";--share:", share(middle(k)), "}\n");
   return css + text(selector, " .", name,
                     "none{--colour:var(--missing);--share:1}\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/csv.h>
 #include <voussoir/output/report/colour_scale.h>
+#include <voussoir/output/report/page_parts.h>
 #include <voussoir/output/report/report.h>
 #include <voussoir/output/report/sections.h>
 #include <voussoir/output/report/views.h>
@@ -8,30 +9,13 @@
 #include <voussoir/version.h>
 
 #include <algorithm>
-#include <map>
 #include <ostream>
 #include <sstream>
-#include <string_view>
 
 namespace Voussoir
 {
 namespace
 {
-/** What takes the place of "{{name}}" in page.html, by these names. */
-using Parts = std::map<std::string, std::string, std::less<>>;
-
-void fill(std::ostream &out, std::string_view page, const Parts &parts)
-{
-  for (std::size_t begin; (begin = page.find("{{")) != page.npos;)
-  {
-    const std::size_t end = page.find("}}", begin);
-    out << page.substr(0, begin)
-        << parts.find(page.substr(begin + 2, end - begin - 2))->second;
-    page.remove_prefix(end + 2);
-  }
-  out << page;
-}
-
 /** The buttons that switch between views. */
 std::string switch_of(const Picture &picture)
 {
@@ -68,7 +52,7 @@ void write_page(std::ostream &out,
                 const std::string &title,
                 const Picture &picture,
                 const ReportDetails &details,
-                Parts parts)
+                PageParts parts)
 {
   parts["title"] = html_text(title.empty() ? "Voussoir" : title);
   parts["version"] = VOUSSOIR_VERSION;
@@ -83,7 +67,7 @@ void write_page(std::ostream &out,
     parts["warnings"] +=
         "<p class=\"warning\">" + html_text(warning) + "</p>\n";
   parts["warnings"] += ""; // it is there without any
-  fill(out, page_html, parts);
+  fill_page(out, page_html, parts);
 }
 
 bool in_full(const RunRecord &run)
@@ -93,7 +77,7 @@ bool in_full(const RunRecord &run)
 
 /** The tables behind the picture, and what the reader is told of them. */
 template <typename Blocks, typename Joints>
-Parts tables(const bool in_full, const Blocks &blocks, const Joints &joints)
+PageParts tables(const bool in_full, const Blocks &blocks, const Joints &joints)
 {
   if (!in_full)
     return {{"blocks", ""},
@@ -110,7 +94,7 @@ void write_report(std::ostream &out,
                   const Results &results,
                   const ReportDetails &details)
 {
-  Parts parts = tables(
+  PageParts parts = tables(
       in_full(results),
       [&](std::ostream &csv) { write_cells_csv(csv, results); },
       [&](std::ostream &csv) { write_interfaces_csv(csv, results); });
@@ -128,7 +112,7 @@ void write_report(std::ostream &out,
                   const ReportDetails &details)
 {
   const Scene &scene = collapse.scene;
-  Parts parts = tables(
+  PageParts parts = tables(
       in_full(collapse),
       [&](std::ostream &csv) {
         write_mechanism_csv(csv, scene, collapse.motion);
@@ -148,7 +132,7 @@ void write_report(std::ostream &out, const DrawingRefused &refused)
 {
   const std::string message = refused.what();
   const std::size_t first_line = message.find('\n');
-  Parts parts = {{"blocks", ""}, {"joints", ""}, {"hint", ""}};
+  PageParts parts = {{"blocks", ""}, {"joints", ""}, {"hint", ""}};
   parts["kind"] = "collapse";
   parts["verdict"] = html_text(message.substr(0, first_line));
   if (first_line != message.npos)

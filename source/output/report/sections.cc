@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
+#include <voussoir/output/report/html_table.h>
 #include <voussoir/output/report/sections.h>
 #include <voussoir/output/summary/ground_summary.h>
 #include <voussoir/output/summary/messages.h>
@@ -15,42 +16,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** A table under a heading. */
-class Table
-{
-public:
-  /** @param columns their titles; none for a table of names and values. */
-  Table(const std::string &id,
-        const std::string &heading,
-        const std::vector<std::string> &columns = {})
-      : html("<section id=\"" + id + "\">\n<h2>" + html_text(heading) +
-             "</h2>\n<table>\n")
-  {
-    if (columns.empty())
-      return;
-    html += "<tr>";
-    for (const std::string &column : columns)
-      html += "<th>" + html_text(column) + "</th>";
-    html += "</tr>\n";
-  }
-
-  /** Add a row of HTML. */
-  Table &row(const std::vector<std::string> &cells)
-  {
-    html += "<tr>";
-    for (const std::string &cell : cells)
-      html += "<td>" + cell + "</td>";
-    html += "</tr>\n";
-    return *this;
-  }
-
-  /** All of it. */
-  std::string close() const { return html + "</table>\n</section>\n"; }
-
-private:
-  std::string html;
-};
-
 /** Two numbers of a summary as a text. */
 std::string pair(const Json &json)
 {
@@ -60,11 +25,11 @@ std::string pair(const Json &json)
 }
 
 /** The names and values of the run as a whole. */
-Table table_of_run(const RunRecord &run, const UnitNames &names)
+HtmlTable table_of_run(const RunRecord &run, const UnitNames &names)
 {
   const Packing<2> &packing = run.scene.packing;
   const dealii::BoundingBox<2> box = packing.box();
-  Table table("run", "The run");
+  HtmlTable table("run", "The run");
   table.row(
       {"Packing", text(counted(packing.n_cells(), "block"), ", ",
                        counted(packing.interfaces().size(), "joint"), ", ",
@@ -85,10 +50,10 @@ std::string table_of_reactions(const Results &results, const UnitNames &names)
   const auto with = [](const std::string &name, const std::string &unit) {
     return UnitNames::labelled(name, unit);
   };
-  Table table("reactions", "Reactions of the supports, from left to right",
-              {with("from", names.length), with("to", names.length),
-               with("force on the packing", names.force),
-               with("at", names.length)});
+  HtmlTable table("reactions", "Reactions of the supports, from left to right",
+                  {with("from", names.length), with("to", names.length),
+                   with("force on the packing", names.force),
+                   with("at", names.length)});
   const Json ground = ground_summary(results);
   for (const Json &support : ground.at("supports"))
     table.row({pair(support.at("from")), pair(support.at("to")),
@@ -101,9 +66,9 @@ std::string table_of_reactions(const Results &results, const UnitNames &names)
 
 std::string table_of_most_used(const Results &results, const UnitNames &names)
 {
-  Table table("most-used", "The joints of which most is used",
-              {"joint", "blocks", UnitNames::labelled("at", names.length),
-               "share of the strength"});
+  HtmlTable table("most-used", "The joints of which most is used",
+                  {"joint", "blocks", UnitNames::labelled("at", names.length),
+                   "share of the strength"});
   for (const Json &joint : most_used_summary(results))
   {
     const unsigned int e = joint.at("interface");
@@ -162,13 +127,14 @@ std::string section(const std::string &id,
 /** What the user has set, and with what the results were made. */
 std::string closing_tables(const RunRecord &run, const ReportDetails &details)
 {
-  Table parameters("parameters", "Parameters that differ from their defaults");
+  HtmlTable parameters("parameters",
+                       "Parameters that differ from their defaults");
   for (const auto &[name, value] : details.parameters)
     parameters.row({html_text(name), html_text(value)});
-  Table times("times", "Time", {"stage", "seconds"});
+  HtmlTable times("times", "Time", {"stage", "seconds"});
   for (const auto &[stage, seconds] : run.timings)
     times.row({html_text(stage), text(seconds)});
-  Table versions("versions", "Versions");
+  HtmlTable versions("versions", "Versions");
   const Json of_libraries = library_versions();
   for (const auto &[name, version] : of_libraries.items())
     versions.row({html_text(name), html_text(version.get<std::string>())});
@@ -198,7 +164,7 @@ std::string verdict_of(const Collapse &collapse)
 
 std::string sections_of(const Results &results, const ReportDetails &details)
 {
-  Table run = table_of_run(results, details.units);
+  HtmlTable run = table_of_run(results, details.units);
   run.row({"Forces", html_text(results.selection)});
   if (!results.scene.coefficient.empty())
     run.row({"Friction", html_text(description_of_law(results.scene))});
@@ -216,8 +182,8 @@ std::string sections_of(const Results &results, const ReportDetails &details)
 
 std::string sections_of(const Collapse &collapse, const ReportDetails &details)
 {
-  Table parts("work", "The work of the loads along the mechanism",
-              {"loads", "share of the work that is put in"});
+  HtmlTable parts("work", "The work of the loads along the mechanism",
+                  {"loads", "share of the work that is put in"});
   double all = 0.;
   for (const LoadPart &part : collapse.parts)
     all += std::max(0., part.work);

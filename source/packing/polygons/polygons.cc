@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/points_file.h>
 #include <voussoir/packing/polygons/facing_sides.h>
 #include <voussoir/packing/polygons/joint_checks.h>
 #include <voussoir/packing/polygons/matching.h>
-#include <voussoir/packing/polygons/points_file.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 #include <voussoir/packing/polygons/polygons.h>
 #include <voussoir/packing/polygons/readers.h>
@@ -118,7 +118,7 @@ CellLoops PolygonGenerator::generate(const std::filesystem::path &directory,
   if (centres_file.empty())
     return cells;
   cells.centres =
-      read_points_file((directory / centres_file).lexically_normal()).points;
+      read_points_file<2>((directory / centres_file).lexically_normal()).points;
   multiply(cells.centres, scale);
   if (cells.centres.size() != cells.n_cells())
     throw InputError(

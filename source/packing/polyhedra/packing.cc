@@ -121,8 +121,9 @@ void Packing<3>::add_interfaces(const FaceContacts &contacts,
       continue;
     const PolygonMoments of = moments_of(contacts.patches[k]);
     interface_list.push_back({minus, with_ground ? ground() : plus,
-                              with_ground ? plus : invalid_index, of.centroid,
-                              of.normal(), of.area()});
+                              with_ground ? plus : invalid_index,
+                              contacts.faces[k], of.centroid, of.normal(),
+                              of.area()});
     interface_polygons.add(contacts.patches[k]);
     support_count += with_ground;
   }
@@ -163,8 +164,13 @@ void Packing<3>::support(const std::vector<bool> &is_support)
       {
         const auto part = part_list[face.first_part + k];
         const PolygonMoments of = moments_of(part);
-        interface_list.push_back({face.cell, ground(), invalid_index,
-                                  of.centroid, of.normal(), of.area()});
+        interface_list.push_back({face.cell,
+                                  ground(),
+                                  invalid_index,
+                                  {{face.face, face.face}},
+                                  of.centroid,
+                                  of.normal(),
+                                  of.area()});
         interface_polygons.add(part);
         ++support_count;
       }

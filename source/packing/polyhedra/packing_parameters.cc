@@ -7,7 +7,9 @@
 #include <voussoir/packing/polyhedra/generators/stairs.h>
 #include <voussoir/packing/polyhedra/generators/vault.h>
 #include <voussoir/packing/polyhedra/generators/wall.h>
+#include <voussoir/packing/polyhedra/models/model.h>
 #include <voussoir/packing/polyhedra/packing_parameters.h>
+#include <voussoir/packing/polyhedra/voronoi/voronoi.h>
 
 #include <utility>
 
@@ -16,6 +18,7 @@ namespace Voussoir
 PackingParameters<3>::PackingParameters()
 {
   // The one place where a generator is registered.
+  generators.add<SpaceVoronoiGenerator>();
   generators.add<SpaceWallGenerator>();
   generators.add<BuildingGenerator>();
   generators.add<ColumnGenerator>();
@@ -23,6 +26,7 @@ PackingParameters<3>::PackingParameters()
   generators.add<VaultGenerator>();
   generators.add<DomeGenerator>();
   generators.add<CrossVaultGenerator>();
+  generators.add<ModelGenerator>();
 }
 
 void PackingParameters<3>::add_parameters(dealii::ParameterHandler &prm)

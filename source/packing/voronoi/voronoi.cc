@@ -22,7 +22,7 @@ namespace
  * the sides of a triangle, which is exact for polynomials of degree two.
  */
 std::vector<Point<2>> weighted_centroids(const CellLoops &cells,
-                                         const CellSize &size)
+                                         const CellSize<2> &size)
 {
   std::vector<Point<2>> centroids;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
@@ -101,9 +101,9 @@ CellLoops VoronoiGenerator::generate(const std::filesystem::path &directory,
                                      Terminal &terminal) const
 {
   const ConvexPolygon polygon = make_domain();
-  const CellSize size(cell_size, "Packing/Voronoi/Cell size");
+  const CellSize<2> size(cell_size, "Packing/Voronoi/Cell size");
   size(polygon.vertex(0)); // a constant is not evaluated elsewhere
-  PointList generators = make_points(polygon, size, directory);
+  PointList<2> generators = make_points(polygon, size, directory);
   CellLoops cells = voronoi_cells(generators, polygon);
   for (unsigned int step = 0; step < n_lloyd_steps; ++step)
   {
@@ -142,16 +142,16 @@ ConvexPolygon VoronoiGenerator::make_domain() const
   return ConvexPolygon(polygon_vertices);
 }
 
-PointList
+PointList<2>
 VoronoiGenerator::make_points(const ConvexPolygon &polygon,
-                              const CellSize &size,
+                              const CellSize<2> &size,
                               const std::filesystem::path &directory) const
 {
   if (reads_points && points_file.empty())
     throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
                      "Points file' names none.");
   if (reads_points)
-    return read_points_file((directory / points_file).lexically_normal());
+    return read_points_file<2>((directory / points_file).lexically_normal());
   if (!fills_polygon && size.is_constant())
     return random_points(n_points, seed, rectangle);
   return random_points(n_points, seed, polygon, size);

@@ -75,7 +75,7 @@ Point<2> circumcentre(const Delaunay::Face_handle &face)
 class VoronoiBuilder
 {
 public:
-  VoronoiBuilder(const PointList &generators, const ConvexPolygon &polygon)
+  VoronoiBuilder(const PointList<2> &generators, const ConvexPolygon &polygon)
       : generators(generators), polygon(polygon)
   {
     const double cell_size =
@@ -270,7 +270,7 @@ private:
     return cells;
   }
 
-  const PointList &generators;
+  const PointList<2> &generators;
   const ConvexPolygon &polygon;
   /** The distance below which points are the same; a length. */
   double resolution = 0.;
@@ -288,7 +288,7 @@ private:
 };
 } // namespace
 
-CellLoops voronoi_cells(const PointList &generators,
+CellLoops voronoi_cells(const PointList<2> &generators,
                         const ConvexPolygon &polygon)
 {
   return VoronoiBuilder(generators, polygon).build();

@@ -24,6 +24,13 @@ public:
   /** Values from zero to @p most, one sign. */
   ColourScale(std::string name, double most);
 
+  /** The number of colours: an odd one, so that zero has its own. */
+  static constexpr unsigned int n_steps = 17;
+
+  /** The number of the colour of a finite @p value, below n_steps. */
+  unsigned int step(double value) const;
+  /** The colours in order, n_steps of them as "#rrggbb". */
+  std::vector<std::string> colours() const;
   /** The class of @p value, such as "s12". */
   std::string class_of(double value) const;
   /** The share of the largest size that @p value has, between 0 and 1. */
@@ -39,7 +46,6 @@ public:
   std::string legend(const std::string &title) const;
 
 private:
-  unsigned int step(double value) const;
   /** The value in the middle of a step. */
   double middle(double step) const;
 

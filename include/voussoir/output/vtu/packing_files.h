@@ -13,6 +13,8 @@ namespace Voussoir
 /** The name of a file, written by the function that is named like it. */
 inline const std::string packing_wkt = "packing.wkt";
 inline const std::string packing_off = "packing.off";
+inline const std::string packing_obj = "packing.obj";
+inline const std::string packing_json = "packing.json";
 inline const std::string packing_centres = "packing_centres.txt";
 /** @} */
 

@@ -13,6 +13,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ public:
     unsigned int cell_plus;
     /** The fixed cell of a support, if that is one. */
     unsigned int fixed_cell;
+    /**
+     * The faces that touch, that of c- first, as their numbers among those of
+     * all polyhedra(); that of c- twice on ground without a shape.
+     */
+    std::array<unsigned int, 2> faces;
     /** x_e, the centroid of the polygon; a length. */
     dealii::Point<3> centroid;
     /** n_e, the unit normal from c- to c+. */

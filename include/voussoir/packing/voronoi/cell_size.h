@@ -11,9 +11,10 @@
 namespace Voussoir
 {
 /**
- * The size h(x, y) that the cells of a packing are wanted to have, up to a
- * factor: a positive formula of the place.
+ * The size h(x, y), or h(x, y, z), that the cells of a packing are wanted to
+ * have, up to a factor: a positive formula of the place.
  */
+template <int dim>
 class CellSize
 {
 public:
@@ -21,17 +22,14 @@ public:
    * @param parameter the parameter that the formula came from, for messages.
    * @throws InputError if the formula cannot be parsed.
    */
-  CellSize(const std::string &formula, const std::string &parameter)
-      : formula(formula), parameter(parameter),
-        expression(formula, {"x", "y"}, parameter)
-  {}
+  CellSize(const std::string &formula, const std::string &parameter);
 
   /**
    * h at @p p, in a unit that cancels.
    *
    * @throws InputError naming the place if it is not positive and finite.
    */
-  double operator()(const dealii::Point<2> &p) const;
+  double operator()(const dealii::Point<dim> &p) const;
 
   /** True if the formula does not depend on the place. */
   bool is_constant() const { return expression.is_constant(); }
@@ -41,7 +39,7 @@ public:
    *
    * @throws InputError always.
    */
-  [[noreturn]] void refuse_as_too_small(const dealii::Point<2> &p) const;
+  [[noreturn]] void refuse_as_too_small(const dealii::Point<dim> &p) const;
 
 private:
   std::string formula;

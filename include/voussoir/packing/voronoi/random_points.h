@@ -2,7 +2,7 @@
 #ifndef voussoir_packing_voronoi_random_points_h
 #define voussoir_packing_voronoi_random_points_h
 
-#include <voussoir/packing/polygons/points_file.h>
+#include <voussoir/packing/points_file.h>
 #include <voussoir/packing/voronoi/cell_size.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
@@ -13,29 +13,24 @@ namespace Voussoir
  * They are in the order in which a Hilbert curve meets them, so that points
  * close to each other mostly have numbers close to each other.
  */
-PointList random_points(unsigned int n,
-                        unsigned int seed,
-                        const Rectangle &rectangle = {{0., 0.}, {1., 1.}});
+PointList<2> random_points(unsigned int n,
+                           unsigned int seed,
+                           const Rectangle &rectangle = {{0., 0.}, {1., 1.}});
 
 /**
  * @p n independent points in @p polygon whose density is proportional to
  * 1/h(x, y)^2, so that their Voronoi cells have sizes in proportion to the
  * @p size h; a seed gives the same points, in the order of a Hilbert curve.
  *
- * The polygon is cut into triangles with a bound of the density in each, from
- * its values at the corners and in the middle. A point is drawn from a triangle
- * in proportion to area times bound, and kept with the probability density over
- * bound. Where the density is found to be above the bound, the bound is raised
- * and all points are drawn again, so that those returned have obeyed the bounds
- * throughout.
+ * The polygon is cut into triangles, from which a PointSource draws.
  *
  * @throws InputError naming the place if h is not finite and positive, or seems
  *   to vanish.
  */
-PointList random_points(unsigned int n,
-                        unsigned int seed,
-                        const ConvexPolygon &polygon,
-                        const CellSize &size);
+PointList<2> random_points(unsigned int n,
+                           unsigned int seed,
+                           const ConvexPolygon &polygon,
+                           const CellSize<2> &size);
 } // namespace Voussoir
 
 #endif

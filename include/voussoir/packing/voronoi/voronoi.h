@@ -34,9 +34,9 @@ public:
 
 private:
   ConvexPolygon make_domain() const;
-  PointList make_points(const ConvexPolygon &polygon,
-                        const CellSize &size,
-                        const std::filesystem::path &directory) const;
+  PointList<2> make_points(const ConvexPolygon &polygon,
+                           const CellSize<2> &size,
+                           const std::filesystem::path &directory) const;
 
   bool fills_polygon = false;
   Rectangle rectangle{{0., 0.}, {1., 1.}};

@@ -3,7 +3,7 @@
 #define voussoir_packing_voronoi_voronoi_cells_h
 
 #include <voussoir/packing/packing.h>
-#include <voussoir/packing/polygons/points_file.h>
+#include <voussoir/packing/points_file.h>
 #include <voussoir/packing/voronoi/convex_polygon.h>
 
 namespace Voussoir
@@ -23,7 +23,7 @@ namespace Voussoir
  *
  * @throws InputError if two generators coincide or one is not inside.
  */
-CellLoops voronoi_cells(const PointList &generators,
+CellLoops voronoi_cells(const PointList<2> &generators,
                         const ConvexPolygon &polygon);
 } // namespace Voussoir
 

@@ -60,7 +60,10 @@ ConvexRings rest_of_face(const FaceGeometry &geometry,
   ConvexRings rest;
   for (unsigned int p = geometry.pieces.first_of_face(face);
        p < geometry.pieces.first_of_face(face + 1); ++p)
-    rest.push_back(geometry.pieces.ring(p, frame));
+  {
+    const ConvexRing ring = geometry.pieces.ring(p, frame);
+    rest.push_back(ring);
+  }
   for (const unsigned int patch : patches)
     rest = without(rest, ring_of_patch(list, patch, face, frame),
                    geometry.tolerance);

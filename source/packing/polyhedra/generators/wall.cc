@@ -75,7 +75,7 @@ public:
       const unsigned int widths = (row.back - row.front) / n;
       for (unsigned int i = 0; i < n; ++i)
         add(blocks, course, {stone.left, stone.right},
-            {row.front + i * widths, row.front + (i + 1) * widths},
+            {{row.front + i * widths, row.front + (i + 1) * widths}},
             is_through ? WallGroup::through_stone : WallGroup::brick);
     }
   }
@@ -167,6 +167,13 @@ void SpaceWallGenerator::add_parameters(dealii::ParameterHandler &prm)
                     "Every how many courses one has through stones, beginning "
                     "with the course of that number from the bottom.",
                     Integer(1, 1000000));
+  add_parameters_of_openings(prm);
+}
+
+void SpaceWallGenerator::add_parameters_of_openings(
+    dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
   prm.add_parameter(
       "Openings", openings,
       "Openings \"x0, z0, x1, z1; x0, z0, x1, z1; ...\", each from its lower "

@@ -44,7 +44,7 @@ public:
                          const double out) const
   {
     const double across = flank == Flank::left ? -p[0] : p[0];
-    const std::array<double, n_webs> cycle = {across, -out, -across, out};
+    const std::array<double, n_webs> cycle = {{across, -out, -across, out}};
     // The zero that is added turns -0 into 0.
     return {cycle[web] + 0., stretch * cycle[(web + 3) % n_webs] + 0., p[1]};
   }

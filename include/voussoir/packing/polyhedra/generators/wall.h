@@ -46,8 +46,9 @@ private:
     unsigned int n_courses; /**< the height in courses */
     unsigned int n_widths;  /**< the thickness in brick widths */
   };
+  void add_parameters_of_openings(dealii::ParameterHandler &prm);
   Numbers check() const;
-  /** True if every some course has through stones, and this is one. */
+  /** True if a course has through stones, if there is more than one leaf. */
   bool has_through_stones(unsigned int course) const;
 
   WallBond bond = WallBond::running;

@@ -3,7 +3,7 @@
 #include <voussoir/base/parameters/decimal_comma.h>
 #include <voussoir/base/text.h>
 #include <voussoir/base/text_file.h>
-#include <voussoir/packing/polygons/points_file.h>
+#include <voussoir/packing/points_file.h>
 
 #include <boost/algorithm/string.hpp>
 #include <boost/lexical_cast.hpp>
@@ -14,7 +14,8 @@
 
 namespace Voussoir
 {
-std::string PointList::describe(const unsigned int i) const
+template <int dim>
+std::string PointList<dim>::describe(const unsigned int i) const
 {
   std::string description = text("point ", i, " at ", text_of_point(points[i]));
   if (!lines.empty())
@@ -24,22 +25,30 @@ std::string PointList::describe(const unsigned int i) const
 
 namespace
 {
-std::optional<dealii::Point<2>> point_of(const std::string &content)
+/** What a line of a file of points is expected to be. */
+template <int dim>
+constexpr const char *expected_on_line =
+    dim == 2 ? "two finite numbers \"x y\"" : "three finite numbers \"x y z\"";
+
+template <int dim>
+std::optional<dealii::Point<dim>> point_of(const std::string &content)
 {
   std::vector<std::string> words;
   boost::split(words, content, boost::is_any_of(" \t,;"),
                boost::token_compress_on);
-  dealii::Point<2> point;
-  if (words.size() != 2 ||
-      !boost::conversion::try_lexical_convert(words[0], point[0]) ||
-      !boost::conversion::try_lexical_convert(words[1], point[1]) ||
-      !std::isfinite(point[0]) || !std::isfinite(point[1]))
+  if (words.size() != dim)
     return {};
+  dealii::Point<dim> point;
+  for (unsigned int d = 0; d < dim; ++d)
+    if (!boost::conversion::try_lexical_convert(words[d], point[d]) ||
+        !std::isfinite(point[d]))
+      return {};
   return point;
 }
 } // namespace
 
-PointList read_points_file(const std::filesystem::path &file)
+template <int dim>
+PointList<dim> read_points_file(const std::filesystem::path &file)
 {
   const std::optional<std::string> all = read_text_file(file);
   if (!all)
@@ -47,7 +56,7 @@ PointList read_points_file(const std::filesystem::path &file)
                      "' cannot be read. Paths in a .prm file start at the "
                      "directory of that file.");
 
-  PointList list;
+  PointList<dim> list;
   list.file = file;
   std::istringstream in(*all);
   std::string line;
@@ -57,12 +66,12 @@ PointList read_points_file(const std::filesystem::path &file)
         line.substr(0, line.find('#')), boost::is_any_of(" \t\r"));
     if (content.empty())
       continue;
-    const std::optional<dealii::Point<2>> point = point_of(content);
+    const std::optional<dealii::Point<dim>> point = point_of<dim>(content);
     if (!point)
       throw InputError(text("Line ", number, " of the points file '",
-                            file.string(), "' is '", content,
-                            "'; two finite numbers \"x y\" are expected",
-                            point_of(with_decimal_points(content))
+                            file.string(), "' is '", content, "'; ",
+                            expected_on_line<dim>, " are expected",
+                            point_of<dim>(with_decimal_points(content))
                                 ? advice_on_decimal_comma(content)
                                 : "",
                             "."));
@@ -74,4 +83,9 @@ PointList read_points_file(const std::filesystem::path &file)
                      "' has no points; a packing needs at least one.");
   return list;
 }
+
+template struct PointList<2>;
+template struct PointList<3>;
+template PointList<2> read_points_file<2>(const std::filesystem::path &);
+template PointList<3> read_points_file<3>(const std::filesystem::path &);
 } // namespace Voussoir

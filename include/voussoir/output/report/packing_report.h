@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_report_packing_report_h
+#define voussoir_output_report_packing_report_h
+
+#include <voussoir/packing/polyhedra/packing.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * Write a packing in space as a page; see write_space_report().
+ *
+ * @param title of the page; may be empty.
+ * @param warnings to be shown below the picture.
+ */
+void write_packing_report(std::ostream &out,
+                          const Packing<3> &packing,
+                          const std::string &title,
+                          const std::vector<std::string> &warnings);
+} // namespace Voussoir
+
+#endif

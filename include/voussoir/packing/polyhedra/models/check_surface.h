@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_packing_polyhedra_models_check_surface_h
+#define voussoir_packing_polyhedra_models_check_surface_h
+
+#include <voussoir/packing/polyhedra/models/mend_surface.h>
+
+namespace Voussoir
+{
+/**
+ * Find faces without an area, that cross or touch themselves, that are off
+ * their plane by more than @p distance, or are so far off that they have none.
+ */
+void check_faces(MendedSurface &mended, double distance);
+
+/**
+ * Find faces that cross others of the same surface, further than @p distance:
+ * in a segment of that length at least between triangles without a common
+ * vertex, into which the faces are cut.
+ */
+void check_crossings(MendedSurface &mended, double distance);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/floating_point.h>
+#include <voussoir/packing/polyhedra/models/check_surface.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/intersections.h>
+#include <boost/variant.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace Voussoir
+{
+using DefectKind = ModelDefect::Kind;
+
+namespace
+{
+using CrossingKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CrossingPlace = CrossingKernel::Point_3;
+using TriangleMesh = CGAL::Surface_mesh<CrossingPlace>;
+using CrossingTriangle = std::array<CrossingPlace, 3>;
+
+/** True if no vertex is further out of a face than @p distance. */
+bool is_convex_surface(const Surface &surface, const double distance)
+{
+  for (unsigned int f = 0; f < surface.faces.size(); ++f)
+  {
+    const FacePlane plane = plane_of(surface, f);
+    const double area = plane.vector_area.norm();
+    for (const unsigned int v : surface.faces.corners)
+      if (plane.vector_area * (surface.vertices[v] - plane.place) >
+          distance * area)
+        return false;
+  }
+  return true;
+}
+
+TriangleMesh triangles_of(const Surface &surface)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<CrossingPlace> places;
+  for (const dealii::Point<3> &p : surface.vertices)
+    places.emplace_back(p[0], p[1], p[2]);
+  std::vector<std::vector<std::size_t>> loops;
+  for (unsigned int f = 0; f < surface.faces.size(); ++f)
+    loops.emplace_back(surface.faces[f].begin(), surface.faces[f].end());
+  TriangleMesh mesh;
+  PMP::orient_polygon_soup(places, loops); // doubles vertices of two fans
+  PMP::polygon_soup_to_polygon_mesh(places, loops, mesh);
+  PMP::triangulate_faces(mesh);
+  return mesh;
+}
+
+CrossingTriangle corners_of_triangle(const TriangleMesh &mesh,
+                                     const TriangleMesh::Face_index face)
+{
+  CrossingTriangle triangle;
+  auto halfedge = mesh.halfedge(face);
+  for (CrossingPlace &corner : triangle)
+  {
+    corner = mesh.point(mesh.target(halfedge));
+    halfedge = mesh.next(halfedge);
+  }
+  return triangle;
+}
+
+/** The points that an intersection of triangles is the hull of. */
+struct PointsOfIntersection
+{
+  using Points = std::vector<CrossingPlace>;
+  Points operator()(const CrossingPlace &p) const { return {p}; }
+  Points operator()(const CrossingKernel::Segment_3 &s) const
+  {
+    return {s.source(), s.target()};
+  }
+  Points operator()(const CrossingKernel::Triangle_3 &t) const
+  {
+    return {t[0], t[1], t[2]};
+  }
+  Points operator()(const Points &points) const { return points; }
+};
+
+/** The longest distance within the intersection of triangles, and where. */
+std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
+                                                    const CrossingTriangle &b)
+{
+  const auto crossing =
+      CGAL::intersection(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
+                         CrossingKernel::Triangle_3(b[0], b[1], b[2]));
+  std::pair<double, CrossingPlace> extent = {0., a[0]};
+  if (!crossing)
+    return extent;
+  const std::vector<CrossingPlace> points =
+      boost::apply_visitor(PointsOfIntersection(), *crossing);
+  for (const CrossingPlace &p : points)
+    for (const CrossingPlace &q : points)
+      if (const double length = std::sqrt(CGAL::squared_distance(p, q));
+          length > extent.first)
+        extent = {length, CGAL::midpoint(p, q)};
+  return extent;
+}
+} // namespace
+
+void check_crossings(MendedSurface &mended, const double distance)
+{
+  if (is_convex_surface(mended.surface, distance))
+    return;
+  const InvalidOperationsAllowed allowed;
+  const TriangleMesh mesh = triangles_of(mended.surface);
+  std::vector<std::pair<TriangleMesh::Face_index, TriangleMesh::Face_index>>
+      pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh,
+                                                    std::back_inserter(pairs));
+  ModelDefect found = {DefectKind::crossing_surface};
+  found.count = 0;
+  for (const auto &[f, g] : pairs)
+  {
+    const CrossingTriangle a = corners_of_triangle(mesh, f),
+                           b = corners_of_triangle(mesh, g);
+    if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end())
+      continue;
+    const auto [length, place] = extent_of_crossing(a, b);
+    if (length <= distance)
+      continue;
+    ++found.count;
+    if (length > found.size)
+    {
+      found.size = length;
+      found.place = {place.x(), place.y(), place.z()};
+    }
+  }
+  if (found.count > 0)
+    mended.defects.push_back(found);
+}
+} // namespace Voussoir
