@@ -76,11 +76,10 @@ struct Shape
     for (unsigned int k = 0; k < n_courses; ++k)
       if (level)
       {
-        const double high = inner() * std::cos(angle(k));
-        const double low = inner() * std::cos(angle(k + 1));
+        const double high = height(k), low = height(k + 1);
         area += 0.5 * (high - low) *
-                (outer_at(high) - inner() * std::sin(angle(k)) + outer_at(low) -
-                 inner() * std::sin(angle(k + 1)));
+                (radius_at(outer(), high) - radius_at(inner(), high) +
+                 radius_at(outer(), low) - radius_at(inner(), low));
       }
       else
         area += 0.5 * std::sin(angle(k + 1) - angle(k)) *
@@ -89,10 +88,17 @@ struct Shape
   }
 
 private:
-  /** The outer sphere at a height. */
-  double outer_at(const double z) const
+  /** The height of a horizontal joint. */
+  double height(const unsigned int k) const
   {
-    return std::sqrt(outer() * outer() - z * z);
+    const double top = std::cos(angle(0)), foot = std::cos(angle(n_courses));
+    return inner() * (top + (foot - top) * k / n_courses);
+  }
+
+  /** The distance of a sphere from the axis at a height. */
+  static double radius_at(const double sphere, const double z)
+  {
+    return std::sqrt(sphere * sphere - z * z);
   }
 
   /** The part of a facet between heights, over the sine of its angle. */
@@ -119,16 +125,14 @@ private:
     double sum = 0.;
     for (unsigned int k = 0; k < n_courses; ++k)
     {
-      const double high = inner() * std::cos(angle(k));
-      const double low = inner() * std::cos(angle(k + 1));
-      sum += cone(outer_at(high), outer_at(low), high, low) -
-             cone(inner() * std::sin(angle(k)),
-                  inner() * std::sin(angle(k + 1)), high, low);
+      const double high = height(k), low = height(k + 1);
+      for (const double sphere : {outer(), inner()})
+        sum += (sphere > 2. ? 1. : -1.) *
+               cone(radius_at(sphere, high), radius_at(sphere, low), high, low);
     }
-    const double seat = inner() * std::cos(angle(0));
     if (oculus == 0.)
-      sum += cone(outer() * std::sin(angle(0)), outer_at(seat),
-                  outer() * std::cos(angle(0)), seat);
+      sum += cone(outer() * std::sin(angle(0)), radius_at(outer(), height(0)),
+                  outer() * std::cos(angle(0)), height(0));
     return sum;
   }
 };

@@ -107,7 +107,8 @@ void DomeGenerator::add_parameters(dealii::ParameterHandler &prm)
   add_choice<bool>(
       prm, "Bed joints", level_beds,
       {{false, "radial", "on lines through the centre."},
-       {true, "horizontal", "as in a corbelled dome; the keystone is a lid."}},
+       {true, "horizontal",
+        "at equal distances, as in a corbelled dome; the keystone is a lid."}},
       "The joints between the courses.");
 }
 
@@ -133,7 +134,7 @@ void DomeGenerator::check_parameters() const
                         "'Packing/dome/Courses' and 'Sectors'");
 }
 
-std::vector<ArchJoint> DomeGenerator::joints() const
+std::vector<ArchJoint> DomeGenerator::radial_joints() const
 {
   const double inner = mean_radius - 0.5 * thickness;
   const double outer = mean_radius + 0.5 * thickness;
@@ -146,17 +147,31 @@ std::vector<ArchJoint> DomeGenerator::joints() const
   for (unsigned int k = 0; k <= n_courses; ++k)
   {
     const double turn = (crown * (n_courses - k) + foot * k) / n_courses;
-    const double sine = boost::math::sin_pi(turn);
-    const double cosine = boost::math::cos_pi(turn);
-    const Point<2> intrados(inner * sine, inner * cosine);
-    if (level_beds) // by Pythagoras: outer^2 - inner^2 = 2 R t
-      joints.push_back(
-          {intrados,
-           {std::hypot(std::sqrt(2. * mean_radius) * std::sqrt(thickness),
-                       intrados[0]),
-            intrados[1]}});
-    else
-      joints.push_back({intrados, {outer * sine, outer * cosine}});
+    const Point<2> direction(boost::math::sin_pi(turn),
+                             boost::math::cos_pi(turn));
+    joints.push_back(
+        {Point<2>(inner * direction), Point<2>(outer * direction)});
+  }
+  return joints;
+}
+
+std::vector<ArchJoint> DomeGenerator::joints() const
+{
+  std::vector<ArchJoint> joints = radial_joints();
+  if (!level_beds)
+    return joints;
+  const Point<2> top = joints.front().intrados;
+  const Point<2> foot = joints.back().intrados;
+  for (unsigned int k = 0; k <= n_courses; ++k)
+  {
+    // By Pythagoras, from what cancels nothing: the radii of both spheres
+    // differ by the thickness, their squares by 2 R t.
+    const double z = (top[1] * (n_courses - k) + foot[1] * k) / n_courses;
+    const double r = std::hypot(top[0], std::sqrt(std::max(top[1] - z, 0.)) *
+                                            std::sqrt(top[1] + z));
+    joints[k] = {
+        {r, z},
+        {std::hypot(r, std::sqrt(2. * mean_radius) * std::sqrt(thickness)), z}};
   }
   return joints;
 }
@@ -172,7 +187,8 @@ CellFaces DomeGenerator::generate(const std::filesystem::path &,
   check_resolution(
       "Packing/dome",
       {{"'Thickness'", thickness},
-       {"'Courses'", joints[0].intrados.distance(joints[1].intrados)},
+       {"'Courses'", level_beds ? crown.intrados[1] - joints[1].intrados[1]
+                                : crown.intrados.distance(joints[1].intrados)},
        {"'Sectors'", crown.intrados[0] * 2. * dealii::numbers::PI / n_facets}},
       mean_radius);
 

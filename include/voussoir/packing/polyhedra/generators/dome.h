@@ -38,10 +38,11 @@ namespace Voussoir
  * ((R+t/2)^3 - (R-t/2)^3) (sin a + sin b) sin(b-a) sin(2 pi/F)/6, a keystone
  * ((R+t/2)^3 - (R-t/2)^3) F sin(a)^2 cos(a) sin(2 pi/F)/6.
  *
- * Horizontal bed joints, as in a corbelled dome, begin in the same points of
- * the intrados and end on the outer sphere. The keystone then is a lid on the
- * first course, from the end of that joint to the point of the extrados at the
- * angle of the crown.
+ * Horizontal bed joints, as in a corbelled dome, go from the inner sphere to
+ * the outer one, at equal heights between the same points of the intrados at
+ * the crown and at the foot. The keystone then is a lid on the first course:
+ * from that joint, as far as its end on the outer sphere, to the point of this
+ * that is at the angle of the crown.
  *
  * The foot stands on z = (R-t/2) cos(E/2), which is 0 for a hemisphere, if the
  * joints are horizontal or E is 180 degrees; otherwise on F planes, one a
@@ -64,6 +65,8 @@ public:
                      Terminal &terminal) const override;
 
 private:
+  /** The joints of a meridian from the crown down, in (r, z), if radial. */
+  std::vector<ArchJoint> radial_joints() const;
   /** The joints of a meridian from the crown down, in (r, z). */
   std::vector<ArchJoint> joints() const;
   /** Refuse what is no dome. */
