@@ -9,7 +9,6 @@
 
 #include "polygons.h"
 #include "tests.h"
-#include <array>
 #include <string>
 #include <vector>
 
@@ -68,14 +67,14 @@ inline Shape unwelded(const Shape &shape)
 }
 
 /** A prism over a polygon in the plane, from z = 0 to the height. */
-inline Shape prism(const std::vector<std::array<double, 2>> &polygon,
+inline Shape prism(const std::vector<dealii::Point<2>> &polygon,
                    const double height)
 {
   Shape shape;
   const unsigned int n = polygon.size();
   for (const double z : {0., height})
-    for (const auto &[x, y] : polygon)
-      shape.vertices.emplace_back(x, y, z);
+    for (const dealii::Point<2> &p : polygon)
+      shape.vertices.emplace_back(p[0], p[1], z);
   shape.faces.resize(2);
   for (unsigned int i = 0; i < n; ++i)
   {

@@ -55,14 +55,15 @@ inline unsigned int n_flat_edges(const Voussoir::CellFaces &cells)
   unsigned int n = 0;
   for (unsigned int c = 0; c < cells.n_cells(); ++c)
   {
-    std::map<std::array<unsigned int, 2>, unsigned int> face_at;
+    using Edge = std::array<unsigned int, 2>;
+    std::map<Edge, unsigned int> face_at;
     for (unsigned int f = cells.first_face[c]; f < cells.first_face[c + 1]; ++f)
       for (unsigned int i = 0; i < cells.n_corners(f); ++i)
-        face_at[{cells.corners(f)[i],
-                 cells.corners(f)[(i + 1) % cells.n_corners(f)]}] = f;
+        face_at[Edge{{cells.corners(f)[i],
+                      cells.corners(f)[(i + 1) % cells.n_corners(f)]}}] = f;
     for (const auto &[edge, f] : face_at)
     {
-      const auto back = face_at.find({edge[1], edge[0]});
+      const auto back = face_at.find(Edge{{edge[1], edge[0]}});
       n += back != face_at.end() &&
            (face_of(cells, f).normal() - face_of(cells, back->second).normal())
                    .norm() < 1e-6;

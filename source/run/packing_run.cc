@@ -53,7 +53,7 @@ void look_at_model(Terminal &terminal, const CellFaces &cells)
   };
   if (cells.tolerance > 0.)
     terminal.stage("Contacts",
-                   text(pairs_with(1.), " pairs of blocks within ",
+                   text(counted(pairs_with(1.), "pair"), " of blocks within ",
                         cells.tolerance, "; ", pairs_with(smaller_tolerance),
                         " within a tenth of that, and ",
                         pairs_with(larger_tolerance), " within ten times"));

@@ -32,12 +32,12 @@ inline Voussoir::CellFaces boxes(const std::vector<Box> &list)
     for (unsigned int k = 0; k < 8; ++k)
       cells.vertices.push_back(box.vertex(k));
     for (const std::array<unsigned int, 4> &loop :
-         {std::array<unsigned int, 4>{v, v + 4, v + 6, v + 2},
-          {v + 1, v + 3, v + 7, v + 5},
-          {v, v + 1, v + 5, v + 4},
-          {v + 2, v + 6, v + 7, v + 3},
-          {v, v + 2, v + 3, v + 1},
-          {v + 4, v + 5, v + 7, v + 6}})
+         {std::array<unsigned int, 4>{{v, v + 4, v + 6, v + 2}},
+          {{v + 1, v + 3, v + 7, v + 5}},
+          {{v, v + 1, v + 5, v + 4}},
+          {{v + 2, v + 6, v + 7, v + 3}},
+          {{v, v + 2, v + 3, v + 1}},
+          {{v + 4, v + 5, v + 7, v + 6}}})
       cells.add_face(loop);
     cells.end_cell();
   }
@@ -74,7 +74,7 @@ inline Voussoir::FaceContacts contacts_of(const std::vector<Box> &list)
         }
         if (!up)
           std::reverse(corners.begin(), corners.end());
-        contacts.faces.push_back({6 * a + side, 6 * b + (side ^ 1U)});
+        contacts.faces.push_back({{6 * a + side, 6 * b + (side ^ 1U)}});
         contacts.patches.add(corners);
       }
   return contacts;
@@ -100,7 +100,7 @@ inline void add_prism(Voussoir::CellFaces &cells,
   {
     const unsigned int j = (i + 1) % n;
     cells.add_face(
-        std::array<unsigned int, 4>{v + i, v + j, v + n + j, v + n + i});
+        std::array<unsigned int, 4>{{v + i, v + j, v + n + j, v + n + i}});
   }
   cells.end_cell();
 }

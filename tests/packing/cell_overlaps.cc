@@ -136,8 +136,8 @@ void check_notched()
   check_error("  by no more than the depth", in_notch(0.1)[0].depth,
               0.1 * (1. + 1e-12));
   check("  and by a good part of it", in_notch(0.1)[0].depth > 0.04);
-  check("  at a place in both", in_notch(0.1)[0].place[0] > 0.9 - 1e-12 &&
-                                    in_notch(0.1)[0].place[0] < 1.);
+  const double x = in_notch(0.1)[0].place[0];
+  check("  at a place in both", x > 0.9 - 1e-12 && x < 1. + 1e-12);
 
   const auto pair = [](const double x, const double y) {
     CellFaces cells;

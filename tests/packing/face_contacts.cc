@@ -290,6 +290,22 @@ void check_shared_faces()
             count_contacts(cells, {0.}).pairs_of_cells == 1);
 }
 
+void check_short_sides()
+{
+  std::cout << "A side as short as rounding, with any direction" << std::endl;
+  CellFaces cells;
+  const std::vector<Point<2>> ring = {
+      {0., 0.}, {1., 0.}, {1. - 1.2e-16, 1e-16}, {1., 1.}, {0., 1.}};
+  add_prism(cells, ring, 0., 1.);
+  add_prism(cells, ring, 1., 2.);
+  const FaceContacts found = face_contacts(cells, {0.});
+  check("  does not cut the patch", found.faces.size() == 1);
+  check_error("  area", std::abs(total_area(found.patches) - 1.), 1e-15);
+  cells.shared = {{{1, 7}}};
+  check("  nor a face that is shared",
+        face_contacts(cells, {0.}).patches.vertices.size() == 5);
+}
+
 void check_refusals()
 {
   CellFaces cells;
@@ -323,6 +339,7 @@ void run()
   check_angles();
   check_joints();
   check_shared_faces();
+  check_short_sides();
   check_refusals();
 }
 

@@ -105,10 +105,10 @@ void test_joining()
     check_error("notched block: volume", std::abs(volume_of(cells) - 4.),
                 1e-14);
   }
-  std::vector<std::array<double, 2>> circle;
+  std::vector<Point<2>> circle;
   for (unsigned int k = 0; k < 64; ++k)
-    circle.push_back({std::cos(k * dealii::numbers::PI / 32),
-                      std::sin(k * dealii::numbers::PI / 32)});
+    circle.emplace_back(std::cos(k * dealii::numbers::PI / 32),
+                        std::sin(k * dealii::numbers::PI / 32));
   const CellFaces drum = cells_of(triangulated(prism(circle, 1.))).cells;
   std::vector<unsigned int> sizes(64, 4);
   sizes.insert(sizes.end(), {64, 64});
@@ -166,7 +166,7 @@ void test_holes()
         are_sound(cells));
   check_error("block with a hole: volume", std::abs(volume_of(cells) - 8.),
               1e-13);
-  // Four sides without and four within, and two faces of two pieces at least.
+  // Four sides outside and four within, and two faces of two pieces at least.
   check("block with a hole: faces around it are cut",
         cells.n_faces() >= 12 && cells.n_faces() <= 14);
   double area = 0.;

@@ -407,7 +407,7 @@ void test_interfaces()
       cells_of_model(meshes_of({block_of(cube()), block_of(cube(1.))}), {})
           .cells;
   FaceContacts contacts;
-  contacts.faces = {{5, 10}}; // x = 1 of both
+  contacts.faces.push_back({{5, 10}}); // x = 1 of both
   contacts.patches.add(cells.polygon(5));
   std::ostringstream out;
   write_compas_assembly(out, cells, &contacts);

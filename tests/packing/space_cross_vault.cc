@@ -122,13 +122,13 @@ bool is_symmetric(const CellFaces &cells)
   };
   using Place = std::array<double, 3>;
   const auto places = sorted([](const auto &p) -> Place {
-    return {p[0], p[1], p[2]};
+    return {{p[0], p[1], p[2]}};
   });
   return places == sorted([](const auto &p) -> Place {
-           return {-p[1], p[0], p[2]};
+           return {{-p[1], p[0], p[2]}};
          }) &&
          places == sorted([](const auto &p) -> Place {
-           return {-p[0], p[1], p[2]};
+           return {{-p[0], p[1], p[2]}};
          });
 }
 

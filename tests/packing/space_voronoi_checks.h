@@ -63,7 +63,8 @@ inline double width_of(const std::vector<Point<3>> &polygon)
 inline void
 judge_shared_faces(const CellFaces &cells, const double size, Errors &of)
 {
-  std::set<std::array<unsigned int, 2>> pairs;
+  using Pair = std::array<unsigned int, 2>;
+  std::set<Pair> pairs;
   std::vector<bool> is_shared(cells.n_faces(), false);
   for (const auto &[f, g] : cells.shared)
   {
@@ -77,7 +78,7 @@ judge_shared_faces(const CellFaces &cells, const double size, Errors &of)
     std::rotate(b.begin(), std::min_element(b.begin(), b.end()), b.end());
     of.are_shared &= a == b;
     const unsigned int c = cells.cell_of_face(f), d = cells.cell_of_face(g);
-    of.have_one_face &= pairs.insert({c, d}).second;
+    of.have_one_face &= pairs.insert(Pair{{c, d}}).second;
     const Point<3> &p = cells.centres[c], &q = cells.centres[d];
     const Tensor<1, 3> normal = (q - p) / q.distance(p);
     for (const unsigned int v : a)
@@ -98,7 +99,8 @@ inline void judge_boundary(const CellFaces &cells,
   for (const auto &pair : cells.shared)
     is_shared[pair[0]] = is_shared[pair[1]] = true;
   std::vector<double> area(domain.n_planes(), 0.);
-  std::set<std::array<unsigned int, 2>> faces;
+  using Pair = std::array<unsigned int, 2>;
+  std::set<Pair> faces;
   for (unsigned int f = 0; f < cells.n_faces(); ++f)
   {
     if (is_shared[f])
@@ -120,7 +122,8 @@ inline void judge_boundary(const CellFaces &cells,
     }
     largest(of.plane, least / domain.extent());
     of.are_wide &= moments.vector_area * domain.plane(plane).normal > 0.;
-    of.have_one_face &= faces.insert({cells.cell_of_face(f), plane}).second;
+    of.have_one_face &=
+        faces.insert(Pair{{cells.cell_of_face(f), plane}}).second;
     area[plane] += moments.area();
   }
   for (unsigned int k = 0; k < domain.n_planes(); ++k)

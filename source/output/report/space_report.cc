@@ -150,6 +150,7 @@ void write_space_report(std::ostream &out, const SpaceReport &report)
   parts["picture"] = html_of_picture(report, of_cells);
   parts["sections"] = html_of_sections(report);
   parts["data"] = space_data(report, of_cells, of_joints);
+  parts["shaders_js"] = space_shaders_js;
   parts["view_js"] = space_view_js;
   parts["controls_js"] = space_controls_js;
   parts["js"] = space_page_js;

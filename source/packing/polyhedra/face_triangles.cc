@@ -59,7 +59,7 @@ void add_fan(const std::vector<unsigned int> &polygon,
              std::vector<std::array<unsigned int, 3>> &triangles)
 {
   for (unsigned int i = 1; i + 1 < polygon.size(); ++i)
-    triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
+    triangles.push_back({{polygon[0], polygon[i], polygon[i + 1]}});
 }
 } // namespace
 

@@ -31,13 +31,13 @@ void check_faces(const CellFaces &cells)
               text("Face ", f, " of ", cells.describe(c), " has the vertex ", v,
                    ", but there are ", cells.vertices.size(),
                    " vertices, "
-                   "numbered from 0. Correct the list of its vertices."));
+                   "numbered from 0. Change the list of its vertices."));
         if (!is_in_bounds(cells.vertices[v]))
           throw InputError(text(
               "Vertex ", v, " of ", cells.describe(c), ", at ",
               text_of_point(cells.vertices[v]),
               ", has no place: its coordinates must be numbers of a size of ",
-              largest_coordinate, " at most. Correct them."));
+              largest_coordinate, " at most. Change them."));
       }
 }
 
@@ -55,13 +55,13 @@ void check_contacts(const CellFaces &cells, const FaceContacts &contacts)
         throw InputError(text("Contact ", j, " is one of face ", f,
                               ", but there are ",
                               counted(cells.n_faces(), "face"),
-                              ", numbered from 0. Correct the pair."));
+                              ", numbered from 0. Change the pair."));
     for (const dealii::Point<3> &p : contacts.patches[j])
       if (!is_in_bounds(p))
         throw InputError(text(
             "A corner of contact ", j, ", at ", text_of_point(p),
             ", has no place: its coordinates must be numbers of a size of ",
-            largest_coordinate, " at most. Correct them."));
+            largest_coordinate, " at most. Change them."));
   }
 }
 

@@ -59,6 +59,12 @@ ConvexRing half_beside(const ConvexRing &ring,
   return half;
 }
 
+/** True if a side is long enough for its direction to mean something. */
+bool has_direction(const Point<2> &a, const Point<2> &b, const double tolerance)
+{
+  return a.distance_square(b) > tolerance * tolerance;
+}
+
 /** True if boxes around the two are apart, or touch. */
 bool are_apart(const ConvexRing &one, const ConvexRing &other)
 {
@@ -93,8 +99,10 @@ void add_rest(ConvexRings &rests,
   ConvexRing inside = whole;
   for (std::size_t i = 0; i < other.size() && !inside.empty(); ++i)
   {
-    RingHalves halves =
-        cut(inside, {other[i].at, other[(i + 1) % other.size()].at}, tolerance);
+    const Point<2> &a = other[i].at, &b = other[(i + 1) % other.size()].at;
+    if (!has_direction(a, b, tolerance))
+      continue;
+    RingHalves halves = cut(inside, {a, b}, tolerance);
     if (!halves.right.empty() && width(halves.right) > tolerance)
       rests.push_back(halves.right);
     inside.swap(halves.left);
@@ -124,7 +132,10 @@ common_part(ConvexRing ring, const ConvexRing &other, const double tolerance)
 {
   for (std::size_t i = 0; i < other.size() && !ring.empty(); ++i)
   {
-    const DirectedLine line(other[i].at, other[(i + 1) % other.size()].at);
+    const Point<2> &a = other[i].at, &b = other[(i + 1) % other.size()].at;
+    if (!has_direction(a, b, tolerance))
+      continue;
+    const DirectedLine line(a, b);
     const CornerDistances distances(ring, line);
     if (!(distances.greatest > tolerance))
       ring.clear();

@@ -35,6 +35,20 @@ bool is_nearly_convex(const std::vector<Point<2>> &ring, const double tolerance)
   return true;
 }
 
+/** True if no vertex is inside the chord of its neighbours by more than the
+ * tolerance, however short its sides are. */
+bool has_no_dents(const std::vector<Point<2>> &ring, const double tolerance)
+{
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point<2> &a = ring[i], &b = ring[(i + 1) % n], &c = ring[(i + 2) % n];
+    if (cross(b - a, c - a) < -tolerance * a.distance(c))
+      return false;
+  }
+  return true;
+}
+
 bool is_simple_ring(const std::vector<Point<2>> &ring)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -163,12 +177,17 @@ std::vector<Numbers> convex_pieces_of_face(const CellFaces &cells,
 {
   const auto view = cells.corners(face);
   const Numbers corners(view.begin(), view.end());
+  const std::vector<Point<3>> polygon = cells.polygon(face);
   const PolygonMoments moments =
-      moments_of(dealii::ArrayView<const Point<3>>(cells.polygon(face)));
+      moments_of(dealii::ArrayView<const Point<3>>(polygon));
   if (!(moments.area() > 0.))
     return {corners};
-  return pieces_with_corners(
-      cells, face, corners,
-      PlaneFrame(cells.vertices[corners[0]], moments.normal()), tolerance);
+  const PlaneFrame frame(cells.vertices[corners[0]], moments.normal());
+  std::vector<Point<2>> ring;
+  for (const unsigned int v : corners)
+    ring.push_back(frame.project(cells.vertices[v]));
+  if (has_no_dents(ring, tolerance))
+    return {corners};
+  return pieces_with_corners(cells, face, corners, frame, tolerance);
 }
 } // namespace Voussoir

@@ -46,6 +46,14 @@ LiftedRing part_that_clears(const LiftedRing &ring,
   return kept;
 }
 
+/** True if two polygons have the same corners to the last bit. */
+bool is_same(const ConvexRing &one, const ConvexRing &other)
+{
+  return std::equal(
+      one.begin(), one.end(), other.begin(), other.end(),
+      [](const RingCorner &a, const RingCorner &b) { return a.at == b.at; });
+}
+
 /** Finds what covers one joint; one object, used once. */
 class JointSight
 {
@@ -73,8 +81,7 @@ public:
             if (width(covered) > geometry.tolerance)
               open = without(open, covered, geometry.tolerance);
           }
-    if (open.size() == 1 && open[0].size() == ring.size() &&
-        width(open[0]) == width(ring))
+    if (open.size() == 1 && is_same(open[0], ring))
       return open;
     return wide_ones(open);
   }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/packing/polyhedra/models/block_parts.h>
-#include <voussoir/packing/polyhedra/models/surface.h>
+#include <voussoir/packing/polyhedra/models/mend_surface.h>
 
 #include <boost/functional/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -104,17 +101,13 @@ Parts parts_that_close(const FaceLoops &faces, const FaceNumbers &all)
 /** The faces with one number for all vertices at one place. */
 FaceLoops with_welded_numbers(const BlockMesh &block)
 {
-  using Key = std::array<double, 3>;
-  std::unordered_map<Key, unsigned int, boost::hash<Key>> numbers;
-  std::vector<unsigned int> number;
-  for (const dealii::Point<3> &p : block.vertices)
-    // A zero with a sign is one without.
-    number.push_back(
-        numbers.emplace(Key{p[0] + 0., p[1] + 0., p[2] + 0.}, number.size())
-            .first->second);
   FaceLoops faces = block.faces;
+  if (!surface_of(block).is_usable())
+    return faces; // it has coordinates that have no distance
+  const std::vector<unsigned int> first = first_vertices_nearby(
+      block.vertices, distance_of_seven_digits(block.vertices));
   for (unsigned int &corner : faces.corners)
-    corner = number[corner];
+    corner = first[corner];
   return faces;
 }
 } // namespace
@@ -133,17 +126,31 @@ std::vector<std::vector<unsigned int>> parts_of(const BlockMesh &block)
 
   std::sort(rest.begin(), rest.end());
   const FaceLoops welded = loops_of_faces(with_welded_numbers(block), rest);
+  FaceNumbers open;
   for (const FaceNumbers &part : connected_parts(welded))
     for (FaceNumbers &closed :
          is_closed_but_for_copies(loops_of_faces(welded, part))
              ? Parts{part}
              : parts_that_close(welded, part))
     {
+      const bool is_open =
+          !is_closed_but_for_copies(loops_of_faces(welded, closed));
       for (unsigned int &face : closed)
         face = rest[face];
-      found.push_back(std::move(closed));
+      if (is_open)
+        open.insert(open.end(), closed.begin(), closed.end());
+      else
+        found.push_back(std::move(closed));
     }
+  std::sort(open.begin(), open.end());
+  if (!open.empty())
+    found.push_back(std::move(open));
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool is_connected(const FaceLoops &faces)
+{
+  return connected_parts(faces).size() == 1;
 }
 } // namespace Voussoir

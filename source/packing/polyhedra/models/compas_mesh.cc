@@ -31,7 +31,7 @@ bool is_true(const Json *const value)
 namespace
 {
 /** The keys by which the trees that are wrapped are known. */
-constexpr std::array<const char *, 7> keys_of_content = {
+constexpr const char *keys_of_content[] = {
     "vertex", "node", "elements", "graph", "blocks", "geometry", "shape"};
 
 /** The numbers of vertices by their keys. */
@@ -62,7 +62,7 @@ dealii::Point<3> compas_place(const Json &vertex,
                               const Json *const defaults)
 {
   dealii::Point<3> place;
-  const std::array<std::string, 3> axes = {"x", "y", "z"};
+  const std::array<std::string, 3> axes = {{"x", "y", "z"}};
   for (unsigned int d = 0; d < 3; ++d)
     if (vertex.is_array() && vertex.size() == 3)
       place[d] = coordinate_of(vertex[d], key);
@@ -124,8 +124,8 @@ void add_compas_face(const Json &loop,
     std::vector<std::array<unsigned int, 2>> half_edges;
     for (const auto &edge : loop.items())
       half_edges.push_back(
-          {compas_vertex(keys, edge.key(), face),
-           compas_vertex(keys, text_of_key(edge.value()), face)});
+          {{compas_vertex(keys, edge.key(), face),
+            compas_vertex(keys, text_of_key(edge.value()), face)}});
     block.faces.add(loop_of_next(half_edges, face));
     return;
   }
@@ -154,8 +154,8 @@ void add_faces_of_half_edges(const Json &tree,
           auto &of_face = half_edges[face];
           if (of_face.empty())
             names.push_back(face);
-          of_face.push_back({compas_vertex(keys, from.key(), face),
-                             compas_vertex(keys, to.key(), face)});
+          of_face.push_back({{compas_vertex(keys, from.key(), face),
+                              compas_vertex(keys, to.key(), face)}});
         }
   for (const std::string &face : names)
     block.faces.add(loop_of_next(half_edges.at(face), face));

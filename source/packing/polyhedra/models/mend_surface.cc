@@ -29,33 +29,8 @@ namespace
  */
 constexpr double shortest_length = 1e-50, longest_length = 1e50;
 
-/** The first vertex of those within a distance, for each vertex. */
-std::vector<unsigned int>
-first_vertices_nearby(const std::vector<Point<3>> &vertices,
-                      const double distance)
-{
-  namespace bgi = boost::geometry::index;
-  bgi::rtree<std::pair<Point<3>, unsigned int>, bgi::linear<16>> tree;
-  std::vector<unsigned int> first(vertices.size());
-  for (unsigned int v = 0; v < vertices.size(); ++v)
-  {
-    Point<3> low = vertices[v], high = vertices[v];
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      low[d] -= distance;
-      high[d] += distance;
-    }
-    first[v] = v;
-    const dealii::BoundingBox<3> box({low, high});
-    for (auto near = tree.qbegin(bgi::intersects(box)); near != tree.qend();
-         ++near)
-      if (near->first.distance(vertices[v]) <= distance)
-        first[v] = std::min(first[v], near->second);
-    if (first[v] == v)
-      tree.insert({vertices[v], v});
-  }
-  return first;
-}
+/** What numbers with seven digits differ by, over the diagonal of a block. */
+constexpr double error_of_seven_digits = 1e-6;
 
 /** Remove vertices twice in a row, and spikes; false if there are none. */
 bool remove_repeated_vertices(std::vector<unsigned int> &loop)
@@ -133,6 +108,38 @@ void remove_repeated_faces(MendedSurface &mended)
   mended.defects.push_back(*repeated);
 }
 } // namespace
+
+double distance_of_seven_digits(const std::vector<Point<3>> &vertices)
+{
+  return error_of_seven_digits * diagonal_of(vertices);
+}
+
+std::vector<unsigned int>
+first_vertices_nearby(const std::vector<Point<3>> &vertices,
+                      const double distance)
+{
+  namespace bgi = boost::geometry::index;
+  bgi::rtree<std::pair<Point<3>, unsigned int>, bgi::linear<16>> tree;
+  std::vector<unsigned int> first(vertices.size());
+  for (unsigned int v = 0; v < vertices.size(); ++v)
+  {
+    Point<3> low = vertices[v], high = vertices[v];
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      low[d] -= distance;
+      high[d] += distance;
+    }
+    first[v] = v;
+    const dealii::BoundingBox<3> box({low, high});
+    for (auto near = tree.qbegin(bgi::intersects(box)); near != tree.qend();
+         ++near)
+      if (near->first.distance(vertices[v]) <= distance)
+        first[v] = std::min(first[v], near->second);
+    if (first[v] == v)
+      tree.insert({vertices[v], v});
+  }
+  return first;
+}
 
 MendedSurface surface_of(const BlockMesh &block)
 {

@@ -16,12 +16,6 @@ using DefectKind = ModelDefect::Kind;
 namespace
 {
 /**
- * The distance of vertices that are one, over the diagonal of the block: that
- * of numbers with seven digits, as in files of single precision.
- */
-constexpr double relative_welding_distance = 1e-6;
-
-/**
  * The distance from their common plane of faces that are joined, over the
  * tolerance: they may then still touch others within the tolerance.
  */
@@ -33,17 +27,13 @@ constexpr double share_for_planes = 0.1;
  */
 constexpr double least_thickness_over_tolerance = 2.;
 
-double distance_to_weld(const BlockMesh &mesh)
-{
-  return relative_welding_distance * diagonal_of(mesh.vertices);
-}
-
 /** Weld within a distance, or that of seven digits if it is zero; orient. */
 MendedSurface closed_surface(const BlockMesh &mesh, const double distance)
 {
   MendedSurface mended = surface_of(mesh);
   if (mended.is_usable())
-    weld(mended, distance > 0. ? distance : distance_to_weld(mesh));
+    weld(mended,
+         distance > 0. ? distance : distance_of_seven_digits(mesh.vertices));
   if (mended.is_usable())
     orient(mended);
   return mended;
@@ -126,7 +116,7 @@ void finish_block(ModelBlock &block, const double tolerance)
       if (defect.kind <= DefectKind::unusable_name)
         other.mended.defects.push_back(defect);
     close_block(other, tolerance);
-    if (other.mended.is_usable())
+    if (other.mended.is_usable() && is_connected(other.mended.surface.faces))
       block = std::move(other);
   }
   MendedSurface &mended = block.mended;
@@ -134,7 +124,8 @@ void finish_block(ModelBlock &block, const double tolerance)
     return;
   const double distance = share_for_planes * tolerance;
   join_coplanar_faces(mended, distance);
-  drop_straight_vertices(mended, distance_to_weld(block.mesh));
+  drop_straight_vertices(mended,
+                         distance_of_seven_digits(mended.surface.vertices));
   check_faces(mended, distance);
   if (mended.is_usable())
     check_crossings(mended, tolerance);

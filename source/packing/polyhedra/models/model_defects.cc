@@ -112,11 +112,11 @@ std::string text_of(const ModelDefect &defect)
                     "redraw it");
   case DefectKind::no_volume:
     return sentence("at ", text_of_point(defect.place),
-                    " has no volume: it is flat; delete it");
+                    " encloses no volume; delete it, or give it all its faces");
   case DefectKind::flat_face:
     return sentence("has ", counted(defect.count, "face"), ", ",
                     one_of(defect, "the first"),
-                    ", without an area; delete the vertices between its ends");
+                    ", without an area; redraw or delete it");
   case DefectKind::crossing_face:
     return sentence("has ", counted(defect.count, "face"), ", ",
                     one_of(defect, "the first"),

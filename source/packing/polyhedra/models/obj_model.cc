@@ -55,9 +55,8 @@ private:
       const long long v = vertex_number(word);
       if (v == 0 || v > n || v < -n)
         text.refuse(Voussoir::text("the face has the vertex ", v,
-                                   ", but there are ", n,
-                                   " vertices before it, numbered from 1, or "
-                                   "backwards by -1, -2, ...."));
+                                   "; before it there are those from 1 to ", n,
+                                   ", or backwards from -1 to ", -n, "."));
       loop.push_back(v > 0 ? v - 1 : n + v);
     }
     all_faces.add(loop);

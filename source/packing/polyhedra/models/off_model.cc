@@ -4,6 +4,7 @@
 #include <voussoir/packing/polyhedra/models/readers.h>
 
 #include <algorithm>
+#include <array>
 
 namespace Voussoir
 {
@@ -34,8 +35,8 @@ std::array<long long, 2> read_off_counts(ModelText &text)
   else if (text.words()[1] == "BINARY")
     text.refuse("it is binary; save it as text.");
   const long long most = text.n_bytes() / least_bytes_of_off_line;
-  return {text.integer(word, "the number of vertices", 0, most),
-          text.integer(word + 1, "the number of faces", 0, most)};
+  return {{text.integer(word, "the number of vertices", 0, most),
+           text.integer(word + 1, "the number of faces", 0, most)}};
 }
 
 BlockMesh read_off_object(ModelText &text)

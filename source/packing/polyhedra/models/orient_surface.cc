@@ -17,6 +17,9 @@ namespace
  */
 constexpr double least_relative_thickness = 1e-12;
 
+/** The faces of a tetrahedron. */
+constexpr unsigned int least_faces = 4;
+
 /** Two faces with a common edge, which they may run along the same way. */
 struct FacePair
 {
@@ -148,6 +151,13 @@ void turn_inside_in(const Surface &surface, Agreement &agreement)
 void orient(MendedSurface &mended)
 {
   Surface &surface = mended.surface;
+  if (surface.faces.size() < least_faces)
+  {
+    mended.defects.push_back({DefectKind::no_volume, 0, 1,
+                              dealii::numbers::invalid_unsigned_int, 0.,
+                              surface.vertices[surface.faces.corners[0]]});
+    return;
+  }
   const std::vector<FaceSide> sides = sides_of(surface.faces);
   const std::vector<ModelDefect> faults = faults_of_edges(surface, sides);
   mended.defects.insert(mended.defects.end(), faults.begin(), faults.end());

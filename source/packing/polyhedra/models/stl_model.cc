@@ -36,7 +36,7 @@ private:
   unsigned int number_of(const dealii::Point<3> &p)
   {
     // A zero with a sign is one without.
-    const std::array<double, 3> key = {p[0] + 0., p[1] + 0., p[2] + 0.};
+    const std::array<double, 3> key = {{p[0] + 0., p[1] + 0., p[2] + 0.}};
     const auto [entry, is_new] = numbers.emplace(key, block.vertices.size());
     if (is_new)
       block.vertices.push_back(p);
@@ -64,9 +64,7 @@ void read_stl_solid(ModelText &text, WeldedTriangles &solid)
     else if (text.begins_with("endfacet"))
     {
       if (n_corners != 3)
-        text.refuse(Voussoir::text("the facet has ",
-                                   counted(n_corners, "vertices"),
-                                   "; it should have three."));
+        text.refuse("the facet has less than three vertices.");
       solid.add(triangle);
       n_corners = 0;
     }
@@ -145,10 +143,11 @@ BlockMeshes read_stl_model(const std::filesystem::path &file)
     model = read_stl_bytes(file, bytes);
   else if (has_head && bytes.find('\0') != bytes.npos)
     throw InputError(text("The STL file '", file.string(), "' has ",
-                          bytes.size(), " bytes, but ", n_bytes, " with the ",
-                          n_announced,
-                          " triangles that it announces; it was cut short, or "
-                          "is no such file."));
+                          bytes.size(),
+                          " bytes; with as many triangles as it "
+                          "announces, ",
+                          n_announced, ", it would have ", n_bytes,
+                          "; it was cut short, or is no such file."));
   else
     model = read_stl_text(file);
   model.file = file;

@@ -28,7 +28,7 @@ std::array<unsigned int, 2> beside(const std::vector<unsigned int> &loop,
   const std::size_t n = loop.size();
   const std::size_t i =
       std::find(loop.begin(), loop.end(), vertex) - loop.begin();
-  return {loop[(i + n - 1) % n], loop[(i + 1) % n]};
+  return {{loop[(i + n - 1) % n], loop[(i + 1) % n]}};
 }
 
 bool is_between(const Point<3> &p,
@@ -69,7 +69,7 @@ void drop_straight_vertices(MendedSurface &mended, const double distance)
     std::vector<unsigned int> &two = loops[faces_of[v][1]];
     const auto [a, b] = beside(one, v);
     if (one.size() == 3 || two.size() == 3 ||
-        beside(two, v) != std::array<unsigned int, 2>({b, a}) ||
+        beside(two, v) != std::array<unsigned int, 2>{{b, a}} ||
         !is_between(surface.vertices[v], surface.vertices[a],
                     surface.vertices[b], distance))
       continue;

@@ -73,7 +73,8 @@ cut(const ConvexRing &ring, const DirectedLine &line, double tolerance);
 /**
  * What a convex polygon has in common with another, by Sutherland and Hodgman;
  * empty if that is nothing. Corners of @p ring that are outside of the other by
- * less than @p tolerance stay where they are.
+ * less than @p tolerance stay where they are. Sides of the other that are no
+ * longer than that do not cut.
  *
  * @param tolerance a length.
  */

@@ -10,12 +10,15 @@ namespace Voussoir
 {
 /**
  * The parts of a block, each by the numbers of its faces: surfaces that have no
- * vertex in common, if these are closed. Else vertices at one and the same
- * place are one, as in a list of triangles; where surfaces then have edges in
- * common, since blocks touch, a part ends where its surface closes, in the
- * order of the file. What does so nowhere stays together.
+ * edge in common, if these are closed. For the rest vertices at one place are
+ * one, as in a list of triangles; where surfaces then have edges in common,
+ * since blocks touch, a part ends where its surface closes, in the order of the
+ * file. What closes nowhere is one part.
  */
 std::vector<std::vector<unsigned int>> parts_of(const BlockMesh &block);
+
+/** True if all faces are connected by edges. */
+bool is_connected(const FaceLoops &faces);
 } // namespace Voussoir
 
 #endif

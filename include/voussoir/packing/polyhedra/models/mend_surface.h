@@ -29,6 +29,20 @@ struct MendedSurface
 MendedSurface surface_of(const BlockMesh &block);
 
 /**
+ * The distance of vertices that are one, for numbers with seven digits, as in
+ * files of single precision; a length.
+ */
+double distance_of_seven_digits(const std::vector<dealii::Point<3>> &vertices);
+
+/**
+ * For each vertex the first one within a distance: itself, or one that is the
+ * first for itself.
+ */
+std::vector<unsigned int>
+first_vertices_nearby(const std::vector<dealii::Point<3>> &vertices,
+                      double distance);
+
+/**
  * Weld the vertices that are no further apart than @p distance, each to the
  * first one there; leave out repeated vertices of faces, faces with less than
  * three vertices, and faces with the same vertices as one before.
