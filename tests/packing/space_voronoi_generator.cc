@@ -78,9 +78,9 @@ void check_density()
   const Box box{{0., 0., 0.}, {1., 1., 1.}};
   const ConvexPolyhedron cube(box);
   const auto draw = [&](const std::string &h) {
-    return random_points(100000, 3, cube, CellSize<3>(h, "size"));
+    return random_points(40000, 3, cube, CellSize<3>(h, "size"));
   };
-  check("uniform", deviation(random_points(100000, 3, box), 0.3, 0.3) < 3.);
+  check("uniform", deviation(random_points(40000, 3, box), 0.3, 0.3) < 3.);
   check("h = 7", deviation(draw("7"), 0.3, 0.3) < 3.);
   // The integral of (1 + z)^-3 is 5/18 up to a half, 3/8 in all.
   check("h = 1 + z", deviation(draw("1 + z"), 0.5, 20. / 27.) < 3.);
@@ -90,7 +90,7 @@ void check_density()
   const ConvexPolyhedron tetrahedron(
       std::vector<Point<3>>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}});
   const PointList<3> list =
-      random_points(100000, 5, tetrahedron, CellSize<3>("1", "size"));
+      random_points(40000, 5, tetrahedron, CellSize<3>("1", "size"));
   check("a tetrahedron", deviation(list, 0.5, 0.125) < 3.);
   check("  all inside", std::all_of(list.points.begin(), list.points.end(),
                                     [&](const Point<3> &p) {
@@ -99,31 +99,31 @@ void check_density()
   double step = 0.;
   for (unsigned int i = 1; i < list.points.size(); ++i)
     step += list.points[i].distance(list.points[i - 1]) / list.points.size();
-  check("  along a curve", step < 0.03);
+  check("  along a curve", step < 0.04);
 }
 
 void check_gradation()
 {
-  const std::string many = "set Number of points = 2000\nset Seed = 5\n";
+  const std::string many = "set Number of points = 800\nset Seed = 5\n";
   const CellFaces random = generate(many);
   const CellFaces again = generate(many);
-  const CellFaces other = generate("set Number of points = 2000\nset Seed = 6");
+  const CellFaces other = generate("set Number of points = 800\nset Seed = 6");
   check("same seed, same cells",
         random.centres == again.centres && random.loops == again.loops);
   check("another seed, other points", random.centres != other.centres);
   // Volumes of Voronoi cells of random points spread by 0.42 of their mean, and
   // a little more at the sides.
   check("spread of random cells", std::abs(spread(random, "1") - 0.44) < 0.04);
-  check("twenty Lloyd steps leave less than a third of that",
-        spread(generate(many + "set Lloyd steps = 20"), "1") < 0.42 / 3);
+  check("twelve Lloyd steps leave less than a third of that",
+        spread(generate(many + "set Lloyd steps = 12"), "1") < 0.42 / 3);
 
   const std::string smooth = "set Cell size = 1 + 2*z\n";
   const CellFaces graded = generate(many + smooth);
-  const CellFaces lloyd = generate(many + smooth + "set Lloyd steps = 20\n");
-  check("cells at the top twice as large",
+  const CellFaces lloyd = generate(many + smooth + "set Lloyd steps = 12\n");
+  check("cells at the top as much larger",
         std::abs(mean_size(graded, 0.7, 0.9) / mean_size(graded, 0.2, 0.4) /
                      (2.6 / 1.6) -
-                 1.) < 0.1);
+                 1.) < 0.15);
   check("which Lloyd steps keep",
         std::abs(mean_size(lloyd, 0.7, 0.9) / mean_size(lloyd, 0.2, 0.4) /
                      (2.6 / 1.6) -
@@ -148,7 +148,7 @@ void check_centroids()
   check_error("by the rule", rule[0].distance({0.5, 0.5, 1.5}), 1e-15);
   // In many cells: (1 - 2^-3) / 3 over (1 - 2^-4) / 4.
   const CellFaces cells = voronoi_cells(
-      random_points(3000, 1, Box{{0., 0., 1.}, {1., 1., 2.}}), cube);
+      random_points(1000, 1, Box{{0., 0., 1.}, {1., 1., 2.}}), cube);
   const CellSize<3> size("z", "size");
   const auto centroids = weighted_centroids(cells, size);
   double mass = 0., moment = 0.;
