@@ -78,7 +78,7 @@ inline Shape prism(const std::vector<dealii::Point<2>> &polygon,
   shape.faces.resize(2);
   for (unsigned int i = 0; i < n; ++i)
   {
-    shape.faces[0].push_back(n - 1 - i);
+    shape.faces[0].push_back((n - i) % n);
     shape.faces[1].push_back(n + i);
     shape.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
   }

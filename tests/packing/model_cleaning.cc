@@ -94,8 +94,9 @@ std::vector<unsigned int> sizes_of_faces(const CellFaces &cells)
 
 void test_joining()
 {
+  // From the corner in the notch, from which triangles reach everywhere.
   const Shape notched =
-      prism({{0., 0.}, {3., 0.}, {3., 2.}, {2., 2.}, {2., 1.}, {0., 1.}}, 1.);
+      prism({{2., 1.}, {0., 1.}, {0., 0.}, {3., 0.}, {3., 2.}, {2., 2.}}, 1.);
   for (const Shape &shape : {notched, spoilt(notched, 0., 3)})
   {
     const CellFaces cells = cells_of(shape).cells;

@@ -90,7 +90,9 @@ void test_all_at_once()
   lines += obj_of("twisted", bow_tie);
   lines += obj_of("one_sided", one_sided());
   lines += obj_of("crossing", crossing_box());
-  lines += obj_of("warped", with_vertex(cube_number(12), 7, {121., 1., 9.}));
+  lines += obj_of("warped",
+                  with_vertex(with_vertex(cube_number(12), 7, {121., 1., 1.8}),
+                              4, {120., 0., 1.8}));
   lines += obj_of("plate", prism({{130., 0.}, {131., 0.}, {131., 1.}}, 0.01));
   lines += obj_of("sound", cube_number(14));
   lines += obj_of("again", cube_number(14));

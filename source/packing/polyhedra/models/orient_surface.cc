@@ -17,9 +17,6 @@ namespace
  */
 constexpr double least_relative_thickness = 1e-12;
 
-/** The faces of a tetrahedron. */
-constexpr unsigned int least_faces = 4;
-
 /** Two faces with a common edge, which they may run along the same way. */
 struct FacePair
 {
@@ -151,7 +148,7 @@ void turn_inside_in(const Surface &surface, Agreement &agreement)
 void orient(MendedSurface &mended)
 {
   Surface &surface = mended.surface;
-  if (surface.faces.size() < least_faces)
+  if (surface.faces.size() < least_faces_of_polyhedron)
   {
     mended.defects.push_back({DefectKind::no_volume, 0, 1,
                               dealii::numbers::invalid_unsigned_int, 0.,

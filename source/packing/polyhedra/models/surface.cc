@@ -44,7 +44,7 @@ bool is_closed(const FaceLoops &faces)
   for (std::size_t k = 0; k < sides.size(); k += 2)
     if (end_of_edge(sides, k) != k + 2 || sides[k].face == sides[k + 1].face)
       return false;
-  return !sides.empty();
+  return faces.size() >= least_faces_of_polyhedron;
 }
 
 std::vector<Point<3>> polygon_of(const Surface &surface,

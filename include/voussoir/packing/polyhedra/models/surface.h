@@ -50,7 +50,10 @@ std::vector<FaceSide> sides_of(const FaceLoops &faces);
 /** The end of the sides that are along the same edge as number @p k. */
 std::size_t end_of_edge(const std::vector<FaceSide> &sides, std::size_t k);
 
-/** True if each edge is a side of two different faces, and there is one. */
+/** The faces of a tetrahedron. */
+constexpr unsigned int least_faces_of_polyhedron = 4;
+
+/** True if each edge is a side of two different faces, of four at least. */
 bool is_closed(const FaceLoops &faces);
 
 /** The places of the vertices of a face. */
