@@ -3,7 +3,7 @@
 #define voussoir_packing_polyhedra_contacts_contact_search_h
 
 #include <voussoir/packing/polyhedra/contacts/face_pair.h>
-#include <voussoir/packing/polyhedra/face_contacts.h>
+#include <voussoir/packing/polyhedra/space_polygons.h>
 
 #include <array>
 #include <vector>

@@ -2,8 +2,10 @@
 #ifndef voussoir_packing_polyhedra_models_model_block_h
 #define voussoir_packing_polyhedra_models_model_block_h
 
+#include <voussoir/packing/polyhedra/models/block_mesh.h>
 #include <voussoir/packing/polyhedra/models/mend_surface.h>
-#include <voussoir/packing/polyhedra/models/model_cells.h>
+#include <voussoir/packing/polyhedra/models/model_defects.h>
+#include <voussoir/packing/polyhedra/models/model_options.h>
 
 #include <vector>
 

@@ -5,22 +5,12 @@
 #include <voussoir/packing/polyhedra/cell_faces.h>
 #include <voussoir/packing/polyhedra/models/block_mesh.h>
 #include <voussoir/packing/polyhedra/models/model_defects.h>
+#include <voussoir/packing/polyhedra/models/model_options.h>
 
 #include <vector>
 
 namespace Voussoir
 {
-/** How the blocks of a model become cells. */
-struct ModelOptions
-{
-  /** What all coordinates are multiplied by. */
-  double scale = 1.;
-  /** CellFaces::tolerance over the size of a block; 0: see cells_of_model(). */
-  double tolerance = 0.;
-  /** True if blocks that the file calls supports are fixed. */
-  bool uses_supports = true;
-};
-
 /** The cells of a model, and what was wrong with it. */
 struct ModelCells
 {
