@@ -81,12 +81,13 @@ void assign_groups(Packing<dim> &packing, const std::string &groups)
       }
     }
     if (!any)
-      throw InputError("The condition '" + condition + "' of the group '" +
-                       name +
-                       "' in 'Packing/Groups' is met by no cell; change it, or "
-                       "leave the group out. " +
-                       (dim == 2 ? "x and y" : "x, y and z") +
-                       " are the coordinates of a cell's centre.");
+      throw InputError(
+          "The condition '" + condition + "' of the group '" + name +
+          "' in 'Packing/Groups' is met by no cell; change it, or "
+          "leave the group out. " +
+          (dim == 2 ? "x and y are the coordinates of a cell's centre."
+                    : "x, y and z are the coordinates of a cell's "
+                      "centre."));
   }
 }
 

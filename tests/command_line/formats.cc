@@ -61,7 +61,7 @@ const std::string wall = R"({
   "$schema": "voussoir.schema.json",
   "Output directory": "of_json",
   "Rotations": true,
-  "Packing<2>": {"Generator": "wall", "wall": {"Courses": 3, "Width": 2.5}},
+  "Packing": {"Generator": "wall", "wall": {"Courses": 3, "Width": 2.5}},
   "Supports": {"Where": "ny < -0.5"},
   "Load cases": {"dead": {"Body force": "0; -1"}},
   "Loads": {"Combination": "dead"},

@@ -102,7 +102,7 @@ def is_quoted(literals, manual):
     longest = max(literals, key=len)
     if len(longest.split()) >= 3:
         return longest in manual
-    return "**" + "...".join(literals) in manual.replace(" ", "")
+    return ("**" + "...".join(literals)).replace(" ", "") in manual.replace(" ", "")
 
 
 def check_file(code, manual):

@@ -9,6 +9,7 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <optional>
+#include <regex>
 #include <sstream>
 
 namespace Voussoir
@@ -105,20 +106,22 @@ ParameterInput::value_of(const std::string &entry) const
       return {};
     return node->get("value", node->data());
   }
-  dealii::ParameterHandler prm;
-  prm.declare_entry(entry, "");
+  // Not by deal.II, which would take what it does not know for a mistake.
+  const std::regex begins("\\s*subsection\\s.*", std::regex::icase);
+  const std::regex ends("\\s*end\\s*(#.*)?", std::regex::icase);
+  const std::regex assigns(
+      "\\s*set\\s+" + entry + "\\s*=\\s*([^#]*?)\\s*(#.*)?", std::regex::icase);
+  std::optional<std::string> value;
   std::istringstream in(std::get<std::string>(content));
-  try
-  {
-    prm.parse_input(in, name, "", true);
-  }
-  catch (const dealii::ExceptionBase &)
-  {
-    return {}; // assign_to() explains what is wrong
-  }
-  const std::string value = prm.get(entry);
-  if (value.empty())
-    return {};
+  std::smatch match;
+  int depth = 0;
+  for (std::string line; std::getline(in, line);)
+    if (std::regex_match(line, begins))
+      ++depth;
+    else if (std::regex_match(line, ends))
+      --depth;
+    else if (depth == 0 && std::regex_match(line, match, assigns))
+      value = match[1];
   return value;
 }
 

@@ -39,8 +39,6 @@ public:
   /**
    * The value that is given to an entry outside all sections, the last one;
    * whatever else is there may be undeclared.
-   *
-   * @throws InputError if what is written is not of the form of the format.
    */
   std::optional<std::string> value_of(const std::string &entry) const;
 

@@ -230,8 +230,9 @@ private:
     for (unsigned int f = 0; f < block.faces.size(); ++f)
       for (const unsigned int vertex : block.faces[f])
         if (vertex >= block.vertices.size())
-          refuse(text("has face ", f, " with a vertex that is not there; ",
-                      "vertices are numbered from 0 to ",
+          refuse(text("has face ", f,
+                      " with a vertex that is not there; vertices are numbered "
+                      "from 0 to ",
                       static_cast<long>(block.vertices.size()) - 1, "."));
   }
 

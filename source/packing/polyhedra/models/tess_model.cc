@@ -25,7 +25,8 @@ public:
   BlockMeshes read()
   {
     if (!text.next_line() || text.words()[0] != "***tess")
-      text.refuse_file("does not begin with '***tess', as this format does.");
+      text.refuse_file(
+          "does not begin with three stars and 'tess', as this format does.");
     while (text.next_line())
       if (text.words()[0] == "**general")
         read_general();
