@@ -71,7 +71,7 @@ std::vector<ModelDefect> defects_of_face(const Surface &surface,
                                          double distance)
 {
   const std::vector<Point<3>> polygon = polygon_of(surface, face);
-  const FacePlane plane = plane_of(surface, face);
+  const SurfacePlane plane = plane_of(surface, face);
   const double area = plane.vector_area.norm();
   const double length = diagonal_of(polygon);
   const auto defect = [&](const DefectKind kind, const double size) {

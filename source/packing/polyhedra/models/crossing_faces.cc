@@ -33,7 +33,7 @@ bool is_convex_surface(const Surface &surface, const double distance)
 {
   for (unsigned int f = 0; f < surface.faces.size(); ++f)
   {
-    const FacePlane plane = plane_of(surface, f);
+    const SurfacePlane plane = plane_of(surface, f);
     const double area = plane.vector_area.norm();
     for (const unsigned int v : surface.faces.corners)
       if (plane.vector_area * (surface.vertices[v] - plane.place) >

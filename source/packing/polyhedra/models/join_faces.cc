@@ -97,7 +97,7 @@ private:
     }
   }
 
-  bool lies_in(const unsigned int face, const FacePlane &plane) const
+  bool lies_in(const unsigned int face, const SurfacePlane &plane) const
   {
     const Tensor<1, 3> normal = plane.vector_area / plane.vector_area.norm();
     double length = 0.;
@@ -133,7 +133,7 @@ private:
       next[loop[i]] = loop[(i + 1) % loop.size()];
     if (!(areas[seed] > 0.) || !is_simple(seed))
       return region;
-    FacePlane plane = planes[seed];
+    SurfacePlane plane = planes[seed];
     std::vector<unsigned int> front = neighbours[seed], later;
     for (bool goes_on = true; goes_on; std::swap(front, later))
     {
@@ -162,9 +162,9 @@ private:
   }
 
   /** The plane of two, by their areas. */
-  static FacePlane common_plane(const FacePlane &a, const FacePlane &b)
+  static SurfacePlane common_plane(const SurfacePlane &a, const SurfacePlane &b)
   {
-    FacePlane plane;
+    SurfacePlane plane;
     plane.vector_area = a.vector_area + b.vector_area;
     const double area_a = a.vector_area.norm(), area_b = b.vector_area.norm();
     plane.place = a.place + area_b / (area_a + area_b) * (b.place - a.place);
@@ -275,7 +275,7 @@ private:
 
   const Surface &surface;
   const double distance;
-  std::vector<FacePlane> planes;
+  std::vector<SurfacePlane> planes;
   std::vector<double> areas;
   std::vector<std::vector<unsigned int>> neighbours;
   std::vector<bool> is_taken;

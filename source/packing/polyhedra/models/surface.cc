@@ -56,10 +56,10 @@ std::vector<Point<3>> polygon_of(const Surface &surface,
   return places;
 }
 
-FacePlane plane_of(const Surface &surface, const unsigned int face)
+SurfacePlane plane_of(const Surface &surface, const unsigned int face)
 {
   const auto loop = surface.faces[face];
-  FacePlane plane;
+  SurfacePlane plane;
   if (loop.size() == 0)
     return plane;
   plane.place = surface.vertices[loop[0]];

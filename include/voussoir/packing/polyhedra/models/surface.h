@@ -61,7 +61,7 @@ std::vector<dealii::Point<3>> polygon_of(const Surface &surface,
                                          unsigned int face);
 
 /** The plane of a face, and how far its vertices are from it. */
-struct FacePlane
+struct SurfacePlane
 {
   /** Area times the unit normal about which the face runs right-handed; L^2. */
   dealii::Tensor<1, 3> vector_area;
@@ -75,7 +75,7 @@ struct FacePlane
  * The plane across the vector area of a face that is least far from its
  * vertices. Without an area there is none: the deviation is zero.
  */
-FacePlane plane_of(const Surface &surface, unsigned int face);
+SurfacePlane plane_of(const Surface &surface, unsigned int face);
 
 /** The sums over the faces, relative to a vertex. */
 struct SurfaceSums
