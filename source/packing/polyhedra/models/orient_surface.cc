@@ -18,7 +18,7 @@ namespace
 constexpr double least_relative_thickness = 1e-12;
 
 /** Two faces with a common edge, which they may run along the same way. */
-struct FacePair
+struct AdjacentFaces
 {
   unsigned int face, neighbour;
   bool disagree;
@@ -57,9 +57,9 @@ std::vector<ModelDefect> faults_of_edges(const Surface &surface,
 }
 
 /** The pairs of faces of a closed surface, in both orders, by faces. */
-std::vector<FacePair> pairs_of(const std::vector<FaceSide> &sides)
+std::vector<AdjacentFaces> pairs_of(const std::vector<FaceSide> &sides)
 {
-  std::vector<FacePair> pairs;
+  std::vector<AdjacentFaces> pairs;
   pairs.reserve(sides.size());
   for (std::size_t k = 0; k + 1 < sides.size(); k += 2)
   {
@@ -68,7 +68,7 @@ std::vector<FacePair> pairs_of(const std::vector<FaceSide> &sides)
     pairs.push_back({sides[k + 1].face, sides[k].face, disagree});
   }
   std::sort(pairs.begin(), pairs.end(),
-            [](const FacePair &a, const FacePair &b) {
+            [](const AdjacentFaces &a, const AdjacentFaces &b) {
               return a.face < b.face ||
                      (a.face == b.face && a.neighbour < b.neighbour);
             });
@@ -86,7 +86,7 @@ struct Agreement
 };
 
 Agreement agreement_of(const unsigned int n_faces,
-                       const std::vector<FacePair> &pairs)
+                       const std::vector<AdjacentFaces> &pairs)
 {
   Agreement agreement = {std::vector<bool>(n_faces, false),
                          std::vector<unsigned int>(n_faces, n_faces), n_faces};
@@ -102,7 +102,7 @@ Agreement agreement_of(const unsigned int n_faces,
       const unsigned int f = queue[k];
       auto pair =
           std::lower_bound(pairs.begin(), pairs.end(), f,
-                           [](const FacePair &p, const unsigned int face) {
+                           [](const AdjacentFaces &p, const unsigned int face) {
                              return p.face < face;
                            });
       for (; pair != pairs.end() && pair->face == f; ++pair)
