@@ -15,7 +15,7 @@ constexpr double largest_coordinate = 1e100;
 bool is_in_bounds(const dealii::Point<3> &p)
 {
   for (unsigned int d = 0; d < 3; ++d)
-    if (!(std::abs(p[d]) <= largest_coordinate))
+    if (!std::isfinite(p[d]) || std::abs(p[d]) > largest_coordinate)
       return false;
   return true;
 }
