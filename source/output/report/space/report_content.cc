@@ -5,6 +5,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
+
 namespace Voussoir
 {
 namespace
