@@ -4,6 +4,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Partition_traits_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/partition_2.h>
 #include <CGAL/property_map.h>
 
@@ -37,6 +38,15 @@ bool is_convex(const std::vector<Point<2>> &ring)
   return true;
 }
 } // namespace
+
+bool is_simple(const std::vector<Point<2>> &ring)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Point_2> points;
+  for (const Point<2> &p : ring)
+    points.emplace_back(p[0], p[1]);
+  return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
+}
 
 std::vector<std::vector<unsigned int>>
 convex_pieces(const std::vector<Point<2>> &ring)

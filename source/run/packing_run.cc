@@ -25,38 +25,27 @@ namespace
 /** The factors by which a tolerance is changed, to see whether it matters. */
 constexpr double smaller_tolerance = 0.1, larger_tolerance = 10.;
 
-/** The contacts of two polyhedra each. */
-FaceContacts contacts_of_cells(const Packing<3> &packing)
-{
-  FaceContacts contacts;
-  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-  {
-    const Packing<3>::Interface &i = packing.interfaces()[e];
-    if (i.faces[0] == i.faces[1]) // on ground without a shape
-      continue;
-    contacts.faces.push_back(i.faces);
-    contacts.patches.add(packing.polygon(e));
-  }
-  return contacts;
-}
-
 /** Show what a file of blocks may hide: overlaps, and contacts in doubt. */
-void look_at_model(Terminal &terminal, const CellFaces &cells)
+void look_at_model(Terminal &terminal, const Packing<3> &packing)
 {
+  const CellFaces &cells = packing.polyhedra();
   const std::vector<CellOverlap> found = overlaps(cells, cells.tolerance);
   if (!found.empty())
     terminal.warning(describe_overlaps(cells, found));
+  if (!(cells.tolerance > 0.))
+    return;
   const auto pairs_with = [&](const double factor) {
     return count_contacts(
                cells, {factor * cells.tolerance, factor * cells.joint_width})
         .pairs_of_cells;
   };
-  if (cells.tolerance > 0.)
-    terminal.stage("Contacts",
-                   text(counted(pairs_with(1.), "pair"), " of blocks within ",
-                        cells.tolerance, "; ", pairs_with(smaller_tolerance),
-                        " within a tenth of that, and ",
-                        pairs_with(larger_tolerance), " within ten times"));
+  terminal.stage(
+      "Contacts",
+      text(counted(count_found(cells, packing.contacts()).pairs_of_cells,
+                   "pair"),
+           " of blocks within ", cells.tolerance, "; ",
+           pairs_with(smaller_tolerance), " within a tenth of that, and ",
+           pairs_with(larger_tolerance), " within ten times"));
 }
 } // namespace
 
@@ -111,7 +100,7 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
     terminal.warning(notice);
   show_packing(terminal, packing);
   if (!packing.polyhedra().file.empty())
-    look_at_model(terminal, packing.polyhedra());
+    look_at_model(terminal, packing);
   return packing;
 }
 
@@ -161,7 +150,7 @@ void PackingRun::write_packing(ResultDirectory &files,
     break;
   case PackingFile::compas:
     files.write(packing_json, [&](std::ostream &out) {
-      const FaceContacts contacts = contacts_of_cells(packing);
+      const FaceContacts contacts = packing.contacts();
       write_compas_assembly(out, cells, &contacts);
     });
   }

@@ -3,9 +3,8 @@
 // Contacts of faces of polyhedra: what they do not depend on, what they add up
 // to, and areas against exact arithmetic.
 
-#include <CGAL/Boolean_set_operations_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_2.h>
 
 #include "cell_faces.h"
@@ -155,27 +154,78 @@ void check_closed_cells()
   check_error("  sum of vector areas", largest, 1e-13);
 }
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using ExactPolygon = CGAL::Polygon_2<Kernel>;
+using Exact = CGAL::Gmpq;
+using Kernel = CGAL::Simple_cartesian<Exact>;
+using ExactRing = std::vector<Kernel::Point_2>;
+
+/** The convex hull of some points, counterclockwise. */
+ExactRing hull_of(const ExactRing &points)
+{
+  ExactRing hull;
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  return hull;
+}
 
 /** The convex hull of some random points around the origin. */
-ExactPolygon random_hull(Random &random)
+ExactRing random_hull(Random &random)
 {
-  std::vector<Kernel::Point_2> points, hull;
+  ExactRing points;
   const unsigned int n = 3 + static_cast<unsigned int>(12. * random());
   for (unsigned int i = 0; i < n; ++i)
   {
     const double x = 2. * random() - 1.; // in this order
     points.emplace_back(x, 2. * random() - 1.);
   }
-  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
-  return ExactPolygon(hull.begin(), hull.end());
+  return hull_of(points);
 }
 
-std::vector<Point<2>> rounded(const ExactPolygon &polygon)
+/** Twice the area of a triangle, negative if it runs clockwise. */
+Exact turn(const Kernel::Point_2 &a,
+           const Kernel::Point_2 &b,
+           const Kernel::Point_2 &c)
+{
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/** Add the corners of one polygon in another, and where its sides enter. */
+void add_common_points(ExactRing &points,
+                       const ExactRing &one,
+                       const ExactRing &other)
+{
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    const Kernel::Point_2 &p = one[i], &q = one[(i + 1) % one.size()];
+    bool is_inside = true;
+    for (std::size_t j = 0; j < other.size(); ++j)
+    {
+      const Kernel::Point_2 &a = other[j], &b = other[(j + 1) % other.size()];
+      const Exact at_p = turn(a, b, p), at_q = turn(a, b, q);
+      is_inside = is_inside && at_p >= 0;
+      if (at_p * at_q < 0 && turn(p, q, a) * turn(p, q, b) < 0)
+        points.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    if (is_inside)
+      points.push_back(p);
+  }
+}
+
+/** The area that two convex polygons have in common: that of a hull. */
+double exact_common_area(const ExactRing &one, const ExactRing &other)
+{
+  ExactRing points;
+  add_common_points(points, one, other);
+  add_common_points(points, other, one);
+  const ExactRing hull = hull_of(points);
+  Exact twice = 0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i)
+    twice += turn(hull[0], hull[i], hull[i + 1]);
+  return 0.5 * CGAL::to_double(twice);
+}
+
+std::vector<Point<2>> rounded(const ExactRing &polygon)
 {
   std::vector<Point<2>> ring;
-  for (const Kernel::Point_2 &p : polygon.container())
+  for (const Kernel::Point_2 &p : polygon)
     ring.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   return ring;
 }
@@ -188,12 +238,8 @@ void check_exact_areas()
   unsigned int n_touching = 0;
   for (unsigned int k = 0; k < 500; ++k)
   {
-    const ExactPolygon below = random_hull(random), above = random_hull(random);
-    std::vector<CGAL::Polygon_with_holes_2<Kernel>> common;
-    CGAL::intersection(below, above, std::back_inserter(common));
-    double exact = 0.;
-    for (const auto &part : common)
-      exact += CGAL::to_double(part.outer_boundary().area());
+    const ExactRing below = random_hull(random), above = random_hull(random);
+    const double exact = exact_common_area(below, above);
     CellFaces cells;
     add_prism(cells, rounded(below), 0., 1.);
     add_prism(cells, rounded(above), 1., 2.);

@@ -21,6 +21,9 @@ namespace Voussoir
 std::vector<std::vector<unsigned int>>
 convex_pieces(const std::vector<dealii::Point<2>> &ring);
 
+/** True if no two sides of a closed polygon cross or touch. */
+bool is_simple(const std::vector<dealii::Point<2>> &ring);
+
 /** The vertices of a cell. */
 std::vector<dealii::Point<2>> ring_of(const Packing<2> &packing,
                                       unsigned int cell);

@@ -31,10 +31,7 @@ void write_packing_report(std::ostream &out,
                           const std::string &title,
                           const std::vector<std::string> &warnings)
 {
-  FaceContacts contacts;
-  for (const Packing<3>::Interface &i : packing.interfaces())
-    contacts.faces.push_back(i.faces);
-  contacts.patches = packing.polygons();
+  const FaceContacts contacts = packing.contacts();
   const CellFaces &cells = packing.polyhedra();
   SpaceReport report;
   report.title = title;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/packing/generators/arch_profile.h>
-#include <voussoir/packing/polyhedra/generators/measures.h>
+#include <voussoir/packing/generators/measures.h>
 
 #include <utility>
 

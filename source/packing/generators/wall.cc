@@ -3,7 +3,7 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/wall.h>
-#include <voussoir/packing/generators/wall_openings.h>
+#include <voussoir/packing/generators/wall_grid.h>
 
 #include <algorithm>
 #include <limits>
@@ -233,9 +233,9 @@ CellLoops WallGenerator::generate(const std::filesystem::path &,
                         "'Packing/wall/Courses' and 'Bricks per course'");
 
   WallGrid grid(width, height, n_courses, n_bricks);
-  const std::vector<WallPart> gaps = place_openings(grid, openings);
+  const std::vector<WallPart> gaps = grid.place_openings(openings);
   const std::vector<WallPart> lintels =
-      has_lintels ? place_lintels(grid, gaps, lintel_bearing)
+      has_lintels ? grid.place_lintels(gaps, lintel_bearing)
                   : std::vector<WallPart>();
 
   const unsigned int first = begins_with_second ? 1 : 0;

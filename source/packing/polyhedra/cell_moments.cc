@@ -2,6 +2,7 @@
 #include <voussoir/packing/polyhedra/cell_moments.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Voussoir
 {
@@ -44,6 +45,20 @@ CellMoments moments_of(const CellFaces &cells, const unsigned int cell)
   moments.second =
       second - moments.volume * symmetrize(outer_product(arm, arm));
   return moments;
+}
+
+dealii::BoundingBox<3> box_of(const CellFaces &cells)
+{
+  if (cells.loops.empty())
+    return dealii::BoundingBox<3>(std::make_pair(Point<3>(), Point<3>()));
+  Point<3> low = cells.vertices[cells.loops[0]], high = low;
+  for (const unsigned int v : cells.loops)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      low[d] = std::min(low[d], cells.vertices[v][d]);
+      high[d] = std::max(high[d], cells.vertices[v][d]);
+    }
+  return dealii::BoundingBox<3>(std::make_pair(low, high));
 }
 
 std::vector<std::array<unsigned int, 2>> open_edges(const CellFaces &cells,

@@ -108,13 +108,14 @@ ContactCount count_of(const CellFaces &cells,
   std::vector<std::array<unsigned int, 2>> pairs;
   pairs.reserve(faces.size());
   for (const auto &pair : faces)
-    pairs.push_back(
-        {{cells.cell_of_face(pair[0]), cells.cell_of_face(pair[1])}});
+    if (pair[0] != pair[1])
+      pairs.push_back(
+          {{cells.cell_of_face(pair[0]), cells.cell_of_face(pair[1])}});
   std::sort(pairs.begin(), pairs.end());
   ContactCount count;
+  count.patches = pairs.size();
   count.pairs_of_cells =
       std::unique(pairs.begin(), pairs.end()) - pairs.begin();
-  count.patches = faces.size();
   return count;
 }
 } // namespace
@@ -136,6 +137,11 @@ FaceContacts face_contacts(const CellFaces &cells,
   FreeParts rest = free_parts(geometry, found);
   return {std::move(found.faces), std::move(found.patches),
           std::move(rest.faces), std::move(rest.parts)};
+}
+
+ContactCount count_found(const CellFaces &cells, const FaceContacts &contacts)
+{
+  return count_of(cells, contacts.faces);
 }
 
 ContactCount count_contacts(const CellFaces &cells,

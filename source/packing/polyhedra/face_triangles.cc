@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/packing/convex_pieces.h>
+#include <voussoir/packing/polyhedra/contacts/plane_frame.h>
 #include <voussoir/packing/polyhedra/face_triangles.h>
 #include <voussoir/packing/polyhedra/space_polygons.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2_algorithms.h>
 
 #include <numeric>
 
@@ -20,39 +18,6 @@ using dealii::Tensor;
  * triangle at it over the larger square of its sides.
  */
 constexpr double inward_rounding = 1e-12;
-
-/** The places of a face in its plane, right-handed about @p normal. */
-std::vector<Point<2>> ring_in_plane(const CellFaces &cells,
-                                    const unsigned int face,
-                                    const Tensor<1, 3> &normal)
-{
-  // The axis that is farthest from the normal.
-  unsigned int axis = 0;
-  for (unsigned int d = 1; d < 3; ++d)
-    if (std::abs(normal[d]) < std::abs(normal[axis]))
-      axis = d;
-  Tensor<1, 3> direction;
-  direction[axis] = 1.;
-  Tensor<1, 3> u = cross_product_3d(direction, normal);
-  u /= u.norm();
-  const Tensor<1, 3> v = cross_product_3d(normal, u);
-  std::vector<Point<2>> ring;
-  for (unsigned int i = 0; i < cells.n_corners(face); ++i)
-  {
-    const Tensor<1, 3> x = cells.vertex(face, i) - cells.vertex(face, 0);
-    ring.emplace_back(u * x, v * x);
-  }
-  return ring;
-}
-
-bool is_simple_ring(const std::vector<Point<2>> &ring)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_2> points;
-  for (const Point<2> &p : ring)
-    points.emplace_back(p[0], p[1]);
-  return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
-}
 
 /** Add the triangles from the first corner of a convex polygon. */
 void add_fan(const std::vector<unsigned int> &polygon,
@@ -92,12 +57,14 @@ std::vector<std::array<unsigned int, 3>> triangles_of(const CellFaces &cells,
   std::vector<unsigned int> all(cells.n_corners(face));
   std::iota(all.begin(), all.end(), 0);
   std::vector<std::array<unsigned int, 3>> triangles;
-  const PolygonMoments moments = moments_of(cells.polygon(face));
+  const PolygonMoments moments = moments_of_face(cells, face);
   if (moments.area() > 0. && !is_convex_face(cells, face))
   {
-    const std::vector<Point<2>> ring =
-        ring_in_plane(cells, face, moments.normal());
-    if (is_simple_ring(ring))
+    const PlaneFrame frame(cells.vertex(face, 0), moments.normal());
+    std::vector<Point<2>> ring;
+    for (const unsigned int v : cells.corners(face))
+      ring.push_back(frame.project(cells.vertices[v]));
+    if (is_simple(ring))
       for (const std::vector<unsigned int> &piece : convex_pieces(ring))
         add_fan(piece, triangles);
   }

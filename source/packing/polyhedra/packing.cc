@@ -91,7 +91,7 @@ void Packing<3>::check_shape(const unsigned int c)
   bool is_convex = true, is_seen = true;
   for (unsigned int f = begin; f < end; ++f)
   {
-    const PolygonMoments face = moments_of(mesh.polygon(f));
+    const PolygonMoments face = moments_of_face(mesh, f);
     if (!(face.area() > 0.))
       continue;
     const Tensor<1, 3> normal = face.normal();
@@ -150,6 +150,15 @@ void Packing<3>::add_boundary(FaceContacts &contacts)
   }
 }
 
+FaceContacts Packing<3>::contacts() const
+{
+  FaceContacts contacts;
+  for (const Interface &interface : interface_list)
+    contacts.faces.push_back(interface.faces);
+  contacts.patches = interface_polygons;
+  return contacts;
+}
+
 void Packing<3>::support(const std::vector<bool> &is_support)
 {
   AssertDimension(is_support.size(), boundary_list.size());
@@ -199,21 +208,8 @@ double Packing<3>::surface(const unsigned int cell) const
   double area = 0.;
   for (unsigned int f = mesh.first_face[cell]; f < mesh.first_face[cell + 1];
        ++f)
-    area += moments_of(mesh.polygon(f)).area();
+    area += moments_of_face(mesh, f).area();
   return area;
-}
-
-dealii::BoundingBox<3> Packing<3>::box() const
-{
-  std::pair<Point<3>, Point<3>> corners = {mesh.vertex(0, 0),
-                                           mesh.vertex(0, 0)};
-  for (const unsigned int v : mesh.loops)
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      corners.first[d] = std::min(corners.first[d], mesh.vertices[v][d]);
-      corners.second[d] = std::max(corners.second[d], mesh.vertices[v][d]);
-    }
-  return dealii::BoundingBox<3>(corners);
 }
 
 bool Packing<3>::is_seen_whole(const unsigned int cell) const

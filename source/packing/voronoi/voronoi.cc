@@ -68,58 +68,20 @@ void VoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Polygon", polygon_vertices,
       "The vertices \"x, y; x, y; ...\" of the convex polygon, in "
       "order around it; lengths.");
-  add_choice<bool>(
-      prm, "Points", reads_points,
-      {{true, "file", "as given in 'Points file'.", "Points file"},
-       {false, "random", "drawn at random, as densely as 'Cell size' asks.",
-        "Number of points, Seed"}},
-      "Where the points come from.");
-  prm.add_parameter("Points file", points_file,
-                    "A file with one point \"x y\" a line; # begins a comment. "
-                    "A relative path starts at the directory of the .prm file.",
-                    Anything());
-  prm.add_parameter("Number of points", n_points,
-                    "Number of random points, which is that of the cells.",
-                    Integer(1, 100000000));
-  prm.add_parameter("Seed", seed,
-                    "Seed of the random points; the same seed gives the same "
-                    "points on every machine.",
-                    Integer(0));
-  prm.add_parameter("Cell size", cell_size,
-                    "The size that cells are wanted to have, relative to each "
-                    "other: a positive expression in x and y, of which only "
-                    "ratios matter. It decides how densely random points lie, "
-                    "and what Lloyd steps tend to.",
-                    Anything());
-  prm.add_parameter("Lloyd steps", n_lloyd_steps,
-                    "How many times each point is moved to the centroid of its "
-                    "cell, weighted by 'Cell size' to the power -4.",
-                    Integer(0, 10000));
+  points.add_parameters(prm);
 }
 
 CellLoops VoronoiGenerator::generate(const std::filesystem::path &directory,
                                      Terminal &terminal) const
 {
   const ConvexPolygon polygon = make_domain();
-  const CellSize<2> size(cell_size, "Packing/Voronoi/Cell size");
+  const CellSize<2> size = points.cell_size();
   size(polygon.vertex(0)); // a constant is not evaluated elsewhere
-  PointList<2> generators = make_points(polygon, size, directory);
-  CellLoops cells = voronoi_cells(generators, polygon);
-  for (unsigned int step = 0; step < n_lloyd_steps; ++step)
-  {
-    terminal.progress(step, n_lloyd_steps, "Lloyd steps");
-    generators.points = weighted_centroids(cells, size);
-    cells = voronoi_cells(generators, polygon);
-  }
-  return cells;
-}
-
-std::vector<std::filesystem::path>
-VoronoiGenerator::input_files(const std::filesystem::path &directory) const
-{
-  if (!reads_points || points_file.empty())
-    return {};
-  return {directory / points_file};
+  return points.relaxed_cells(
+      make_points(polygon, size, directory),
+      [&](const PointList<2> &of) { return voronoi_cells(of, polygon); },
+      [&](const CellLoops &of) { return weighted_centroids(of, size); },
+      terminal);
 }
 
 ConvexPolygon VoronoiGenerator::make_domain() const
@@ -147,13 +109,12 @@ VoronoiGenerator::make_points(const ConvexPolygon &polygon,
                               const CellSize<2> &size,
                               const std::filesystem::path &directory) const
 {
-  if (reads_points && points_file.empty())
-    throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
-                     "Points file' names none.");
-  if (reads_points)
-    return read_points_file<2>((directory / points_file).lexically_normal());
+  if (std::optional<PointList<2>> given = points.given_points(directory))
+    return std::move(*given);
   if (!fills_polygon && size.is_constant())
-    return random_points(n_points, seed, rectangle);
-  return random_points(n_points, seed, polygon, size);
+    return random_points(points.random_count(), points.random_seed(),
+                         rectangle);
+  return random_points(points.random_count(), points.random_seed(), polygon,
+                       size);
 }
 } // namespace Voussoir

@@ -3,18 +3,17 @@
 #define voussoir_packing_generators_wall_grid_h
 
 #include <voussoir/packing/generators/bond.h>
+#include <voussoir/packing/generators/coursed_wall.h>
 
 #include <optional>
-#include <vector>
 
 namespace Voussoir
 {
 /**
  * The lines on which the joints of a rectangular wall lie. Its lower left
- * corner is the origin. Every position is computed here, so that positions
- * that are meant to be equal are so to the last bit.
+ * corner is the origin.
  */
-class WallGrid
+class WallGrid : public CoursedWall
 {
 public:
   /** @param width, height lengths. */
@@ -22,12 +21,10 @@ public:
            const double height,
            const unsigned int n_courses,
            const unsigned int n_stretchers)
-      : total_width(width), total_height(height), courses(n_courses),
-        stretchers(n_stretchers)
+      : CoursedWall({width, height, n_courses, "'Packing/wall/Openings'", 'y'}),
+        total_width(width), stretchers(n_stretchers)
   {}
 
-  /** The number of courses, the height of the wall in bricks. */
-  unsigned int n_courses() const { return courses; }
   /** The number of stretchers, the width of the wall in bricks. */
   unsigned int n_stretchers() const { return stretchers; }
   /** The width of the wall; a length. */
@@ -35,32 +32,19 @@ public:
   {
     return head_joint(quarters_in_stretcher * stretchers);
   }
-  /** The height of a bed joint, 0 below the first course; a length. */
-  double bed_joint(const unsigned int level) const
-  {
-    return total_height * level / courses;
-  }
   /** A position of head joints, in quarters of a stretcher; a length. */
   double head_joint(const unsigned int quarter) const
   {
     return total_width * quarter / (quarters_in_stretcher * stretchers);
   }
-  /** The bed joint at the height @p y, if there is one. */
-  std::optional<unsigned int> level_at(double y) const;
 
-  /**
-   * The position that agrees with @p x: of a head joint, of an earlier call, or
-   * @p x itself. Lengths.
-   */
-  double snap(double x);
-
-  /** The distance below which positions are the same; a length. */
-  double resolution() const;
+protected:
+  std::optional<double> joint_near(double x) const override;
+  WallInterval filled(unsigned int) const override { return {0., width()}; }
 
 private:
-  double total_width, total_height;
-  unsigned int courses, stretchers;
-  std::vector<double> other_positions;
+  double total_width;
+  unsigned int stretchers;
 };
 } // namespace Voussoir
 

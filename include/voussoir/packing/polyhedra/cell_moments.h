@@ -4,6 +4,7 @@
 
 #include <voussoir/packing/polyhedra/cell_faces.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 namespace Voussoir
@@ -32,6 +33,9 @@ CellMoments moments_of(const CellFaces &cells, unsigned int cell);
  */
 std::vector<std::array<unsigned int, 2>> open_edges(const CellFaces &cells,
                                                     unsigned int cell);
+
+/** The box of all vertices of all faces, lengths; the origin without any. */
+dealii::BoundingBox<3> box_of(const CellFaces &cells);
 } // namespace Voussoir
 
 #endif

@@ -78,6 +78,9 @@ struct ContactCount
   unsigned int patches = 0;
 };
 
+/** Count contacts that were found, but for those of one face twice. */
+ContactCount count_found(const CellFaces &cells, const FaceContacts &contacts);
+
 /**
  * Count the contacts that face_contacts() would find, to see how they depend
  * on the tolerance.

@@ -114,6 +114,12 @@ public:
   {
     return interface_polygons[interface];
   }
+  /**
+   * The contacts of polyhedra(), one for each of interfaces(); a pair of one
+   * face twice is a contact with ground without a shape. Free parts are left
+   * out.
+   */
+  FaceContacts contacts() const;
   /** The free boundary, on which tractions act. */
   const std::vector<BoundaryFace> &boundary_faces() const
   {
@@ -144,7 +150,7 @@ public:
   /** The area of all faces of a cell; L^2. */
   double surface(unsigned int cell) const;
   /** The box around all polyhedra; lengths. */
-  dealii::BoundingBox<3> box() const;
+  dealii::BoundingBox<3> box() const { return box_of(mesh); }
 
   /**
    * The names of the groups of cells; every cell belongs to one. The last is

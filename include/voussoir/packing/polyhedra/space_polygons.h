@@ -2,6 +2,8 @@
 #ifndef voussoir_packing_polyhedra_space_polygons_h
 #define voussoir_packing_polyhedra_space_polygons_h
 
+#include <voussoir/packing/polyhedra/cell_faces.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -64,6 +66,9 @@ struct PolygonMoments
  * vertex, so that a distant origin cancels nothing.
  */
 PolygonMoments moments_of(dealii::ArrayView<const dealii::Point<3>> polygon);
+
+/** The moments of a face of some cells, about its outward normal. */
+PolygonMoments moments_of_face(const CellFaces &cells, unsigned int face);
 } // namespace Voussoir
 
 #endif

@@ -3,6 +3,7 @@
 #define voussoir_packing_voronoi_voronoi_h
 
 #include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/voronoi/point_entries.h>
 #include <voussoir/packing/voronoi/random_points.h>
 #include <voussoir/packing/voronoi/voronoi_cells.h>
 
@@ -30,7 +31,10 @@ public:
   CellLoops generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;
   std::vector<std::filesystem::path>
-  input_files(const std::filesystem::path &directory) const override;
+  input_files(const std::filesystem::path &directory) const override
+  {
+    return points.input_files(directory);
+  }
 
 private:
   ConvexPolygon make_domain() const;
@@ -41,12 +45,7 @@ private:
   bool fills_polygon = false;
   Rectangle rectangle{{0., 0.}, {1., 1.}};
   std::vector<dealii::Point<2>> polygon_vertices;
-  bool reads_points = false;
-  std::string points_file;
-  unsigned int n_points = 100;
-  unsigned int seed = 1;
-  std::string cell_size = "1";
-  unsigned int n_lloyd_steps = 0;
+  PointEntries<2> points;
 };
 } // namespace Voussoir
 

@@ -66,7 +66,7 @@ DrawnCell drawn_cell(const CellFaces &cells,
   {
     numbers.insert(numbers.end(), cells.corners(f).begin(),
                    cells.corners(f).end());
-    const PolygonMoments moments = moments_of(cells.polygon(f));
+    const PolygonMoments moments = moments_of_face(cells, f);
     if (moments.area() > 0.)
       result.planes.emplace_back(view.in_units(moments.centroid),
                                  moments.normal());

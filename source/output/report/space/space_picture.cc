@@ -91,7 +91,7 @@ std::vector<DrawnFace> faces_of(const CellFaces &cells,
            std::lower_bound(faces.begin(), faces.end(), cells.first_face[cell]);
        f != faces.end() && *f < cells.first_face[cell + 1]; ++f)
   {
-    const PolygonMoments moments = moments_of(cells.polygon(*f));
+    const PolygonMoments moments = moments_of_face(cells, *f);
     drawn.push_back({view.nearness(moments.centroid), *f, moments.normal()});
   }
   std::stable_sort(drawn.begin(), drawn.end(),
@@ -112,20 +112,6 @@ std::vector<Point<2>> places_of(const CellFaces &cells,
 }
 } // namespace
 
-BoundingBox<3> box_of(const CellFaces &cells)
-{
-  if (cells.loops.empty())
-    return BoundingBox<3>(std::make_pair(Point<3>(), Point<3>()));
-  Point<3> low = cells.vertices[cells.loops[0]], high = low;
-  for (const unsigned int v : cells.loops)
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      low[d] = std::min(low[d], cells.vertices[v][d]);
-      high[d] = std::max(high[d], cells.vertices[v][d]);
-    }
-  return BoundingBox<3>(std::make_pair(low, high));
-}
-
 std::vector<unsigned int> faces_in_picture(const CellFaces &cells,
                                            const FaceContacts *contacts)
 {
@@ -134,7 +120,7 @@ std::vector<unsigned int> faces_in_picture(const CellFaces &cells,
   std::vector<unsigned int> faces;
   for (unsigned int f = 0; f < cells.n_faces(); ++f)
   {
-    const PolygonMoments moments = moments_of(cells.polygon(f));
+    const PolygonMoments moments = moments_of_face(cells, f);
     const double area = moments.area();
     if (moments.vector_area * view.towards > least_cosine * area &&
         covered[f] <= (1. - least_free_share) * area)

@@ -5,9 +5,6 @@
 #include <voussoir/packing/polyhedra/contacts/face_pieces.h>
 #include <voussoir/packing/polyhedra/space_polygons.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2_algorithms.h>
-
 #include <algorithm>
 #include <array>
 
@@ -47,15 +44,6 @@ bool has_no_dents(const std::vector<Point<2>> &ring, const double tolerance)
       return false;
   }
   return true;
-}
-
-bool is_simple_ring(const std::vector<Point<2>> &ring)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_2> points;
-  for (const Point<2> &p : ring)
-    points.emplace_back(p[0], p[1]);
-  return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
 }
 
 /**
@@ -104,7 +92,7 @@ std::vector<Numbers> pieces_with_corners(const CellFaces &cells,
     ring.push_back(frame.project(cells.vertices[v]));
   if (is_nearly_convex(ring, tolerance))
     return {corners};
-  if (!is_simple_ring(ring))
+  if (!is_simple(ring))
     throw InputError(
         text("The sides of ", describe_face(cells, face), ", which is near ",
              text_of_point(cells.vertices[corners[0]]),
@@ -177,9 +165,7 @@ std::vector<Numbers> convex_pieces_of_face(const CellFaces &cells,
 {
   const auto view = cells.corners(face);
   const Numbers corners(view.begin(), view.end());
-  const std::vector<Point<3>> polygon = cells.polygon(face);
-  const PolygonMoments moments =
-      moments_of(dealii::ArrayView<const Point<3>>(polygon));
+  const PolygonMoments moments = moments_of_face(cells, face);
   if (!(moments.area() > 0.))
     return {corners};
   const PlaneFrame frame(cells.vertices[corners[0]], moments.normal());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/packing/generators/measures.h>
 #include <voussoir/packing/polyhedra/generators/block_builder.h>
 #include <voussoir/packing/polyhedra/generators/building.h>
-#include <voussoir/packing/polyhedra/generators/measures.h>
 #include <voussoir/packing/polyhedra/generators/wall_courses.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/generators/measures.h>
 #include <voussoir/packing/polyhedra/generators/block_builder.h>
 #include <voussoir/packing/polyhedra/generators/column.h>
-#include <voussoir/packing/polyhedra/generators/measures.h>
 
 #include <deal.II/base/numbers.h>
 

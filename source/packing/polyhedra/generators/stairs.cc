@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/generators/measures.h>
 #include <voussoir/packing/polyhedra/generators/block_builder.h>
-#include <voussoir/packing/polyhedra/generators/measures.h>
 #include <voussoir/packing/polyhedra/generators/stairs.h>
 #include <voussoir/packing/polyhedra/generators/wall_courses.h>
 

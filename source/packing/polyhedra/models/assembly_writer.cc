@@ -117,9 +117,9 @@ Json json_of_edges(const CellFaces &cells, const FaceContacts *const contacts)
   for (unsigned int k = 0; contacts != nullptr && k < contacts->faces.size();
        ++k)
   {
-    if (!(moments_of(contacts->patches[k]).area() > 0.))
-      continue; // it has no frame
     const auto [a, b] = contacts->faces[k];
+    if (a == b || !(moments_of(contacts->patches[k]).area() > 0.))
+      continue; // it has no other node, or no frame
     Json &edge =
         of_cell[cells.cell_of_face(a)][std::to_string(cells.cell_of_face(b))];
     if (edge.is_null())

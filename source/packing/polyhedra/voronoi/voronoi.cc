@@ -9,12 +9,6 @@
 
 namespace Voussoir
 {
-namespace
-{
-/** As many as have faces, and corners of these, that 32 bits can number. */
-constexpr int most_space_cells = 40000000;
-} // namespace
-
 void SpaceVoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -34,34 +28,7 @@ void SpaceVoronoiGenerator::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Polyhedron", polyhedron_points,
                     "The corners \"x, y, z; x, y, z; ...\" of the convex "
                     "polyhedron, in any order; lengths.");
-  add_choice<bool>(
-      prm, "Points", reads_points,
-      {{true, "file", "as given in 'Points file'.", "Points file"},
-       {false, "random", "drawn at random, as densely as 'Cell size' asks.",
-        "Number of points, Seed"}},
-      "Where the points come from.");
-  prm.add_parameter("Points file", points_file,
-                    "A file with one point \"x y z\" a line; # begins a "
-                    "comment. A relative path starts at the directory of the "
-                    ".prm file.",
-                    Anything());
-  prm.add_parameter("Number of points", n_points,
-                    "Number of random points, which is that of the cells.",
-                    Integer(1, most_space_cells));
-  prm.add_parameter("Seed", seed,
-                    "Seed of the random points; the same seed gives the same "
-                    "points on every machine.",
-                    Integer(0));
-  prm.add_parameter("Cell size", cell_size,
-                    "The size that cells are wanted to have, relative to each "
-                    "other: a positive expression in x, y and z, of which only "
-                    "ratios matter. It decides how densely random points lie, "
-                    "and what Lloyd steps tend to.",
-                    Anything());
-  prm.add_parameter("Lloyd steps", n_lloyd_steps,
-                    "How many times each point is moved to the centroid of its "
-                    "cell, weighted by 'Cell size' to the power -5.",
-                    Integer(0, 10000));
+  points.add_parameters(prm);
 }
 
 CellFaces
@@ -69,16 +36,13 @@ SpaceVoronoiGenerator::generate(const std::filesystem::path &directory,
                                 Terminal &terminal) const
 {
   const ConvexPolyhedron domain = make_domain();
-  const CellSize<3> size(cell_size, "Packing/Voronoi/Cell size");
+  const CellSize<3> size = points.cell_size();
   size(domain.middle()); // a constant is not evaluated elsewhere
-  PointList<3> generators = make_points(domain, size, directory);
-  CellFaces cells = voronoi_cells(generators, domain);
-  for (unsigned int step = 0; step < n_lloyd_steps; ++step)
-  {
-    terminal.progress(step, n_lloyd_steps, "Lloyd steps");
-    generators.points = weighted_centroids(cells, size);
-    cells = voronoi_cells(generators, domain);
-  }
+  CellFaces cells = points.relaxed_cells(
+      make_points(domain, size, directory),
+      [&](const PointList<3> &of) { return voronoi_cells(of, domain); },
+      [&](const CellFaces &of) { return weighted_centroids(of, size); },
+      terminal);
   const std::size_t n_corners = domain.faces().vertices.size();
   if (fills_polyhedron && n_corners < polyhedron_points.size())
     cells.notices.push_back(
@@ -87,14 +51,6 @@ SpaceVoronoiGenerator::generate(const std::filesystem::path &directory,
              " are the corners of a convex polyhedron, which the cells fill; "
              "the others are inside it or repeated."));
   return cells;
-}
-
-std::vector<std::filesystem::path>
-SpaceVoronoiGenerator::input_files(const std::filesystem::path &directory) const
-{
-  if (!reads_points || points_file.empty())
-    return {};
-  return {directory / points_file};
 }
 
 ConvexPolyhedron SpaceVoronoiGenerator::make_domain() const
@@ -123,13 +79,11 @@ SpaceVoronoiGenerator::make_points(const ConvexPolyhedron &domain,
                                    const CellSize<3> &size,
                                    const std::filesystem::path &directory) const
 {
-  if (reads_points && points_file.empty())
-    throw InputError("'Packing/Voronoi/Points' is 'file', but 'Packing/Voronoi/"
-                     "Points file' names none.");
-  if (reads_points)
-    return read_points_file<3>((directory / points_file).lexically_normal());
+  if (std::optional<PointList<3>> given = points.given_points(directory))
+    return std::move(*given);
   if (!fills_polyhedron && size.is_constant())
-    return random_points(n_points, seed, box);
-  return random_points(n_points, seed, domain, size);
+    return random_points(points.random_count(), points.random_seed(), box);
+  return random_points(points.random_count(), points.random_seed(), domain,
+                       size);
 }
 } // namespace Voussoir

@@ -19,9 +19,6 @@ namespace Voussoir
  */
 constexpr unsigned int most_faces_in_picture = 15000;
 
-/** The box of all vertices of all faces, lengths; the origin without any. */
-dealii::BoundingBox<3> box_of(const CellFaces &cells);
-
 /**
  * The numbers of the faces that look towards the viewer of an isometric view
  * and are not covered by joints as a whole, ascending.

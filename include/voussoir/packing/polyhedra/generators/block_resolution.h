@@ -2,7 +2,7 @@
 #ifndef voussoir_packing_polyhedra_generators_block_resolution_h
 #define voussoir_packing_polyhedra_generators_block_resolution_h
 
-#include <voussoir/packing/polyhedra/generators/measures.h>
+#include <voussoir/packing/generators/measures.h>
 
 namespace Voussoir
 {

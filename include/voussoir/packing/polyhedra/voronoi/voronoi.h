@@ -5,6 +5,7 @@
 #include <voussoir/packing/generators/generator.h>
 #include <voussoir/packing/polyhedra/voronoi/random_points.h>
 #include <voussoir/packing/polyhedra/voronoi/voronoi_cells.h>
+#include <voussoir/packing/voronoi/point_entries.h>
 
 #include <string>
 #include <vector>
@@ -33,7 +34,10 @@ public:
   CellFaces generate(const std::filesystem::path &directory,
                      Terminal &terminal) const override;
   std::vector<std::filesystem::path>
-  input_files(const std::filesystem::path &directory) const override;
+  input_files(const std::filesystem::path &directory) const override
+  {
+    return points.input_files(directory);
+  }
 
 private:
   ConvexPolyhedron make_domain() const;
@@ -44,12 +48,7 @@ private:
   bool fills_polyhedron = false;
   Box box{{0., 0., 0.}, {1., 1., 1.}};
   std::vector<dealii::Point<3>> polyhedron_points;
-  bool reads_points = false;
-  std::string points_file;
-  unsigned int n_points = 100;
-  unsigned int seed = 1;
-  std::string cell_size = "1";
-  unsigned int n_lloyd_steps = 0;
+  PointEntries<3> points;
 };
 } // namespace Voussoir
 

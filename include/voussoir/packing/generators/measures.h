@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef voussoir_packing_polyhedra_generators_measures_h
-#define voussoir_packing_polyhedra_generators_measures_h
+#ifndef voussoir_packing_generators_measures_h
+#define voussoir_packing_generators_measures_h
 
 #include <string>
 #include <vector>

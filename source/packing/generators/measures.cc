@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polyhedra/generators/measures.h>
+#include <voussoir/packing/generators/measures.h>
 
 #include <cmath>
 
