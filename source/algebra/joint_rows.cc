@@ -13,8 +13,10 @@ namespace Voussoir
 void JointRows::add(const Joint &joint,
                     const std::vector<ContactRow> &rows,
                     const Kinematics &kinematics,
-                    const std::vector<unsigned int> &sets)
+                    const std::vector<unsigned int> &sets,
+                    const std::vector<double> &shares_of_sets)
 {
+  shares.insert(shares.end(), shares_of_sets.begin(), shares_of_sets.end());
   Assert(first_row.back() + std::uint64_t(rows.size()) <
              std::numeric_limits<unsigned int>::max(),
          dealii::ExcMessage("There are too many rows."));

@@ -57,4 +57,16 @@ const Kinematics &translations()
   return kinematics;
 }
 
+const Kinematics &rotations_in_space()
+{
+  static const Kinematics kinematics("rotations in space", 3, 3);
+  return kinematics;
+}
+
+const Kinematics &translations_in_space()
+{
+  static const Kinematics kinematics("translations in space", 3, 0);
+  return kinematics;
+}
+
 } // namespace Voussoir

@@ -12,18 +12,19 @@ namespace Voussoir
 namespace
 {
 /** Refuse tension at which Coulomb's friction admits no forces at all. */
-void check_tension(const Packing<2> &packing, const Strengths &strengths)
+template <int dim>
+void check_tension(const Packing<dim> &packing, const Strengths &strengths)
 {
   for (unsigned int e = 0; e < strengths.coefficient.size(); ++e)
   {
-    const Packing<2>::Interface &i = packing.interfaces()[e];
+    const auto &i = packing.interfaces()[e];
     const double cohesion = strengths.of_interface[e];
     const double least = strengths.coefficient[e] * strengths.tensile[e];
     if (least > cohesion)
       throw InputError(text(
           "The tensile strength of the interface of ",
           packing.describe(i.cell_minus), " and ",
-          packing.describe(i.cell_plus), " at ", text_of_point(i.midpoint()),
+          packing.describe(i.cell_plus), " at ", text_of_point(i.middle()),
           " is ", strengths.tensile[e], ", but with the coefficient ",
           strengths.coefficient[e], " and the cohesion ", cohesion,
           " friction admits no more tension than ",
@@ -59,7 +60,8 @@ void ContactParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-void ContactParameters::add_strengths(const Packing<2> &packing,
+template <int dim>
+void ContactParameters::add_strengths(const Packing<dim> &packing,
                                       Strengths &strengths) const
 {
   strengths.tensile = means(packing, tensile, strengths.warnings);
@@ -75,4 +77,9 @@ void ContactParameters::add_strengths(const Packing<2> &packing,
   if (are_all(strengths.compressive, std::numeric_limits<double>::infinity()))
     strengths.compressive.clear();
 }
+
+template void ContactParameters::add_strengths(const Packing<2> &,
+                                               Strengths &) const;
+template void ContactParameters::add_strengths(const Packing<3> &,
+                                               Strengths &) const;
 } // namespace Voussoir

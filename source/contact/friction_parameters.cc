@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
 #include <voussoir/contact/friction_parameters.h>
 #include <voussoir/contact/laws/coulomb.h>
 #include <voussoir/contact/laws/mohr_coulomb.h>
@@ -23,6 +24,26 @@ std::vector<std::unique_ptr<FrictionLaw>> all_laws()
   laws.push_back(std::make_unique<MohrCoulomb>(its_entries));
   return laws;
 }
+
+template <int dim>
+class MeansOf : public JointMeans
+{
+public:
+  explicit MeansOf(const Packing<dim> &packing) : packing(packing) {}
+  std::vector<double>
+  operator()(const JointQuantity &quantity,
+             std::vector<std::string> &warnings) const override
+  {
+    return means(packing, quantity, warnings);
+  }
+  std::string place(const unsigned int e) const override
+  {
+    return text_of_point(packing.interfaces()[e].middle());
+  }
+
+private:
+  const Packing<dim> &packing;
+};
 } // namespace
 
 FrictionParameters::FrictionParameters() : laws(all_laws()) {}
@@ -36,16 +57,21 @@ void FrictionParameters::add_parameters(dealii::ParameterHandler &prm)
         {i, laws[i]->name(), laws[i]->meaning(), laws[i]->entries()});
   add_choice(
       prm, "Law", chosen, choices,
-      "The largest tangential force f_t on an interface of the length |e|.");
+      "The largest tangential force f_t on an interface of the length |e|, in "
+      "space of the area |e|.");
   for (const auto &law : laws)
     law->add_parameters(prm);
   prm.leave_subsection();
 }
 
-Strengths FrictionParameters::strengths(const Packing<2> &packing) const
+template <int dim>
+Strengths FrictionParameters::strengths(const Packing<dim> &packing) const
 {
-  Strengths found = laws[chosen]->strengths(packing);
+  Strengths found = laws[chosen]->strengths(MeansOf<dim>(packing));
   found.law = laws[chosen]->name();
   return found;
 }
+
+template Strengths FrictionParameters::strengths(const Packing<2> &) const;
+template Strengths FrictionParameters::strengths(const Packing<3> &) const;
 } // namespace Voussoir

@@ -6,6 +6,7 @@
 #include <voussoir/formula/expression.h>
 #include <voussoir/formula/integrals/edge_integral.h>
 #include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/formula/integrals/simplex_integral.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
@@ -21,23 +22,28 @@ namespace Voussoir
 namespace
 {
 /** A quantity as an expression, from one of the parameters. */
+template <int dim>
 class QuantityFormula
 {
 public:
+  using Interface = typename Packing<dim>::Interface;
   QuantityFormula(const std::string &formula,
                   const std::string &parameter,
                   const JointQuantity &quantity)
-      : value(formula, {"x", "y", "nx", "ny"}, parameter),
-        jumps({value.formula()}, {0., 0.}), formula(formula),
-        parameter(parameter), word(quantity.word),
-        is_positive(quantity.is_positive), inaccuracies(parameter)
+      : value(formula, variables(), parameter),
+        jumps(jumps_of(value)), formula(formula), parameter(parameter),
+        word(quantity.word), is_positive(quantity.is_positive),
+        inaccuracies(parameter)
   {}
 
-  /** The mean over the interface @p i. */
-  double mean(const Packing<2> &packing, const Packing<2>::Interface &i)
+  /** The mean over interface @p e. */
+  double mean(const Packing<dim> &packing, const unsigned int e)
   {
-    const auto value_at = [&](const dealii::Point<2> &p) {
-      const double at_p = value({p[0], p[1], i.normal[0], i.normal[1]});
+    const Interface &i = packing.interfaces()[e];
+    const auto value_at = [&](const dealii::Point<dim> &p) {
+      std::vector<double> values(p.begin_raw(), p.end_raw());
+      values.insert(values.end(), i.normal.begin_raw(), i.normal.end_raw());
+      const double at_p = value(values);
       if (!std::isfinite(at_p) || at_p < 0. || (is_positive && at_p == 0.))
         throw InputError(text(
             "'", parameter, "' = '", formula, "' is ", text_of_number(at_p),
@@ -48,7 +54,31 @@ public:
       return at_p;
     };
     if (value.is_constant())
-      return value_at(i.midpoint());
+      return value_at(i.middle());
+    return integral_mean(packing, e, value_at);
+  }
+
+  /** Warnings on the means computed so far. */
+  std::vector<std::string> warnings() const { return inaccuracies.warnings(); }
+
+private:
+  static std::vector<std::string> variables()
+  {
+    return dim == 2 ? std::vector<std::string>{"x", "y", "nx", "ny"}
+                    : std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz"};
+  }
+  /** In space jumps are left to the halving of triangles. */
+  static Discontinuities jumps_of(const Expression &value)
+  {
+    return dim == 2 ? Discontinuities({value.formula()}, {0., 0.})
+                    : Discontinuities();
+  }
+  template <typename ValueAt>
+  double integral_mean(const Packing<2> &packing,
+                       const unsigned int e,
+                       const ValueAt &value_at)
+  {
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     jumps.set_constants({i.normal[0], i.normal[1]});
     const EdgeIntegral integral =
         edge_integral(i.start, i.end, value_at, jumps);
@@ -56,11 +86,26 @@ public:
                          [&] { return along_edge(i.start, i.end); });
     return integral.mean;
   }
+  template <typename ValueAt>
+  double integral_mean(const Packing<3> &packing,
+                       const unsigned int e,
+                       const ValueAt &value_at)
+  {
+    const auto polygon = packing.polygon(e);
+    const Packing<3>::Interface &i = packing.interfaces()[e];
+    SimplexIntegral sum;
+    for (unsigned int k = 0; k < polygon.size(); ++k)
+      sum.add(integral_over_simplex(
+          {i.centroid, polygon[k], polygon[(k + 1) % polygon.size()]},
+          [&](const dealii::Point<3> &x, IntegratedValues &values) {
+            values = {value_at(x)};
+          }));
+    inaccuracies.look_at(sum.error, sum.size, 0., [&] {
+      return "on the interface at " + text_of_point(i.centroid);
+    });
+    return sum.values[0] / i.area;
+  }
 
-  /** Warnings on the means computed so far. */
-  std::vector<std::string> warnings() const { return inaccuracies.warnings(); }
-
-private:
   Expression value;
   Discontinuities jumps;
   std::string formula, parameter, word;
@@ -69,10 +114,11 @@ private:
 };
 
 /** What a user prescribes for a pair of groups. */
+template <int dim>
 struct OfPair
 {
   std::string names;
-  QuantityFormula formula;
+  QuantityFormula<dim> formula;
   /** True if there is an interface between the two. */
   bool is_met;
 };
@@ -81,7 +127,8 @@ struct OfPair
 using GroupPair = std::pair<unsigned int, unsigned int>;
 
 /** The groups that a user names as "one, other", or as one with itself. */
-GroupPair pair_of_names(const Packing<2> &packing,
+template <int dim>
+GroupPair pair_of_names(const Packing<dim> &packing,
                         const std::string &names,
                         const std::string &parameter)
 {
@@ -105,22 +152,24 @@ void JointQuantity::add_parameters(dealii::ParameterHandler &prm,
                     Anything());
 }
 
-std::vector<double> means(const Packing<2> &packing,
+template <int dim>
+std::vector<double> means(const Packing<dim> &packing,
                           const JointQuantity &quantity,
                           std::vector<std::string> &warnings)
 {
-  std::optional<QuantityFormula> everywhere;
+  std::optional<QuantityFormula<dim>> everywhere;
   if (!quantity.everywhere.empty() || !quantity.may_be_empty)
     everywhere.emplace(quantity.everywhere,
                        quantity.section + "/" + quantity.parameter, quantity);
   const std::string parameter =
       quantity.section + "/" + quantity.parameter_of_pairs;
-  std::map<GroupPair, OfPair> of_pair;
+  std::map<GroupPair, OfPair<dim>> of_pair;
   for (const auto &[names, formula] :
        split_named_list(quantity.of_pairs, parameter))
   {
     const GroupPair pair = pair_of_names(packing, names, parameter);
-    OfPair prescribed = {names, QuantityFormula(formula, parameter, quantity),
+    OfPair<dim> prescribed = {names,
+                              QuantityFormula<dim>(formula, parameter, quantity),
                          false};
     const bool is_new = of_pair.emplace(pair, std::move(prescribed)).second;
     if (!is_new)
@@ -130,19 +179,20 @@ std::vector<double> means(const Packing<2> &packing,
 
   std::vector<double> result;
   result.reserve(packing.interfaces().size());
-  for (const Packing<2>::Interface &i : packing.interfaces())
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
+    const auto &i = packing.interfaces()[e];
     const auto found =
         of_pair.empty()
             ? of_pair.end()
             : of_pair.find(std::minmax(
                   {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
     if (found == of_pair.end())
-      result.push_back(everywhere ? everywhere->mean(packing, i)
+      result.push_back(everywhere ? everywhere->mean(packing, e)
                                   : std::numeric_limits<double>::infinity());
     else
     {
-      result.push_back(found->second.formula.mean(packing, i));
+      result.push_back(found->second.formula.mean(packing, e));
       found->second.is_met = true;
     }
   }
@@ -161,4 +211,11 @@ std::vector<double> means(const Packing<2> &packing,
       warnings.push_back(std::move(warning));
   return result;
 }
+
+template std::vector<double> means(const Packing<2> &,
+                                   const JointQuantity &,
+                                   std::vector<std::string> &);
+template std::vector<double> means(const Packing<3> &,
+                                   const JointQuantity &,
+                                   std::vector<std::string> &);
 } // namespace Voussoir

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/output/csv.h>
+#include <voussoir/output/polyhedra_csv.h>
 #include <voussoir/output/report/report.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
@@ -39,7 +40,8 @@ FilesOfRuns files_of_all_runs()
   return {
       {interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
        stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
-       mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu, results_pvd,
+       mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
+       corner_forces_csv, results_pvd,
        report_html, drawing_check_html, parameters_prm, summary_json},
       {packing_wkt, packing_off, packing_obj, packing_json, packing_centres},
       is_stress_piece};

@@ -52,8 +52,9 @@ void look_at_model(Terminal &terminal, const Packing<3> &packing)
 void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
 {
   output.add_entries(prm);
-  packing_parameters.add_parameters(prm);
-  supports.add_parameters(prm);
+  analysis.add_entries(prm);
+  of_scene.add_parameters(prm);
+  analysis.add_sections(prm);
   prm.enter_subsection("Output");
   output.add_verbosity(prm);
   add_choice<PackingFile>(
@@ -76,26 +77,31 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
 void PackingRun::validate(const std::filesystem::path &directory) const
 {
   warn_of_unused();
-  read_packing(directory);
-  terminal.stage("Valid", "nothing was written");
+  analysis.check(of_scene, of_scene.blocks(read_packing(directory), terminal),
+                 terminal);
+  terminal.stage("Valid", "nothing was solved, and nothing written");
 }
 
 std::string PackingRun::carry_out(const std::filesystem::path &directory)
 {
   warn_of_unused();
   ResultDirectory files(output.directory, files_of_all_runs(), terminal);
-  for (const auto &file : packing_parameters.input_files(directory))
+  for (const auto &file : of_scene.input_files(directory))
     files.protect(file);
-  write(files, read_packing(directory));
-  return {};
+  const SpaceAnswer answer = analysis.answer(
+      of_scene, of_scene.blocks(read_packing(directory), terminal), terminal);
+  write(files, answer);
+  return answer.message.empty()
+             ? answer.message
+             : answer.message + " " + output.directory + '/' + report_html +
+                   " shows it in a browser, " + blocks_vtu + " in ParaView.";
 }
 
 Packing<3>
 PackingRun::read_packing(const std::filesystem::path &directory) const
 {
   terminal.begin("Packing");
-  Packing<3> packing =
-      supports.support(packing_parameters.make_packing(directory, terminal));
+  Packing<3> packing = of_scene.read_packing(directory, terminal);
   for (const std::string &notice : packing.notices())
     terminal.warning(notice);
   show_packing(terminal, packing);
@@ -104,27 +110,34 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   return packing;
 }
 
-void PackingRun::write(ResultDirectory &files, const Packing<3> &packing) const
+void PackingRun::write(ResultDirectory &files, const SpaceAnswer &answer) const
 {
   terminal.begin("Output");
-  using Writer = void (*)(std::ostream &, const Packing<3> &);
+  const Packing<3> &packing = answer.scene.packing();
+  using Writer = void (*)(std::ostream &, const SpaceAnswer &);
   const auto add = [&](const std::string &name, const Writer writer) {
-    files.write(name, [&](std::ostream &out) { writer(out, packing); });
+    files.write(name, [&](std::ostream &out) { writer(out, answer); });
   };
   add(interfaces_csv, write_interfaces_csv);
   add(cells_csv, write_cells_csv);
-  add(boundary_csv, write_boundary_csv);
+  files.write(boundary_csv, [&](std::ostream &out) {
+    write_boundary_csv(out, packing);
+  });
+  if (!answer.forces.empty())
+    files.write(corner_forces_csv, [&](std::ostream &out) {
+      write_corner_forces_csv(out, answer.forces);
+    });
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
   write_collection(files, {blocks_vtu, interfaces_vtu});
   write_packing(files, packing);
   if (reports)
     files.write(report_html, [&](std::ostream &out) {
-      write_packing_report(out, packing, output.title, terminal.warnings());
+      write_packing_report(out, answer, output.title, terminal.warnings());
     });
   write_parameters(files, prm);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set
-    write_summary_json(out, packing, output.title);
+    write_summary_json(out, answer, output.title);
   });
   files.publish();
   terminal.stage("Output",

@@ -58,17 +58,24 @@ struct JointRows
   std::vector<unsigned int> first_coefficient;
   /** @} */
   /**
+   * In space the share of each set of all joints in the stiffness of its joint,
+   * and if it has two rows in the strength; empty in the plane.
+   */
+  std::vector<double> shares;
+  /**
    * Add a joint.
    *
    * @param joint without its rows.
    * @param rows of the joint.
    * @param kinematics of the bodies.
    * @param sets the numbers of rows of its sets; empty if each is one row.
+   * @param shares_of_sets in space, one for each of the sets.
    */
   void add(const Joint &joint,
            const std::vector<ContactRow> &rows,
            const Kinematics &kinematics,
-           const std::vector<unsigned int> &sets = {});
+           const std::vector<unsigned int> &sets = {},
+           const std::vector<double> &shares_of_sets = {});
   /** Make room for @p n_joints with @p n_rows rows in all. */
   void reserve(std::size_t n_joints,
                std::size_t n_rows,

@@ -112,6 +112,10 @@ private:
 const Kinematics &translations();
 /** Bodies in the plane that also turn. */
 const Kinematics &rotations();
+/** Bodies in space that do not turn. */
+const Kinematics &translations_in_space();
+/** Bodies in space that also turn. */
+const Kinematics &rotations_in_space();
 
 } // namespace Voussoir
 

@@ -191,6 +191,12 @@ public:
   std::vector<unsigned int> sets(unsigned int e) const;
   /** All rows of joint @p e. */
   std::vector<ContactRow> rows(unsigned int e) const;
+  /** In space: JointRows::shares of the sets of joint @p e, the first one. */
+  const double *shares(const unsigned int e) const
+  {
+    return own.joints.shares.data() +
+           (has_blocks() ? own.joints.first_set[e] : first_row(e));
+  }
   /** True if some set has more rows than one. */
   bool has_blocks() const { return !own.joints.set_sizes.empty(); }
   /**

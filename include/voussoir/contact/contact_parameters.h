@@ -26,7 +26,8 @@ public:
    * @throws InputError as means() does; or naming the interface whose tension
    *   is beyond what Coulomb's friction admits.
    */
-  void add_strengths(const Packing<2> &packing, Strengths &strengths) const;
+  template <int dim>
+  void add_strengths(const Packing<dim> &packing, Strengths &strengths) const;
 
 private:
   JointQuantity tensile = {

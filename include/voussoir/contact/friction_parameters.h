@@ -23,7 +23,8 @@ public:
   void add_parameters(dealii::ParameterHandler &prm);
 
   /** FrictionLaw::strengths() of the law that was chosen, with its name. */
-  Strengths strengths(const Packing<2> &packing) const;
+  template <int dim>
+  Strengths strengths(const Packing<dim> &packing) const;
 
 private:
   std::vector<std::unique_ptr<FrictionLaw>> laws;

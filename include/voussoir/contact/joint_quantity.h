@@ -3,6 +3,7 @@
 #define voussoir_contact_joint_quantity_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/packing/polyhedra/packing.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -13,8 +14,8 @@ namespace Voussoir
 {
 /**
  * A quantity that two parameters of a section give to the interfaces: an
- * expression in x, y and the unit normal for all of them, and others for pairs
- * of groups. Their present values are the defaults.
+ * expression in x, y, in space z, and the unit normal for all of them, and
+ * others for pairs of groups. Their present values are the defaults.
  */
 struct JointQuantity
 {
@@ -52,9 +53,23 @@ struct JointQuantity
  *   if a formula cannot be parsed; or naming a pair of groups that does not
  *   exist, is given twice or meets nowhere.
  */
-std::vector<double> means(const Packing<2> &packing,
+template <int dim>
+std::vector<double> means(const Packing<dim> &packing,
                           const JointQuantity &quantity,
                           std::vector<std::string> &warnings);
+
+/** The interfaces of a packing, in the plane or in space, as laws see them. */
+class JointMeans
+{
+public:
+  virtual ~JointMeans() = default;
+  /** means() of the packing. */
+  virtual std::vector<double>
+  operator()(const JointQuantity &quantity,
+             std::vector<std::string> &warnings) const = 0;
+  /** The middle of interface @p e, for messages. */
+  virtual std::string place(unsigned int e) const = 0;
+};
 } // namespace Voussoir
 
 #endif

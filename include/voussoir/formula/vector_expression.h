@@ -77,6 +77,21 @@ public:
     return value;
   }
 
+  /** The same in space, at @p x. */
+  double component(const unsigned int i,
+                   const std::vector<double> &values,
+                   const dealii::Point<3> &x,
+                   const std::string &where) const
+  {
+    const double value = f[i](values);
+    if (!std::isfinite(value))
+      throw InputError(text("'", parameter, "' has the component '",
+                            components[i], "', which is ",
+                            text_of_number(value), " at ", text_of_point(x),
+                            where));
+    return value;
+  }
+
 private:
   std::vector<std::string> components;
   std::string parameter;

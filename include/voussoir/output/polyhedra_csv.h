@@ -2,22 +2,33 @@
 #ifndef voussoir_output_polyhedra_csv_h
 #define voussoir_output_polyhedra_csv_h
 
+#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace Voussoir
 {
-// The tables of a packing in space, in files of the names that csv.h has.
+// The tables of blocks in space, in files of the names that csv.h has.
 
 /** One line per interface, in their order, with face_interface_fields(). */
-void write_interfaces_csv(std::ostream &out, const Packing<3> &packing);
+void write_interfaces_csv(std::ostream &out, const SpaceAnswer &answer);
 
 /** One line per boundary face, with boundary_face_fields(). */
 void write_boundary_csv(std::ostream &out, const Packing<3> &packing);
 
 /** One line per cell, then one per fixed cell, with polyhedron_fields(). */
-void write_cells_csv(std::ostream &out, const Packing<3> &packing);
+void write_cells_csv(std::ostream &out, const SpaceAnswer &answer);
+
+/** The name of the table of the forces at points of interfaces. */
+inline const std::string corner_forces_csv = "corner_forces.csv";
+
+/**
+ * One line per point of an interface at which a force acts, FacePoints: the
+ * number of the interface, the place (L), and the force on c- (S L^2).
+ */
+void write_corner_forces_csv(std::ostream &out, const FaceForces &forces);
 } // namespace Voussoir
 
 #endif

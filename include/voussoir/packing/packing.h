@@ -57,6 +57,8 @@ public:
     dealii::Tensor<1, 2> tangent() const;
     /** x_e, a length. */
     dealii::Point<2> midpoint() const { return start + 0.5 * (end - start); }
+    /** The same, as Packing<3>::Interface::middle(). */
+    dealii::Point<2> middle() const { return midpoint(); }
   };
 
   /** An edge of one cell only, which does not rest on the ground. */

@@ -2,10 +2,10 @@
 #ifndef voussoir_run_packing_run_h
 #define voussoir_run_packing_run_h
 
-#include <voussoir/packing/polyhedra/packing_parameters.h>
+#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/run/output_entries.h>
 #include <voussoir/run/run.h>
-#include <voussoir/scene/space_supports.h>
+#include <voussoir/scene/space/space_scene_parameters.h>
 
 #include <filesystem>
 #include <set>
@@ -14,8 +14,8 @@
 namespace Voussoir
 {
 /**
- * A run in space, which ends with the packing: it is made or read, checked,
- * supported and written.
+ * A run in space: the packing is made or read, checked and supported, what is
+ * asked of it under its loads is answered, and both are written.
  */
 class PackingRun : public Run
 {
@@ -43,12 +43,12 @@ private:
 
   /** Make the packing with its supports, and show what was understood. */
   Packing<3> read_packing(const std::filesystem::path &directory) const;
-  void write(ResultDirectory &files, const Packing<3> &packing) const;
+  void write(ResultDirectory &files, const SpaceAnswer &answer) const;
   void write_packing(ResultDirectory &files, const Packing<3> &packing) const;
 
   OutputEntries output;
-  PackingParameters<3> packing_parameters;
-  SpaceSupports supports;
+  SpaceSceneParameters of_scene;
+  SpaceAnalysis analysis;
   PackingFile packing_file = PackingFile::none;
   bool reports = true;
 };

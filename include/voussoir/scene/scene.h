@@ -15,12 +15,19 @@
 
 namespace Voussoir
 {
+struct InterfaceForces;
+
 /**
  * A packing, what its interfaces can carry and what it has to carry, in the
  * user's units.
  */
 struct Scene
 {
+  /** @{ */
+  /** What is found for it. */
+  using Forces = InterfaceForces;
+  using MotionOfBlocks = Motion;
+  /** @} */
   /**
    * Add up the loads on each cell.
    *
@@ -135,6 +142,8 @@ struct InterfaceForces
   /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
   std::vector<double> tangential;
 
+  /** True if there are none. */
+  bool empty() const { return normal.empty(); }
   /** The normal force at the ends of interface @p e; halves without at_ends. */
   std::array<double, 2> ends(const unsigned int e) const
   {

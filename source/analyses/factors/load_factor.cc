@@ -4,8 +4,10 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
+#include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/discretise_space.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +28,8 @@ constexpr double small_load_factor = 1e-3;
  * The problem of the dead loads; without any of the live ones, whose own size
  * means nothing, with forces in units of what joints bear by themselves.
  */
-DiscreteProblem problem_of(const Scene &dead, const Scene &live)
+template <typename SceneOf>
+DiscreteProblem problem_of(const SceneOf &dead, const SceneOf &live)
 {
   if (dead.is_loaded())
     return discretise(dead);
@@ -35,16 +38,48 @@ DiscreteProblem problem_of(const Scene &dead, const Scene &live)
   return limit > 0. ? problem.in_units_of(limit) : problem;
 }
 
+/** @{ */
+/** From the problem of a scene to the user's units, in the plane and in space.
+ */
+Motion motion_in_units(const DiscreteProblem &problem,
+                       const Scene & /*scene*/,
+                       const std::vector<double> &u)
+{
+  return dimensional_motion(problem, u, 1.);
+}
+SpaceMotion motion_in_units(const DiscreteProblem &problem,
+                            const SpaceScene &scene,
+                            const std::vector<double> &u)
+{
+  return dimensional_motion(problem, scene, u, 1.);
+}
+InterfaceForces forces_in_units(const DiscreteProblem &problem,
+                                const Scene & /*scene*/,
+                                const Solution &solution)
+{
+  return dimensional_forces(problem, solution);
+}
+FaceForces forces_in_units(const DiscreteProblem &problem,
+                           const SpaceScene &scene,
+                           const Solution &solution)
+{
+  return dimensional_forces(problem, scene, solution);
+}
+/** @} */
+
 /** One search; an object is used once. */
+template <typename SceneOf>
 class LoadFactorSearch
 {
 public:
-  LoadFactorSearch(const Scene &dead,
-                   const Scene &live,
+  using MotionOfBlocks = typename SceneOf::MotionOfBlocks;
+  using Forces = typename SceneOf::Forces;
+  LoadFactorSearch(const SceneOf &dead,
+                   const SceneOf &live,
                    const LoadFactorControls &controls,
                    Terminal &terminal);
 
-  LoadFactorAnswer find();
+  FactorAnswerOf<SceneOf> find();
 
 private:
   void look_at_rest();
@@ -53,16 +88,16 @@ private:
     return {controls.tolerance, small_load_factor, controls.n_max_iterations,
             found.unit};
   }
-  Motion motion_of(std::vector<double> u) const
+  MotionOfBlocks motion_of(std::vector<double> u) const
   {
-    return dimensional_motion(problem, by_rows.of_size_one(std::move(u)), 1.);
+    return motion_in_units(problem, dead, by_rows.of_size_one(std::move(u)));
   }
-  InterfaceForces forces_of(const std::vector<double> &x) const;
+  Forces forces_of(const std::vector<double> &x) const;
   void keep(const ProvenFactor &factor);
   void find_unbounded();
   void check_found(const ProvenFactor &factor);
 
-  const Scene &dead, &live;
+  const SceneOf &dead, &live;
   const LoadFactorControls &controls;
   Terminal &terminal;
   const DiscreteProblem problem;
@@ -72,14 +107,15 @@ private:
   /** Forces for the dead loads alone, far from their limits if there are any.*/
   std::optional<FactorState> at_rest;
   /** The mechanism of the dead loads alone, if they collapse. */
-  Motion collapse_at_rest;
-  LoadFactor found;
+  MotionOfBlocks collapse_at_rest;
+  FactorOf<SceneOf> found;
 };
 
-LoadFactorSearch::LoadFactorSearch(const Scene &dead,
-                                   const Scene &live,
-                                   const LoadFactorControls &controls,
-                                   Terminal &terminal)
+template <typename SceneOf>
+LoadFactorSearch<SceneOf>::LoadFactorSearch(const SceneOf &dead,
+                                            const SceneOf &live,
+                                            const LoadFactorControls &controls,
+                                            Terminal &terminal)
     : dead(dead), live(live), controls(controls), terminal(terminal),
       problem(problem_of(dead, live)),
       by_rows(problem), program{by_rows.loads(discretise_loads(problem, dead),
@@ -103,15 +139,18 @@ LoadFactorSearch::LoadFactorSearch(const Scene &dead,
   found.bound = program.sense * std::numeric_limits<double>::infinity();
 }
 
-InterfaceForces LoadFactorSearch::forces_of(const std::vector<double> &x) const
+template <typename SceneOf>
+typename SceneOf::Forces
+LoadFactorSearch<SceneOf>::forces_of(const std::vector<double> &x) const
 {
   Solution solution;
   solution.forces = by_rows.rows().forces_of(x);
-  return dimensional_forces(problem, solution);
+  return forces_in_units(problem, dead, solution);
 }
 
 /** Look whether the dead loads are carried by themselves. */
-void LoadFactorSearch::look_at_rest()
+template <typename SceneOf>
+void LoadFactorSearch<SceneOf>::look_at_rest()
 {
   FeasibleForces any = find_feasible_forces(
       by_rows, program.dead, controls.n_max_iterations, terminal);
@@ -119,13 +158,14 @@ void LoadFactorSearch::look_at_rest()
   at_rest = std::move(any.state);
   if (any.collapse.empty())
     return;
-  Motion motion = motion_of(any.collapse);
+  MotionOfBlocks motion = motion_of(any.collapse);
   found.collapses_without = proves_collapse(certify_mechanism(dead, motion));
   if (found.collapses_without)
     collapse_at_rest = std::move(motion);
 }
 
-LoadFactorAnswer LoadFactorSearch::find()
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
 {
   ProvenFactor factor(by_rows.forces(), program, controls_of_factor(),
                       terminal);
@@ -140,7 +180,7 @@ LoadFactorAnswer LoadFactorSearch::find()
   }
   factor.find();
   found.n_iterations += factor.n_iterations();
-  LoadFactorAnswer answer;
+  FactorAnswerOf<SceneOf> answer;
   keep(factor);
   if (factor.state() == SelfDual::State::unbounded)
     find_unbounded();
@@ -152,7 +192,7 @@ LoadFactorAnswer LoadFactorSearch::find()
       answer.collapses_with_any = true;
       return answer;
     }
-  if (found.forces.normal.empty() && found.collapses_without)
+  if (found.forces.empty() && found.collapses_without)
   {
     // No factor is known to help.
     answer.collapse = std::move(collapse_at_rest);
@@ -163,7 +203,8 @@ LoadFactorAnswer LoadFactorSearch::find()
   return answer;
 }
 
-void LoadFactorSearch::keep(const ProvenFactor &factor)
+template <typename SceneOf>
+void LoadFactorSearch<SceneOf>::keep(const ProvenFactor &factor)
 {
   if (factor.carried())
   {
@@ -180,7 +221,7 @@ void LoadFactorSearch::keep(const ProvenFactor &factor)
   }
   if (!factor.mechanism())
     return;
-  Motion motion = motion_of(factor.mechanism()->u);
+  MotionOfBlocks motion = motion_of(factor.mechanism()->u);
   const FactorBound proof = bound_of_factor(dead, live, motion);
   if (!(proof.closing_violation <= largest_closing_of_factor &&
         program.sense * proof.live_work > 0.))
@@ -194,7 +235,8 @@ void LoadFactorSearch::keep(const ProvenFactor &factor)
  * Find forces at a factor beside those that balance the live loads alone: at
  * one, or where live loads are as large as the dead ones, or larger.
  */
-void LoadFactorSearch::find_unbounded()
+template <typename SceneOf>
+void LoadFactorSearch<SceneOf>::find_unbounded()
 {
   for (double alpha = 1. / found.unit; !found.is_unbounded;
        alpha = std::max(1., larger_alpha * alpha))
@@ -215,10 +257,11 @@ void LoadFactorSearch::find_unbounded()
 }
 
 /** @throws SolverError if no forces prove a factor. */
-void LoadFactorSearch::check_found(const ProvenFactor &factor)
+template <typename SceneOf>
+void LoadFactorSearch<SceneOf>::check_found(const ProvenFactor &factor)
 {
   // That the dead loads are carried is an answer only beside a bound.
-  if (found.forces.normal.empty() ||
+  if (found.forces.empty() ||
       (factor.carried() && !factor.has_found_state() &&
        !found.has_mechanism() && !found.is_unbounded))
     throw SolverError(
@@ -236,7 +279,8 @@ void LoadFactorSearch::check_found(const ProvenFactor &factor)
 }
 } // namespace
 
-double LoadFactor::width() const
+template <typename SceneOf>
+double FactorOf<SceneOf>::width() const
 {
   if (!std::isfinite(carried) || !std::isfinite(bound))
     return std::numeric_limits<double>::infinity();
@@ -245,11 +289,23 @@ double LoadFactor::width() const
   return size > 0. ? std::abs(bound - carried) / size : 0.;
 }
 
-LoadFactorAnswer find_load_factor(const Scene &dead,
-                                  const Scene &live,
-                                  const LoadFactorControls &controls,
-                                  Terminal &terminal)
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> find_load_factor(const SceneOf &dead,
+                                         const SceneOf &live,
+                                         const LoadFactorControls &controls,
+                                         Terminal &terminal)
 {
-  return LoadFactorSearch(dead, live, controls, terminal).find();
+  return LoadFactorSearch<SceneOf>(dead, live, controls, terminal).find();
 }
+
+template struct FactorOf<Scene>;
+template struct FactorOf<SpaceScene>;
+template FactorAnswerOf<Scene> find_load_factor(const Scene &,
+                                                const Scene &,
+                                                const LoadFactorControls &,
+                                                Terminal &);
+template FactorAnswerOf<SpaceScene> find_load_factor(const SpaceScene &,
+                                                     const SpaceScene &,
+                                                     const LoadFactorControls &,
+                                                     Terminal &);
 } // namespace Voussoir

@@ -20,18 +20,18 @@ void Coulomb::add_parameters(dealii::ParameterHandler &prm)
       "'Pair strengths'.");
 }
 
-Strengths Coulomb::strengths(const Packing<2> &packing) const
+Strengths Coulomb::strengths(const JointMeans &means) const
 {
   Strengths result;
-  result.of_interface = cohesions(packing, result.warnings);
-  result.coefficient = means(packing, coefficient, result.warnings);
+  result.of_interface = cohesions(means, result.warnings);
+  result.coefficient = means(coefficient, result.warnings);
   result.dilate = false;
   return result;
 }
 
-Strengths AssociatedCoulomb::strengths(const Packing<2> &packing) const
+Strengths AssociatedCoulomb::strengths(const JointMeans &means) const
 {
-  Strengths result = coulomb.strengths(packing);
+  Strengths result = coulomb.strengths(means);
   result.dilate = true;
   return result;
 }

@@ -20,18 +20,18 @@ void MohrCoulomb::add_parameters(dealii::ParameterHandler &prm)
       "as for 'Pair strengths'.");
 }
 
-Strengths MohrCoulomb::strengths(const Packing<2> &packing) const
+Strengths MohrCoulomb::strengths(const JointMeans &means) const
 {
   Strengths result;
-  result.of_interface = coulomb.cohesions(packing, result.warnings);
-  result.coefficient = means(packing, angle, result.warnings);
+  result.of_interface = coulomb.cohesions(means, result.warnings);
+  result.coefficient = means(angle, result.warnings);
   for (unsigned int e = 0; e < result.coefficient.size(); ++e)
   {
     double &of_interface = result.coefficient[e];
     if (!(of_interface < 90.))
       throw InputError(
           text("The angle of friction of the interface at ",
-               text_of_point(packing.interfaces()[e].midpoint()), " is ",
+               means.place(e), " is ",
                of_interface,
                " degrees; it must be below 90. Lower 'Friction/Friction "
                "angle', or 'Friction/Pair friction angles'."));

@@ -10,8 +10,8 @@ void Tresca::add_parameters(dealii::ParameterHandler &prm)
       "The Tresca strength s_T of the interfaces: the shear "
       "stress at which they slide, whatever the normal stress. "
       "A stress, not negative; an expression in x, y and the "
-      "unit normal nx, ny of the interface, whose sign is "
-      "arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
+      "unit normal nx, ny of the interface, in space in z and nz too, whose "
+      "sign is arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
       "bed joints and another for head joints.",
       "Other strengths where two groups of cells meet, \"name, "
       "name: expression | name, name: expression\", as in "
@@ -20,10 +20,10 @@ void Tresca::add_parameters(dealii::ParameterHandler &prm)
       "packing is called ground.");
 }
 
-Strengths Tresca::strengths(const Packing<2> &packing) const
+Strengths Tresca::strengths(const JointMeans &means) const
 {
   Strengths result;
-  result.of_interface = means(packing, strength, result.warnings);
+  result.of_interface = means(strength, result.warnings);
   return result;
 }
 } // namespace Voussoir

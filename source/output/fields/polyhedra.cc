@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/fields/polyhedra.h>
+#include <voussoir/output/fields/space_forces.h>
 
 #include <utility>
 
@@ -42,9 +43,9 @@ places_and_normals(const std::vector<Surface> &(InSpace::*const list)() const,
 }
 } // namespace
 
-const FieldTable<Packing<3>> &polyhedron_fields()
+const FieldTable<SpaceAnswer> &polyhedron_fields()
 {
-  static const FieldTable<InSpace> table(
+  static const FieldTable<SpaceAnswer> table(
       "cell group volume faces fixed",
       Fields<InSpace>{
           Field<InSpace>(
@@ -87,17 +88,18 @@ const FieldTable<Packing<3>> &polyhedron_fields()
               .saying_in_grid(
                   "its number in the list in `summary.json`, from 0; that of "
                   "the ground is the next")
-} // namespace Voussoir
-);
+},
+polyhedron_loads(), polyhedron_motion());
 return table;
 }
 
-const FieldTable<Packing<3>> &face_interface_fields()
+const FieldTable<SpaceAnswer> &face_interface_fields()
 {
   const std::string cells =
       "the cells c- and c+; -1 is the ground without a shape";
-  static const FieldTable<InSpace> table(
-      "cell_minus cell_plus area distance normal",
+  static const FieldTable<SpaceAnswer> table(
+      "normal_force shear_force normal_stress utilisation cell_minus "
+      "cell_plus area distance normal",
       Fields<InSpace>{{"cell_minus", "", cells,
                        [](const InSpace &p, const unsigned int e) {
                          return int(p.interfaces()[e].cell_minus);
@@ -119,7 +121,8 @@ const FieldTable<Packing<3>> &face_interface_fields()
       Fields<InSpace>{{"distance", "L", "d_e, of the centres along n_e",
                        [](const InSpace &p, const unsigned int e) {
                          return p.distance(p.interfaces()[e]);
-                       }}});
+                       }}},
+      face_forces(), face_jumps());
   return table;
 }
 

@@ -4,44 +4,81 @@
 #include <voussoir/output/report/packing_report.h>
 #include <voussoir/output/report/space_report.h>
 
+#include <cmath>
 #include <ostream>
 #include <set>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-/** The quantities of a table that are numbers, but for those of @p others. */
-std::vector<SpaceField> numbers_of(const FieldTable<Packing<3>> &table,
-                                   const Packing<3> &packing,
+/** The quantities of a table that are numbers, and the sizes of vectors, but
+ * for those of @p others. */
+std::vector<SpaceField> numbers_of(const FieldTable<SpaceAnswer> &table,
+                                   const SpaceAnswer &answer,
                                    const std::size_t n,
                                    const std::set<std::string> &others)
 {
   std::vector<SpaceField> fields;
-  for (const Field<Packing<3>> &field : table.all())
-    if (field.shape == FieldShape::number && others.count(field.name) == 0)
-      fields.push_back(
-          {field.name, field.unit, table.values(field.name, packing, n)});
+  for (const Field<SpaceAnswer> &field : table.all())
+  {
+    const bool is_vector = field.shape == FieldShape::space_vector;
+    if ((!is_vector && field.shape != FieldShape::number) ||
+        others.count(field.name) > 0 || !field.holds(answer))
+      continue;
+    std::vector<double> values(n * field.n_components());
+    field.bind(answer).values(0, n, values.data());
+    if (is_vector)
+      for (std::size_t k = 0; k < n; ++k)
+        values[k] = std::hypot(values[3 * k], values[3 * k + 1],
+                               values[3 * k + 2]);
+    values.resize(n);
+    fields.push_back({field.name, field.unit, std::move(values)});
+  }
   return fields;
+}
+
+/** What was found, for the table below the picture. */
+void add_answer(const SpaceAnswer &answer, SpaceReport &report)
+{
+  const auto add = [&](const std::string &label, const std::string &value) {
+    report.summary.emplace_back(label, value);
+  };
+  add("Answer", answer.status.description());
+  if (!answer.message.empty())
+    add("Not carried", answer.message);
+  if (answer.summary.contains("load_factor"))
+    add("Load factor", answer.summary["load_factor"]["meaning"]);
+  if (answer.forces.empty())
+    return;
+  add("Balance of forces", text(answer.certificate.equilibrium_residual,
+                                " of the largest load"));
+  if (answer.scene.blocks->turns())
+    add("Balance of moments", text(answer.certificate.moment_residual,
+                                   " of the largest load"));
+  add("Beyond limits",
+      text(answer.certificate.admissibility_violation, " of the largest load"));
 }
 } // namespace
 
 void write_packing_report(std::ostream &out,
-                          const Packing<3> &packing,
+                          const SpaceAnswer &answer,
                           const std::string &title,
                           const std::vector<std::string> &warnings)
 {
+  const Packing<3> &packing = answer.scene.packing();
   const FaceContacts contacts = packing.contacts();
   const CellFaces &cells = packing.polyhedra();
   SpaceReport report;
   report.title = title;
   report.cells = &cells;
   report.contacts = &contacts;
-  report.cell_fields = numbers_of(polyhedron_fields(), packing, cells.n_cells(),
-                                  {"cell", "group", "fixed"});
+  report.cell_fields = numbers_of(polyhedron_fields(), answer, cells.n_cells(),
+                                  {"cell", "group", "fixed", "centre"});
   report.contact_fields =
-      numbers_of(face_interface_fields(), packing, packing.interfaces().size(),
-                 {"cell_minus", "cell_plus", "support"});
+      numbers_of(face_interface_fields(), answer, packing.interfaces().size(),
+                 {"cell_minus", "cell_plus", "support", "centroid", "normal"});
   const dealii::BoundingBox<3> box = packing.box();
   report.summary = {
       {"Blocks", text(packing.n_cells())},
@@ -52,6 +89,8 @@ void write_packing_report(std::ostream &out,
                       box.side_length(2))},
       {"Volume", text(packing.volume())},
       {"Blocks that are not convex", text(packing.not_convex().size())}};
+  if (answer.is_analysed)
+    add_answer(answer, report);
   report.defects = warnings;
   write_space_report(out, report);
 }

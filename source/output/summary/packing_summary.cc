@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -74,11 +75,66 @@ void show_packing(Terminal &terminal, const Packing<3> &packing)
                         packing.describe(concave.front())));
 }
 
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json json_of_vector(const dealii::Tensor<1, 3> &v)
+{
+  return {v[0], v[1], v[2]};
+}
+
+/** What was found, of blocks under loads. */
+void add_answer(const SpaceAnswer &answer, Json &summary)
+{
+  const SpaceScene &scene = answer.scene;
+  const Strengths &strengths = scene.blocks->strengths;
+  summary["rotations"] = scene.blocks->turns();
+  summary["friction_law"] = strengths.law;
+  dealii::Tensor<1, 3> force, moment;
+  double size = 0.;
+  for (unsigned int c = 0; c < scene.packing().n_cells(); ++c)
+  {
+    force += scene.loads.force[c];
+    moment += scene.loads.torque[c] +
+              cross_product_3d(scene.packing().centre(c), scene.loads.force[c]);
+    size += scene.loads.size[c];
+  }
+  summary["loads"] = {{"force", json_of_vector(force)},
+                      {"moment_about_origin", json_of_vector(moment)},
+                      {"size", size}};
+  for (const auto &[name, value] : answer.summary.items())
+    summary[name] = value;
+  if (!answer.forces.empty())
+  {
+    const Certificate &of = answer.certificate;
+    summary["certificate"] = {
+        {"equilibrium_residual", of.equilibrium_residual},
+        {"moment_residual", of.moment_residual},
+        {"admissibility_violation", of.admissibility_violation},
+        {"max_utilisation", of.max_utilisation}};
+    dealii::Tensor<1, 3> on_ground;
+    const Packing<3> &packing = scene.packing();
+    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+      if (packing.interfaces()[e].cell_plus == packing.ground())
+        on_ground -= answer.forces.resultant(packing, e).force;
+    summary["force_on_ground"] = json_of_vector(on_ground);
+  }
+  else if (answer.is_mechanism)
+    summary["mechanism"] = {
+        {"closing_violation", answer.proof.closing_violation},
+        {"work_over_dissipation",
+         std::isfinite(answer.proof.work_over_dissipation)
+             ? Json(answer.proof.work_over_dissipation)
+             : Json("infinite")}};
+}
+} // namespace
+
 void write_summary_json(std::ostream &out,
-                        const Packing<3> &packing,
+                        const SpaceAnswer &answer,
                         const std::string &title)
 {
-  using Json = nlohmann::ordered_json;
+  const Packing<3> &packing = answer.scene.packing();
   std::vector<unsigned int> sizes(packing.group_names().size(), 0);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     ++sizes[packing.group(c)];
@@ -88,7 +144,7 @@ void write_summary_json(std::ostream &out,
   const dealii::BoundingBox<3> box = packing.box();
   Json summary;
   summary["title"] = title;
-  summary["status"] = "packing";
+  summary["status"] = answer.is_analysed ? answer.status.word() : "packing";
   summary["dimension"] = 3;
   summary["packing"] = {
       {"cells", packing.n_cells()},
@@ -104,6 +160,8 @@ void write_summary_json(std::ostream &out,
       {"groups_without_support", n_without_ground(packing)},
       {"groups", groups},
       {"notices", packing.notices()}};
+  if (answer.is_analysed)
+    add_answer(answer, summary);
   summary["versions"] = library_versions();
   out << summary.dump(2) << '\n';
 }

@@ -63,9 +63,10 @@ void append_faces(const CellFaces &cells,
 }
 
 /** A grid of one polyhedron for each cell. */
-VtuFile grid_of_polyhedra(const CellFaces &cells)
+VtuFile
+grid_of_polyhedra(const CellFaces &cells,
+                  const std::shared_ptr<const PolyhedronPoints> &points)
 {
-  const auto points = std::make_shared<const PolyhedronPoints>(cells);
   const auto places = [&cells, points](std::size_t i, std::size_t end,
                                        double *place) {
     for (; i < end; ++i)
@@ -102,18 +103,45 @@ VtuFile grid_of_polyhedra(const CellFaces &cells)
       {points->first_number.back(), faces},
       {cells.n_cells(), ends_in(&PolyhedronPoints::first_number)});
 }
+/** The displacement of each point with its cell; fixed cells do not move. */
+VtuFile::Fill<double>
+displacement_of(const SpaceAnswer &answer,
+                const std::shared_ptr<const PolyhedronPoints> &points)
+{
+  return [&answer, points](std::size_t i, const std::size_t end,
+                           double *values) {
+    const Packing<3> &packing = answer.scene.packing();
+    const CellFaces &cells = packing.polyhedra();
+    for (unsigned int c = VtuValues::cell_of(
+             i, cells.n_cells(),
+             [&](const unsigned int k) { return points->first[k]; });
+         i < end; ++c)
+      for (; i < std::min(end, points->first[c + 1]); ++i)
+      {
+        dealii::Tensor<1, 3> u;
+        if (c < packing.n_cells())
+          u = answer.motion.at(c, cells.vertices[points->vertices[i]] -
+                                      packing.centre(c));
+        values = std::copy(u.begin_raw(), u.end_raw(), values);
+      }
+  };
+}
 } // namespace
 
-void write_blocks_vtu(std::ostream &out, const Packing<3> &packing)
+void write_blocks_vtu(std::ostream &out, const SpaceAnswer &answer)
 {
-  VtuFile grid = grid_of_polyhedra(packing.polyhedra());
-  add_fields(grid, polyhedron_fields().arrays(packing));
+  const CellFaces &cells = answer.scene.packing().polyhedra();
+  const auto points = std::make_shared<const PolyhedronPoints>(cells);
+  VtuFile grid = grid_of_polyhedra(cells, points);
+  if (!answer.motion.displacement.empty())
+    grid.add_point_vector("displacement", displacement_of(answer, points));
+  add_fields(grid, polyhedron_fields().arrays(answer));
   grid.write(out);
 }
 
-void write_interfaces_vtu(std::ostream &out, const Packing<3> &packing)
+void write_interfaces_vtu(std::ostream &out, const SpaceAnswer &answer)
 {
-  const SpacePolygons &polygons = packing.polygons();
+  const SpacePolygons &polygons = answer.scene.packing().polygons();
   const auto places = [&](std::size_t i, std::size_t end, double *place) {
     for (; i < end; ++i)
       place = std::copy(polygons.vertices[i].begin_raw(),
@@ -126,7 +154,7 @@ void write_interfaces_vtu(std::ostream &out, const Packing<3> &packing)
   VtuFile grid = VtuFile::separate(VtuFile::Shape::polygon,
                                    {polygons.vertices.size(), places},
                                    {polygons.size(), ends});
-  add_fields(grid, face_interface_fields().arrays(packing));
+  add_fields(grid, face_interface_fields().arrays(answer));
   grid.write(out);
 }
 } // namespace Voussoir

@@ -25,18 +25,29 @@ ConicForces::Cone cone_of(const ForceRows::Section &section,
   // force, and of order one: g lets the two have the same size.
   const double g = std::max(1., std::sqrt(0.5 * section.strength));
   const double a = 0.5 * section.strength / g;
-  ConicForces::Cone cone = {section.row, {{a, -a, 0.}}, {}};
+  ConicForces::Cone cone = {section.row, 2, {{a, -a, 0.}}, {}};
   cone.b[0][end] = cone.b[1][end] = g;
-  cone.b[2] = {{1., 1.}};
+  cone.b[2] = {{1., 1., 0.}};
   return cone;
 }
 
-/** The cone of an arc. */
-ConicForces::Cone cone_of(const ForceRows::Arc &arc)
+/** The cone of two rows in a circle, of an arc or a disc. */
+template <typename Circle>
+ConicForces::Cone cone_of_circle(const Circle &circle)
 {
-  return {arc.row,
-          {{arc.strength, 0., 0.}},
-          {{{{0., 0.}}, {{-1., 0.}}, {{0., -1.}}}}};
+  return {circle.row,
+          2,
+          {{circle.strength, 0., 0.}},
+          {{{{0., 0., 0.}}, {{-1., 0., 0.}}, {{0., -1., 0.}}}}};
+}
+
+/** The cone of a pressure and its friction. */
+ConicForces::Cone cone_of(const ForceRows::FrictionCone &cone)
+{
+  return {cone.row,
+          3,
+          {{0., 0., 0.}},
+          {{{{cone.coefficient, 0., 0.}}, {{0., -1., 0.}}, {{0., 0., -1.}}}}};
 }
 
 /**
@@ -46,8 +57,9 @@ ConicForces::Cone cone_of(const ForceRows::Arc &arc)
 class SumOfSquares
 {
 public:
-  void add(const double c, const std::array<double, 2> &g)
+  void add(const double c, const std::array<double, 3> &of_rows)
   {
+    const std::array<double, 2> g = {{of_rows[0], of_rows[1]}};
     for (const Square &other : squares)
     {
       const double volume = g[0] * other.g[1] - g[1] * other.g[0];
@@ -79,13 +91,62 @@ private:
   double det = 0.;
 };
 
+/** The same of three rows. */
+class SumOfSquaresOfThree
+{
+public:
+  void add(const double c, const std::array<double, 3> &g)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Vector3 normal = vector_product(g, squares[i].g);
+      const double weight = c * squares[i].c;
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const Vector3 &other = squares[j].g;
+        const double volume = normal[0] * other[0] + normal[1] * other[1] +
+                              normal[2] * other[2];
+        det += weight * squares[j].c * (volume * volume);
+      }
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int l = 0; l < 3; ++l)
+          adjoint[3 * k + l] += weight * normal[k] * normal[l];
+    }
+    squares[n++] = {c, g};
+  }
+  /** Set the nine entries of the inverse. */
+  void find_inverse(double *const inverse) const
+  {
+    for (unsigned int k = 0; k < 9; ++k)
+      inverse[k] = adjoint[k] / det;
+  }
+
+private:
+  using Vector3 = std::array<double, 3>;
+  static Vector3 vector_product(const Vector3 &a, const Vector3 &b)
+  {
+    return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+             a[0] * b[1] - a[1] * b[0]}};
+  }
+  struct Square
+  {
+    double c;
+    Vector3 g;
+  };
+  /** Three of a cone, three of a cost and one of a bound. */
+  std::array<Square, 7> squares = {};
+  std::size_t n = 0;
+  std::array<double, 9> adjoint = {};
+  double det = 0.;
+};
+
 /** B^T v of one cone. */
-std::array<double, 2> transposed(const ConicForces::Cone &cone,
+std::array<double, 3> transposed(const ConicForces::Cone &cone,
                                  const QuadraticCone::Vector &v)
 {
-  std::array<double, 2> sum = {};
+  std::array<double, 3> sum = {};
   for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 2; ++j)
+    for (unsigned int j = 0; j < cone.n_rows; ++j)
       sum[j] += cone.b[i][j] * v[i];
   return sum;
 }
@@ -103,6 +164,23 @@ void add_cone(const ConicForces::Cone &cone,
   sum.add(1. / scaling.eta_squared, cone.b[2]);
   if (cone.b[0] != cone.b[1])
     sum.add(1. / scaling.eta_squared, cone.b[1]);
+}
+
+/** The same of three rows, by the eigenvectors of W^-2. */
+void add_cone(const ConicForces::Cone &cone,
+              const QuadraticCone::Scaling &scaling,
+              SumOfSquaresOfThree &sum)
+{
+  const QuadraticCone::Vector &w = scaling.w;
+  const double tail = std::hypot(w[1], w[2]);
+  const std::array<double, 2> t =
+      tail > 0. ? std::array<double, 2>{{w[1] / tail, w[2] / tail}}
+                : std::array<double, 2>{{1., 0.}};
+  const double large = (w[0] + tail) * (w[0] + tail);
+  const double half = 0.5 / scaling.eta_squared;
+  sum.add(half * large, transposed(cone, {{1., -t[0], -t[1]}}));
+  sum.add(half / large, transposed(cone, {{1., t[0], t[1]}}));
+  sum.add(2. * half, transposed(cone, {{0., -t[1], t[0]}}));
 }
 } // namespace
 
@@ -129,10 +207,32 @@ ConicForces::ConicForces(const ForceRows &rows,
     for (unsigned int end = 0; end < 2; ++end)
       all_cones.push_back(cone_of(section, end));
   for (const ForceRows::Arc &arc : rows.arcs())
-    all_cones.push_back(cone_of(arc));
+    all_cones.push_back(cone_of_circle(arc));
+  for (const ForceRows::Disc &disc : rows.discs())
+    all_cones.push_back(cone_of_circle(disc));
+  for (const ForceRows::FrictionCone &cone : rows.friction_cones())
+  {
+    all_cones.push_back(cone_of(cone));
+    if (std::isfinite(cone.strength))
+      all_bounds.push_back({cone.row, -1., cone.strength});
+  }
   // In the order of the rows, as sets are gone through.
   std::stable_sort(all_cones.begin(), all_cones.end(),
                    [](const Cone &a, const Cone &b) { return a.row < b.row; });
+  find_coefficients();
+}
+
+/** Cone::coefficient of all cones. */
+void ConicForces::find_coefficients()
+{
+  auto cone = all_cones.begin();
+  for (unsigned int e = 0; e < rows.joints().size(); ++e)
+    rows.for_each_set(e, [&](unsigned int, const unsigned int row,
+                             const unsigned int coefficient) {
+      for (; cone != all_cones.end() && cone->row == rows.first_row(e) + row;
+           ++cone)
+        cone->coefficient = rows.first_coefficient(e) + coefficient;
+    });
 }
 
 void ConicForces::clear_held(std::vector<double> &loads) const
@@ -199,8 +299,12 @@ std::vector<double> ConicForces::at_slacks(const std::vector<double> &x) const
   for (const Bound &bound : all_bounds)
     result.push_back(bound.sign * x[bound.row]);
   for (const Cone &cone : all_cones)
-    for (const std::array<double, 2> &b : cone.b)
-      result.push_back(b[0] * x[cone.row] + b[1] * x[cone.row + 1]);
+    for (const std::array<double, 3> &b : cone.b)
+      result.push_back(
+          cone.n_rows == 2
+              ? b[0] * x[cone.row] + b[1] * x[cone.row + 1]
+              : b[0] * x[cone.row] + b[1] * x[cone.row + 1] +
+                    b[2] * x[cone.row + 2]);
   return result;
 }
 
@@ -211,9 +315,9 @@ std::vector<double> ConicForces::of_rows(const std::vector<double> &z) const
     result[all_bounds[b].row] += all_bounds[b].sign * z[b];
   for (std::size_t k = 0; k < all_cones.size(); ++k)
   {
-    const std::array<double, 2> sum = transposed(all_cones[k], of_cone(z, k));
-    result[all_cones[k].row] += sum[0];
-    result[all_cones[k].row + 1] += sum[1];
+    const std::array<double, 3> sum = transposed(all_cones[k], of_cone(z, k));
+    for (unsigned int r = 0; r < all_cones[k].n_rows; ++r)
+      result[all_cones[k].row + r] += sum[r];
   }
   return result;
 }
@@ -234,6 +338,9 @@ bool ConicForces::prepare(const Weights &weights,
   clear_without_force(k);
   if (rows.has_blocks())
     invert_sets(weights, with_curvature);
+  scalings.clear();
+  if (!rows.is_plane() && !with_curvature)
+    scalings = weights.of_cones;
   return factorise();
 }
 
@@ -272,12 +379,28 @@ void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
         *block = coefficients[rows.first_row(e) + row];
         return;
       }
-      SumOfSquares sum;
       const std::size_t r = rows.first_row(e) + row;
+      if (size == 3)
+      {
+        SumOfSquaresOfThree sum;
+        add_cone(all_cones[cone], weights.of_cones[cone], sum);
+        ++cone;
+        // What bounds and the cost have on the diagonal, see prepare().
+        for (unsigned int i = 0; i < 3; ++i)
+          if (const double k = coefficients[r + i]; k > 0.)
+          {
+            std::array<double, 3> g = {};
+            g[i] = 1.;
+            sum.add(1. / k, g);
+          }
+        sum.find_inverse(block);
+        return;
+      }
+      SumOfSquares sum;
       if (with_curvature)
       {
-        sum.add(of_cost[r], {{1., 0.}});
-        sum.add(of_cost[r + 1], {{0., 1.}});
+        sum.add(of_cost[r], {{1., 0., 0.}});
+        sum.add(of_cost[r + 1], {{0., 1., 0.}});
       }
       for (; cone < all_cones.size() && all_cones[cone].row == r; ++cone)
         add_cone(all_cones[cone], weights.of_cones[cone], sum);
@@ -291,7 +414,49 @@ void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
 
 void ConicForces::multiply(std::vector<double> &r) const
 {
+  if (scalings.empty())
+  {
+    rows.multiply_by_blocks(coefficients, r);
+    return;
+  }
+  const std::vector<double> d = r;
   rows.multiply_by_blocks(coefficients, r);
+  multiply_by_scalings(d, r);
+}
+
+/**
+ * K d of all cones, where rounding of K would be more than what it gives in
+ * some directions: B^-1 W (W B^-T d) of cones of friction, and by the
+ * eigenvectors of K of circles, where those with the head given are
+ * eta^2 (I - 2 w_t w_t^T / (1 + 2 |w_t|^2)).
+ */
+void ConicForces::multiply_by_scalings(const std::vector<double> &d,
+                                       std::vector<double> &x) const
+{
+  for (std::size_t k = 0; k < all_cones.size(); ++k)
+  {
+    const Cone &cone = all_cones[k];
+    const QuadraticCone::Scaling &W = scalings[k];
+    const double *const from = &d[cone.row];
+    double *const to = &x[cone.row];
+    if (cone.n_rows == 3)
+    {
+      const QuadraticCone::Vector v = W.times(W.times(
+          {{from[0] / cone.b[0][0], from[1] / cone.b[1][1],
+            from[2] / cone.b[2][2]}}));
+      for (unsigned int i = 0; i < 3; ++i)
+        to[i] = v[i] / cone.b[i][i];
+      continue;
+    }
+    const double tail = std::hypot(W.w[1], W.w[2]);
+    const double t[] = {tail > 0. ? W.w[1] / tail : 1.,
+                        tail > 0. ? W.w[2] / tail : 0.};
+    const double along = W.eta_squared * (t[0] * from[0] + t[1] * from[1]) /
+                         (1. + 2. * tail * tail),
+                 across = W.eta_squared * (t[0] * from[1] - t[1] * from[0]);
+    to[0] = along * t[0] - across * t[1];
+    to[1] = along * t[1] + across * t[0];
+  }
 }
 
 std::vector<double>
@@ -301,18 +466,30 @@ ConicForces::multiplied_difference(const std::vector<double> &r,
   std::vector<double> x = along(u);
   for (std::size_t k = 0; k < x.size(); ++k)
     x[k] = r[k] - x[k];
+  if (!scalings.empty())
+  {
+    // The digits of d count, not those of u.
+    for (const Cone &cone : all_cones)
+      for (std::size_t k = cone.row; k < cone.row + cone.n_rows; ++k)
+        x[k] = static_cast<double>(r[k] + rows.exact_jump(k, u.data()));
+    multiply(x);
+    return x;
+  }
   multiply(x);
   for (const Cone &cone : all_cones)
   {
     const std::size_t k = cone.row;
-    const unsigned int e = rows.joint_of_row(k);
-    // All sets before it in its joint are of one row.
-    const double *const K =
-        &coefficients[rows.first_coefficient(e) + (k - rows.first_row(e))];
-    const long double start = r[k] + rows.exact_jump(k, u.data()),
-                      end = r[k + 1] + rows.exact_jump(k + 1, u.data());
-    x[k] = static_cast<double>(K[0] * start + K[1] * end);
-    x[k + 1] = static_cast<double>(K[2] * start + K[3] * end);
+    const double *const K = &coefficients[cone.coefficient];
+    std::array<long double, 3> exact = {};
+    for (unsigned int i = 0; i < cone.n_rows; ++i)
+      exact[i] = r[k + i] + rows.exact_jump(k + i, u.data());
+    for (unsigned int i = 0; i < cone.n_rows; ++i)
+    {
+      long double sum = K[cone.n_rows * i] * exact[0];
+      for (unsigned int j = 1; j < cone.n_rows; ++j)
+        sum += K[cone.n_rows * i + j] * exact[j];
+      x[k + i] = static_cast<double>(sum);
+    }
   }
   return x;
 }

@@ -91,8 +91,14 @@ double closing_of(const ConicForces &forces,
   for (std::size_t b = 0; b < bounds.size(); ++b)
     if (b + 1 < bounds.size() && bounds[b + 1].row == bounds[b].row)
       ++b;
-    else
+    else if (forces.of().bounds()[bounds[b].row].greatest == 0.)
       closing = std::max(closing, bounds[b].sign * jumps[bounds[b].row]);
+  for (const ForceRows::FrictionCone &cone : forces.of().friction_cones())
+    if (!std::isfinite(cone.strength))
+      closing = std::max(
+          closing, jumps[cone.row] +
+                       cone.coefficient * std::hypot(jumps[cone.row + 1],
+                                                     jumps[cone.row + 2]));
   return closing /
          std::max(largest_component(u), largest_component(program.cost));
 }
@@ -134,6 +140,35 @@ void move_inside(const ForceRows::Section &section, std::vector<double> &x)
       force[k] += share * (middle - force[k]);
 }
 
+/** Move the tangential forces of a disc inside, if they are not. */
+void move_inside(const ForceRows::Disc &disc, std::vector<double> &x)
+{
+  double *const force = &x[disc.row];
+  const double size = std::hypot(force[0], force[1]);
+  const double largest = (1. - least_room) * disc.strength;
+  if (size > largest)
+    for (unsigned int k = 0; k < 2; ++k)
+      force[k] *= largest / size;
+}
+
+/** The forces of a cone of friction, by its slacks. */
+void set_from_slacks(const ForceRows::FrictionCone &cone,
+                     const QuadraticCone::Vector &slack,
+                     std::vector<double> &x)
+{
+  double *const force = &x[cone.row];
+  force[0] = -slack[0] / cone.coefficient;
+  force[1] = slack[1];
+  force[2] = slack[2];
+  const double largest = (1. - least_room) * cone.strength;
+  if (-force[0] > largest)
+  {
+    const double share = largest / -force[0];
+    for (unsigned int k = 0; k < 3; ++k)
+      force[k] *= share;
+  }
+}
+
 /** Forces strictly within their bounds, in proportion to the slacks. */
 std::vector<double> within_bounds(const ConicForces &forces,
                                   const SelfDual::Point &point)
@@ -153,6 +188,15 @@ std::vector<double> within_bounds(const ConicForces &forces,
       x[bounds[b].row] = bounds[b].sign * (bounds[b].limit - slack[b]);
   for (const ForceRows::Section &section : forces.of().sections())
     move_inside(section, x);
+  for (const ForceRows::Disc &disc : forces.of().discs())
+    move_inside(disc, x);
+  std::size_t k = 0;
+  for (const ForceRows::FrictionCone &cone : forces.of().friction_cones())
+  {
+    while (forces.cones()[k].row != cone.row)
+      ++k;
+    set_from_slacks(cone, forces.of_cone(point.s, k), x);
+  }
   return x;
 }
 

@@ -67,8 +67,12 @@ Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
   solution.stop = Stop::Reason::collapse;
   const DiscreteProblem &of = problem.of();
   double dissipation = 0.;
-  for (unsigned int e = 0; e < of.joints().size(); ++e)
-    dissipation += of.limit(e) * std::abs(of.sliding(e, u.data()));
+  if (!of.is_plane())
+    dissipation =
+        problem.rows().dissipation_of_jumps(problem.rows().jumps(u));
+  else
+    for (unsigned int e = 0; e < of.joints().size(); ++e)
+      dissipation += of.limit(e) * std::abs(of.sliding(e, u.data()));
   solution.mechanism =
       Mechanism{problem.of_size_one(u), of.work(u.data()), dissipation};
   return solution;

@@ -39,7 +39,9 @@ ForceRows::ForceRows(const DiscreteProblem &problem, const Friction friction)
   {
     const Joint &joint = problem.joints()[e];
     first.push_back(joints().size());
-    if (has_cone(e) && crushes(e))
+    if (!problem.is_plane())
+      add_sets(e);
+    else if (has_cone(e) && crushes(e))
     {
       // The body between them has the centre of c-.
       own.centres.push_back(problem.centre(joint.cell_minus));
@@ -133,8 +135,39 @@ void ForceRows::add_contacts(const unsigned int e, const Friction friction)
   own.joints.add(joint, rows, kinematics(), sets);
 }
 
+/** Of a joint in space. */
+void ForceRows::add_sets(const unsigned int e)
+{
+  const Joint &joint = problem.joints()[e];
+  const double *share = problem.shares(e);
+  const double strength =
+      problem.normal_limits().empty()
+          ? infinity
+          : problem.tension(e) + problem.normal_limits()[e].crushing;
+  problem.for_each_set(e, [&](const unsigned int size, unsigned int,
+                              unsigned int) {
+    const unsigned int row = of_rows.size();
+    if (size == 1)
+      of_rows.push_back({-strength * *share, 0.});
+    else
+      of_rows.insert(of_rows.end(), size, {-infinity, infinity});
+    if (size == 2)
+      all_discs.push_back({row, joint.strength * *share});
+    else if (size == 3)
+      all_cones.push_back({row, joint.coefficient, strength * *share});
+    ++share;
+  });
+  own.joints.add(joint, problem.rows(e), kinematics(), problem.sets(e));
+}
+
 std::vector<double> ForceRows::forces_of(const std::vector<double> &x) const
 {
+  if (!problem.is_plane())
+  {
+    std::vector<double> forces = tension();
+    Voussoir::add(forces, 1., x);
+    return forces;
+  }
   std::vector<double> forces;
   forces.reserve(problem.n_all_rows());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
@@ -163,6 +196,11 @@ void ForceRows::add_force(const unsigned int e,
                           const double factor,
                           std::vector<double> &c) const
 {
+  if (!problem.is_plane())
+  {
+    c[first_row(e) + r] += factor;
+    return;
+  }
   const unsigned int n = problem.n_contacts(e);
   double *of = &c[first_row(first[e])];
   const double mu = problem.joints()[e].coefficient;
@@ -179,15 +217,36 @@ void ForceRows::add_force(const unsigned int e,
     of[r] += factor;
 }
 
+/** The forces of the problem that are the origin of x, of each row. */
+std::vector<double> ForceRows::tension() const
+{
+  std::vector<double> forces(problem.n_all_rows(), 0.);
+  if (problem.normal_limits().empty())
+    return forces;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    double *const of = &forces[problem.first_row(e)];
+    if (problem.is_plane())
+    {
+      const unsigned int n = problem.n_contacts(e);
+      std::fill_n(of, n, problem.tension(e) / n);
+      continue;
+    }
+    const double *share = problem.shares(e);
+    problem.for_each_set(
+        e, [&](const unsigned int size, const unsigned int row, unsigned int) {
+          if (size != 2)
+            of[row] = problem.tension(e) * *share;
+          ++share;
+        });
+  }
+  return forces;
+}
+
 std::vector<double> ForceRows::offset() const
 {
   std::vector<double> sum(n_dofs());
-  std::vector<double> tension(problem.n_all_rows(), 0.);
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    for (unsigned int k = 0; k < problem.n_contacts(e); ++k)
-      tension[problem.first_row(e) + k] =
-          problem.tension(e) / problem.n_contacts(e);
-  problem.add_jump_gradients(-1., tension, sum);
+  problem.add_jump_gradients(-1., tension(), sum);
   return sum;
 }
 
@@ -203,6 +262,15 @@ double ForceRows::dissipation_of_jumps(const std::vector<double> &jump) const
   for (const Section &section : all_sections)
     sum += section.strength *
            negative_part(jump[section.row], jump[section.row + 1]);
+  for (const Disc &disc : all_discs)
+    sum += disc.strength * std::hypot(jump[disc.row], jump[disc.row + 1]);
+  for (const FrictionCone &cone : all_cones)
+    if (std::isfinite(cone.strength))
+      sum += cone.strength *
+             std::max(cone.coefficient * std::hypot(jump[cone.row + 1],
+                                                    jump[cone.row + 2]) -
+                          jump[cone.row],
+                      0.);
   return sum;
 }
 } // namespace Voussoir

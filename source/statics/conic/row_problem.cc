@@ -27,6 +27,30 @@ void divide_by_largest(std::vector<double> &u)
 }
 } // namespace
 
+std::vector<double> displacement_of_size_one(const DiscreteProblem &problem,
+                                             std::vector<double> u)
+{
+  u.resize(problem.n_dofs());
+  // Divided before, too, since a rigid motion may be large beside the rest.
+  divide_by_largest(u);
+  problem.remove_rigid_motions(u);
+  divide_by_largest(u);
+  return u;
+}
+std::optional<Mechanism> mechanism_by_rows(const ForceRows &rows,
+                                           std::vector<double> u)
+{
+  divide_by_largest(u);
+  Mechanism mechanism;
+  // Of which the work of the offset is a part.
+  mechanism.work = dot(rows.loads(), u);
+  mechanism.dissipation = rows.dissipation_of_jumps(rows.jumps(u));
+  if (!(mechanism.work > mechanism.dissipation))
+    return {};
+  mechanism.u = displacement_of_size_one(rows.of(), std::move(u));
+  return mechanism;
+}
+
 RowProblem::RowProblem(const DiscreteProblem &problem)
     : problem(problem), of_rows(problem),
       of_forces(of_rows, held_bodies(problem, of_rows.n_bodies()))
@@ -49,13 +73,4 @@ std::vector<double> RowProblem::loads(std::vector<double> of_problem,
   return of_problem;
 }
 
-std::vector<double> RowProblem::of_size_one(std::vector<double> u) const
-{
-  u.resize(problem.n_dofs());
-  // Divided before, too, since a rigid motion may be large beside the rest.
-  divide_by_largest(u);
-  problem.remove_rigid_motions(u);
-  divide_by_largest(u);
-  return u;
-}
 } // namespace Voussoir

@@ -47,8 +47,10 @@ SelfDual::SelfDual(ConicForces &forces,
 {
   if (start != nullptr)
     now = *start;
-  else
+  else if (forces.of().is_plane())
     take_usual_start();
+  else
+    take_start_of_slacks();
   if (const double live = largest_component(program.live); live > 0.)
   {
     double strongest = 0.;
@@ -56,6 +58,8 @@ SelfDual::SelfDual(ConicForces &forces,
       strongest = std::max(strongest, bound.limit);
     for (const ForceRows::Section &section : forces.of().sections())
       strongest = std::max(strongest, section.strength);
+    for (const ForceRows::Disc &disc : forces.of().discs())
+      strongest = std::max(strongest, disc.strength);
     unit = small_factor * std::max(largest_component(program.dead), strongest) /
            live;
     if (!(unit > 0.))
@@ -97,6 +101,9 @@ void SelfDual::take_usual_start()
     QuadraticCone::Vector s = cone.limit;
     if (QuadraticCone::contains(s))
       s[0] = std::max(s[0], slack(cone.row, s[0]));
+    else if (cone.n_rows == 3)
+      s[0] = cone.b[0][0] *
+             slack(cone.row, std::numeric_limits<double>::infinity());
     else
     {
       // As with such a pressure at this end.
@@ -112,6 +119,55 @@ void SelfDual::take_usual_start()
   now.u.assign(rows.n_dofs(), 0.);
   now.alpha = 0.;
   now.tau = now.kappa = 1.;
+}
+
+/**
+ * The same in space, with forces that have these slacks: what slacks lack there
+ * is none, and stays so. Beside the matrices of cones it would have no digits.
+ */
+void SelfDual::take_start_of_slacks()
+{
+  const ForceRows &rows = forces.of();
+  now.alpha = 0.;
+  now.tau = now.kappa = 1.;
+  now.u.assign(rows.n_dofs(), 0.);
+  now.x.assign(rows.n_all_rows(), 0.);
+  for (const ConicForces::Bound &bound : forces.bounds())
+  {
+    const Joint &joint = rows.joints()[rows.joint_of_row(bound.row)];
+    const double root = std::sqrt(joint.stiffness());
+    double &x = now.x[bound.row];
+    if (bound.limit == 0.)
+      x = -(program.has_curvature ? root : first_slack * root);
+    else if (bound.sign < 0.)
+      x = x == 0. ? -0.5 * bound.limit : std::max(x, -0.5 * bound.limit);
+  }
+  for (const ForceRows::FrictionCone &cone : rows.friction_cones())
+  {
+    const double root =
+        std::sqrt(rows.joints()[rows.joint_of_row(cone.row)].stiffness());
+    now.x[cone.row] =
+        -std::min(program.has_curvature ? root : first_slack * root,
+                  0.5 * cone.strength);
+  }
+  now.s = slacks_of_forces();
+  now.z.resize(now.s.size());
+  for (std::size_t b = 0; b < n_bounds; ++b)
+    now.z[b] = 1. / now.s[b];
+  for (std::size_t k = 0; k < forces.cones().size(); ++k)
+  {
+    const QuadraticCone::Vector s = forces.of_cone(now.s, k);
+    forces.set_cone(now.z, k, {{1. / s[0], 0., 0.}});
+  }
+}
+
+/** tau h - B x. */
+std::vector<double> SelfDual::slacks_of_forces() const
+{
+  std::vector<double> s = forces.at_slacks(now.x);
+  for (std::size_t b = 0; b < s.size(); ++b)
+    s[b] = now.tau * limits[b] - s[b];
+  return s;
 }
 
 SelfDual::Point SelfDual::point() const
@@ -203,6 +259,7 @@ double SelfDual::find_error(const double primal, const double dual) const
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /
                                         (1. + std::abs(limits[b])));
   const double reference = std::max(std::abs(primal) / now.tau, unit);
+  if (getenv("SDDEBUG")) fprintf(stderr, "gap %g bal %g bnd %g mul %g work %g tau %g kappa %g mean %g\n", std::abs(primal - dual) / now.tau /reference, relative(residual.balance) / size_of_loads, of_bounds/now.tau, of_multipliers/now.tau, std::abs(residual.live_work) / now.tau, now.tau, now.kappa, mean_product());
   return std::max({std::abs(primal - dual) / now.tau /
                        std::max(reference, std::numeric_limits<double>::min()),
                    relative(residual.balance) / size_of_loads,

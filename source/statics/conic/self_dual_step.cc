@@ -47,6 +47,24 @@ constexpr unsigned int n_self_dual_gradients = 12;
 /** Where the refinement of the bordered system stops. */
 constexpr double reduction_of_refinement = 1e-2, small_residual = 1e-13;
 constexpr unsigned int n_refined_steps = 3, n_refined_cones = 2;
+
+/**
+ * The z = W^-2 B x of a circle or a cone of friction, by B^T z: of a circle the
+ * head is what makes that of W^2 z vanish.
+ */
+QuadraticCone::Vector multiplier_of(const ConicForces::Cone &cone,
+                                    const QuadraticCone::Scaling &scaling,
+                                    const std::array<double, 3> &of_z)
+{
+  if (cone.n_rows == 3)
+    return {{of_z[0] / cone.b[0][0], of_z[1] / cone.b[1][1],
+             of_z[2] / cone.b[2][2]}};
+  const QuadraticCone::Vector &w = scaling.w;
+  QuadraticCone::Vector z = {
+      {0., of_z[0] / cone.b[1][0], of_z[1] / cone.b[2][1]}};
+  z[0] = -2. * w[0] * (w[1] * z[1] + w[2] * z[2]) / (2. * w[0] * w[0] - 1.);
+  return z;
+}
 } // namespace
 
 /** Find the ratios of the bounds, and the scaling of the cones. */
@@ -89,12 +107,30 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
   if (lambda.empty())
     return z;
   const std::vector<double> along = forces.along(found.u);
+  if (!forces.of().is_plane())
+  {
+    // B is invertible on the rows of each cone.
+    for (std::size_t k = 0; k < lambda.size(); ++k)
+    {
+      const ConicForces::Cone &cone = forces.cones()[k];
+      std::array<double, 3> of_z = {};
+      for (unsigned int i = 0; i < cone.n_rows; ++i)
+      {
+        const std::size_t r = cone.row + i;
+        of_z[i] = r1[r] - along[r];
+        if (program.has_curvature)
+          of_z[i] -= forces.curvature()[r] * found.x[r];
+      }
+      forces.set_cone(z, k, multiplier_of(cone, weights.of_cones[k], of_z));
+    }
+    return z;
+  }
   for (unsigned int n = 0; n < n_refined_cones; ++n)
   {
     const std::vector<double> of_z = forces.of_rows(z);
     std::vector<double> left(r1.size(), 0.);
     for (const ConicForces::Cone &cone : forces.cones())
-      for (std::size_t k = cone.row; k < cone.row + 2; ++k)
+      for (std::size_t k = cone.row; k < cone.row + cone.n_rows; ++k)
       {
         left[k] = r1[k] - along[k] - of_z[k];
         if (program.has_curvature)
@@ -260,6 +296,21 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
   for (std::size_t b = 0; b < g.size(); ++b)
     step.s[b] = -part * residual.bounds[b] - step.s[b] + step.tau * limits[b];
   step.kappa = (-last_product - now.kappa * step.tau) / now.tau;
+  step.scaled.resize(lambda.size());
+  for (std::size_t k = 0; k < lambda.size(); ++k)
+  {
+    const QuadraticCone::Scaling &W = weights.of_cones[k];
+    ScaledStep &scaled = step.scaled[k];
+    scaled.z = W.times(forces.of_cone(step.z, k));
+    scaled.s = W.over(forces.of_cone(step.s, k));
+    if (forces.of().is_plane())
+      continue;
+    // What the equation of the products says has more digits.
+    scaled.s =
+        QuadraticCone::quotient(lambda[k], forces.of_cone(products, k));
+    for (unsigned int i = 0; i < 3; ++i)
+      scaled.s[i] = -scaled.s[i] - scaled.z[i];
+  }
   return step;
 }
 
@@ -271,12 +322,10 @@ double SelfDual::longest(const Step &step) const
     fastest = std::max({fastest, -step.s[b] / now.s[b], -step.z[b] / now.z[b]});
   for (std::size_t k = 0; k < lambda.size(); ++k)
   {
-    const QuadraticCone::Scaling &W = weights.of_cones[k];
-    fastest = std::max({fastest,
-                        QuadraticCone::inverse_of_longest(
-                            lambda[k], W.over(forces.of_cone(step.s, k))),
-                        QuadraticCone::inverse_of_longest(
-                            lambda[k], W.times(forces.of_cone(step.z, k)))});
+    const ScaledStep &of = step.scaled[k];
+    fastest =
+        std::max({fastest, QuadraticCone::inverse_of_longest(lambda[k], of.s),
+                  QuadraticCone::inverse_of_longest(lambda[k], of.z)});
   }
   return 1. / fastest;
 }
@@ -292,10 +341,7 @@ void SelfDual::find_products(const Step &step,
         (now.s[b] + length * step.s[b]) * (now.z[b] + length * step.z[b]);
   for (std::size_t k = 0; k < lambda.size(); ++k)
   {
-    QuadraticCone::Vector s =
-        weights.of_cones[k].over(forces.of_cone(step.s, k));
-    QuadraticCone::Vector z =
-        weights.of_cones[k].times(forces.of_cone(step.z, k));
+    QuadraticCone::Vector s = step.scaled[k].s, z = step.scaled[k].z;
     for (unsigned int i = 0; i < 3; ++i)
     {
       s[i] = lambda[k][i] + length * s[i];
@@ -315,9 +361,8 @@ void SelfDual::add_second_order(const Step &step,
     products[b] += step.s[b] * step.z[b] - target;
   for (std::size_t k = 0; k < lambda.size(); ++k)
   {
-    const QuadraticCone::Vector of_step = QuadraticCone::product(
-        weights.of_cones[k].over(forces.of_cone(step.s, k)),
-        weights.of_cones[k].times(forces.of_cone(step.z, k)));
+    const QuadraticCone::Vector of_step =
+        QuadraticCone::product(step.scaled[k].s, step.scaled[k].z);
     QuadraticCone::Vector of_cone = forces.of_cone(products, k);
     for (unsigned int i = 0; i < 3; ++i)
       of_cone[i] += of_step[i];
@@ -464,7 +509,9 @@ SelfDual::State SelfDual::step()
   }
   if (length < 1.)
     length *= std::min(std::max(usual_fraction, 1. - mean), largest_fraction);
+  if (getenv("SDDEBUG")) { double sl=1e300, se=0; for (std::size_t k=0;k<lambda.size();++k){ auto W=weights.of_cones[k]; auto ws=W.over(forces.of_cone(best.s,k)); double d=0,m=0; for(int i=0;i<3;++i){d=std::max(d,std::abs(ws[i]-best.scaled[k].s[i]));m=std::max(m,std::abs(lambda[k][i]));} se=std::max(se,d/m); sl=std::min(sl,m);} double wmax=0, emin=1e300, emax=0; for (auto &w: weights.of_cones){wmax=std::max(wmax,w.w[0]);emin=std::min(emin,w.eta_squared);emax=std::max(emax,w.eta_squared);} fprintf(stderr,"|du| %g |dz| %g |dx| %g |u| %g |z| %g |x| %g wmax %g eta2 %g %g\n", largest_component(best.u), largest_component(best.z), largest_component(best.x), largest_component(now.u), largest_component(now.z), largest_component(now.x), wmax, emin, emax); fprintf(stderr,"left %g centring %g longest %g scaled error %g smallest lambda %g", left, centring, length, se, sl); }
   length = keep_products_near(best, length);
+  if (getenv("SDDEBUG")) fprintf(stderr," kept %g\n", length);
   if (!std::isfinite(length * (best.tau + best.kappa + best.alpha)))
     return State::stalled;
 
@@ -476,6 +523,8 @@ SelfDual::State SelfDual::step()
   now.alpha += length * best.alpha;
   now.tau += length * best.tau;
   now.kappa += length * best.kappa;
+  if (!forces.of().is_plane())
+    now.s = slacks_of_forces();
   return judge();
 }
 } // namespace Voussoir

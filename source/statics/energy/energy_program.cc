@@ -5,6 +5,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/energy_program.h>
+#include <voussoir/statics/energy/face_joint.h>
 
 #include <algorithm>
 #include <limits>
@@ -85,6 +86,20 @@ EnergySearch::curvatures(const std::vector<JointCost> &costs) const
   std::vector<double> q(rows.n_all_rows(), 0.);
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
+    if (!problem.is_plane())
+    {
+      double *const of_joint = &q[rows.first_row(e)];
+      const double *share = problem.shares(e);
+      problem.for_each_set(e, [&](const unsigned int size,
+                                  const unsigned int row, unsigned int) {
+        std::fill_n(of_joint + row, size,
+                    costs[e].tangential_compliance / *share);
+        if (size != 2)
+          of_joint[row] = costs[e].normal_compliance / *share;
+        ++share;
+      });
+      continue;
+    }
     const unsigned int n = problem.n_contacts(e);
     double *const of_joint = &q[rows.first_row(e)];
     std::fill_n(of_joint, n, costs[e].normal_compliance);
@@ -100,6 +115,17 @@ EnergySearch::linear_costs(const std::vector<JointCost> &costs) const
   std::vector<double> c(rows.n_all_rows(), 0.);
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
+    if (!problem.is_plane())
+    {
+      // The share in the force is that in the stiffness.
+      problem.for_each_set(e, [&](const unsigned int size,
+                                  const unsigned int row, unsigned int) {
+        if (size != 2)
+          c[rows.first_row(e) + row] =
+              costs[e].normal_compliance * problem.tension(e);
+      });
+      continue;
+    }
     const unsigned int n = problem.n_contacts(e);
     for (unsigned int k = 0; k < n; ++k)
       c[rows.first_row(e) + k] =
@@ -127,7 +153,8 @@ EnergySearch::collapse_near(const SelfDual::Point &point)
   const FactorMotion motion = mechanism_near(forces, collapse, of_work_one);
   if (motion.closing > largest_closing_of_collapse)
     return {};
-  return find_mechanism(problem, motion.u);
+  return problem.is_plane() ? find_mechanism(problem, motion.u)
+                            : mechanism_by_rows(rows, motion.u);
 }
 
 EnergyProgram EnergySearch::find(const double error,
@@ -174,6 +201,11 @@ EnergyProgram EnergySearch::find(const double error,
   if (best.mechanism || !nearest)
     return best;
   best.u = std::move(nearest->u);
+  if (!problem.is_plane())
+  {
+    best.forces = rows.forces_of(nearest->x);
+    return best;
+  }
   best.forces.reserve(problem.n_all_rows());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
@@ -191,8 +223,14 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
   std::vector<JointCost> costs;
   costs.reserve(problem.joints().size());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    costs.push_back({1. / problem.contact_stiffness(e),
-                     1. / problem.joints()[e].stiffness(), 0.});
+  {
+    const double compliance = 1. / problem.joints()[e].stiffness();
+    if (problem.is_plane())
+      costs.push_back({1. / problem.contact_stiffness(e), compliance, 0.});
+    else
+      costs.push_back(
+          {compliance, compliance / tangential_part(problem, e), 0.});
+  }
   return costs;
 }
 

@@ -17,8 +17,8 @@ DiscreteProblem::DiscreteProblem(Data data)
       has_load(data.is_loaded), coordinate_rounding(data.coordinate_rounding),
       n_moving_cells(data.n_cells), limits_of_joints(std::move(data.limits))
 {
-  // Formulations count one coefficient a row.
-  Assert(!has_blocks(), dealii::ExcNotImplemented());
+  // Formulations in the plane count one coefficient a row.
+  Assert(!has_blocks() || !is_plane(), dealii::ExcInternalError());
   boost::disjoint_sets_with_storage<> groups(n_bodies());
   for (const Joint &joint : joints())
     groups.union_set(joint.cell_minus, joint.cell_plus);

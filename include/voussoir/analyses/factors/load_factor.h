@@ -4,6 +4,9 @@
 
 #include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/scene/scene.h>
+#include <voussoir/scene/space/face_forces.h>
+#include <voussoir/scene/space/space_motion.h>
+#include <voussoir/scene/space/space_scene.h>
 #include <voussoir/statics/problem/solution.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -40,9 +43,10 @@ struct FactorTrials
 
 /**
  * The greatest factor, or the least, of the live loads that is carried beside
- * the dead loads, between two proofs.
+ * the dead loads, between two proofs; in the plane, of a Scene, or in space.
  */
-struct LoadFactor
+template <typename SceneOf>
+struct FactorOf
 {
   /** True if there is no greatest, or least, factor. */
   bool is_unbounded = false;
@@ -53,9 +57,9 @@ struct LoadFactor
   /** None beyond it is carried; infinite if unbounded. */
   double bound = std::numeric_limits<double>::infinity();
   /** The forces at the factor `carried`. */
-  InterfaceForces forces;
+  typename SceneOf::Forces forces;
   /** The mechanism that proves the bound, as Mechanism::motion. */
-  Motion mechanism;
+  typename SceneOf::MotionOfBlocks mechanism;
   /** Its errors as a proof. */
   FactorBound proof;
   /** @{ */
@@ -89,36 +93,44 @@ struct LoadFactor
   double width() const;
 };
 
+/** That in the plane. */
+using LoadFactor = FactorOf<Scene>;
+
 /** One of the two. */
-struct LoadFactorAnswer
+template <typename SceneOf>
+struct FactorAnswerOf
 {
   /** The factor, if any factor is carried. */
-  std::optional<LoadFactor> factor;
+  std::optional<FactorOf<SceneOf>> factor;
   /**
    * The mechanism in which the dead loads collapse with any factor, since the
    * live ones do no work, or alone if no factor is known with which they do
    * not, as Mechanism::motion.
    */
-  Motion collapse;
+  typename SceneOf::MotionOfBlocks collapse;
   /** True if that is with any factor. */
   bool collapses_with_any = false;
 };
+
+/** That in the plane. */
+using LoadFactorAnswer = FactorAnswerOf<Scene>;
 
 /**
  * Find the greatest factor, or the least, of the loads of @p live beside those
  * of @p dead, by ProvenFactor. The dead loads need not be carried alone.
  *
- * @param dead the scene with the dead loads.
+ * @param dead the scene with the dead loads, in the plane or in space.
  * @param live the same scene with the live loads instead.
  * @param controls of the method.
  * @param terminal sees the iterations.
  * @throws InputError if there are no live loads.
  * @throws SolverError if no forces prove a factor.
  */
-LoadFactorAnswer find_load_factor(const Scene &dead,
-                                  const Scene &live,
-                                  const LoadFactorControls &controls,
-                                  Terminal &terminal);
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> find_load_factor(const SceneOf &dead,
+                                         const SceneOf &live,
+                                         const LoadFactorControls &controls,
+                                         Terminal &terminal);
 } // namespace Voussoir
 
 #endif

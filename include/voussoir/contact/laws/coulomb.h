@@ -23,12 +23,12 @@ public:
     return "Coefficient, Pair coefficients, Cohesion, Pair cohesions";
   }
   void add_parameters(dealii::ParameterHandler &prm) override;
-  Strengths strengths(const Packing<2> &packing) const override;
+  Strengths strengths(const JointMeans &means) const override;
   /** c_e of each interface, the mean; see means(). */
-  std::vector<double> cohesions(const Packing<2> &packing,
+  std::vector<double> cohesions(const JointMeans &means,
                                 std::vector<std::string> &warnings) const
   {
-    return means(packing, cohesion, warnings);
+    return means(cohesion, warnings);
   }
 
 private:
@@ -52,7 +52,7 @@ public:
   }
   std::string entries() const override { return coulomb.entries(); }
   void add_parameters(dealii::ParameterHandler & /*prm*/) override {}
-  Strengths strengths(const Packing<2> &packing) const override;
+  Strengths strengths(const JointMeans &means) const override;
 
 private:
   const Coulomb &coulomb;

@@ -2,8 +2,8 @@
 #ifndef voussoir_contact_laws_friction_law_h
 #define voussoir_contact_laws_friction_law_h
 
+#include <voussoir/contact/joint_quantity.h>
 #include <voussoir/contact/strengths.h>
-#include <voussoir/packing/packing.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -29,11 +29,11 @@ public:
   /** Declare the entries that no law before it has. */
   virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
   /**
-   * The strengths of the interfaces of @p packing against sliding.
+   * The strengths of interfaces against sliding, by the @p means over them.
    *
    * @throws InputError as means() does.
    */
-  virtual Strengths strengths(const Packing<2> &packing) const = 0;
+  virtual Strengths strengths(const JointMeans &means) const = 0;
 };
 } // namespace Voussoir
 

@@ -28,7 +28,7 @@ public:
   }
   void add_parameters(dealii::ParameterHandler &prm) override;
   /** @throws InputError as means() does, or if an angle is not below 90. */
-  Strengths strengths(const Packing<2> &packing) const override;
+  Strengths strengths(const JointMeans &means) const override;
 
 private:
   const Coulomb &coulomb;

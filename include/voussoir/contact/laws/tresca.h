@@ -18,7 +18,7 @@ public:
   }
   std::string entries() const override { return "Strength, Pair strengths"; }
   void add_parameters(dealii::ParameterHandler &prm) override;
-  Strengths strengths(const Packing<2> &packing) const override;
+  Strengths strengths(const JointMeans &means) const override;
 
 private:
   JointQuantity strength = {"strength", "Friction", "1",

@@ -2,6 +2,7 @@
 #ifndef voussoir_output_fields_moving_scene_h
 #define voussoir_output_fields_moving_scene_h
 
+#include <voussoir/packing/polyhedra/packing.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
 #include <voussoir/scene/scene.h>
 
@@ -45,6 +46,8 @@ const Part &part_of(const Data &data)
     return data;
   else if constexpr (std::is_same_v<Part, Packing<2>>)
     return data.scene.packing;
+  else if constexpr (std::is_same_v<Part, Packing<3>>)
+    return data.scene.packing();
   else if constexpr (std::is_same_v<Part, Scene>)
     return data.scene;
   else

@@ -2,17 +2,18 @@
 #ifndef voussoir_output_fields_polyhedra_h
 #define voussoir_output_fields_polyhedra_h
 
+#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/output/fields/field_table.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
 namespace Voussoir
 {
-// All quantities of packings in space, in explicit lists.
+// All quantities in space, in explicit lists.
 
 /** The quantities of all polyhedra, fixed cells included. */
-const FieldTable<Packing<3>> &polyhedron_fields();
+const FieldTable<SpaceAnswer> &polyhedron_fields();
 /** The quantities of interfaces. */
-const FieldTable<Packing<3>> &face_interface_fields();
+const FieldTable<SpaceAnswer> &face_interface_fields();
 /** The quantities of boundary faces, and in grids of their parts. */
 const FieldTable<Packing<3>> &boundary_face_fields();
 } // namespace Voussoir

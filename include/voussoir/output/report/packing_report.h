@@ -2,7 +2,7 @@
 #ifndef voussoir_output_report_packing_report_h
 #define voussoir_output_report_packing_report_h
 
-#include <voussoir/packing/polyhedra/packing.h>
+#include <voussoir/analyses/space_analysis.h>
 
 #include <iosfwd>
 #include <string>
@@ -11,13 +11,13 @@
 namespace Voussoir
 {
 /**
- * Write a packing in space as a page; see write_space_report().
+ * Write blocks in space, and what was found of them, as a page; see write_space_report().
  *
  * @param title of the page; may be empty.
  * @param warnings to be shown below the picture.
  */
 void write_packing_report(std::ostream &out,
-                          const Packing<3> &packing,
+                          const SpaceAnswer &answer,
                           const std::string &title,
                           const std::vector<std::string> &warnings);
 } // namespace Voussoir

@@ -2,6 +2,7 @@
 #ifndef voussoir_output_summary_packing_summary_h
 #define voussoir_output_summary_packing_summary_h
 
+#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/packing/polyhedra/packing.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -13,9 +14,9 @@ namespace Voussoir
 /** Show what a packing in space consists of, and what it rests on. */
 void show_packing(Terminal &terminal, const Packing<3> &packing);
 
-/** Write what a packing in space consists of, as JSON. */
+/** Write what blocks in space consist of, and what was found, as JSON. */
 void write_summary_json(std::ostream &out,
-                        const Packing<3> &packing,
+                        const SpaceAnswer &answer,
                         const std::string &title);
 } // namespace Voussoir
 

@@ -2,7 +2,7 @@
 #ifndef voussoir_output_vtu_polyhedra_vtu_h
 #define voussoir_output_vtu_polyhedra_vtu_h
 
-#include <voussoir/packing/polyhedra/packing.h>
+#include <voussoir/analyses/space_analysis.h>
 
 #include <iosfwd>
 
@@ -10,15 +10,16 @@ namespace Voussoir
 {
 /**
  * The polyhedra of a packing, fixed ones included, as a VTK unstructured grid
- * of polyhedra that share no points, with polyhedron_fields() as cell data.
+ * of polyhedra that share no points, with polyhedron_fields() as cell data, and
+ * where they move the displacement of each point.
  */
-void write_blocks_vtu(std::ostream &out, const Packing<3> &packing);
+void write_blocks_vtu(std::ostream &out, const SpaceAnswer &answer);
 
 /**
  * The interfaces as a VTK unstructured grid of polygons, with
  * face_interface_fields() as cell data.
  */
-void write_interfaces_vtu(std::ostream &out, const Packing<3> &packing);
+void write_interfaces_vtu(std::ostream &out, const SpaceAnswer &answer);
 } // namespace Voussoir
 
 #endif

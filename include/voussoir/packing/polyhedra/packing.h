@@ -58,6 +58,8 @@ public:
     dealii::Tensor<1, 3> normal;
     /** |e|; L^2. */
     double area;
+    /** The centroid. */
+    const dealii::Point<3> &middle() const { return centroid; }
   };
 
   /** The part of a face that touches no other cell, and is not supported. */

@@ -33,18 +33,23 @@ public:
     /** The largest value, not negative: zero is within all bounds. */
     double limit;
   };
-  /** A cone of slacks of the two rows of one set. */
+  /** A cone of slacks of the two or three rows of one set. */
   struct Cone
   {
     /** The first of the rows among all. */
     unsigned int row;
+    /** Their number. */
+    unsigned int n_rows;
     /** h of the three slacks. */
     QuadraticCone::Vector limit;
     /**
-     * The two coefficients of B of each slack. Those of the head are zero, or
-     * those of the next one.
+     * The coefficients of B of each slack, as many as there are rows. With two
+     * rows those of the head are zero, or those of the next one; with three B
+     * is diagonal.
      */
-    std::array<std::array<double, 2>, 3> b;
+    std::array<std::array<double, 3>, 3> b;
+    /** The first coefficient of the set among all. */
+    std::size_t coefficient = 0;
   };
   /** What stands for the inverse of each slack's matrix in a linear system. */
   struct Weights
@@ -73,7 +78,8 @@ public:
   const std::vector<double> &curvature() const { return of_cost; }
   /** All bounds, in the order of the rows, of which each has up to two. */
   const std::vector<Bound> &bounds() const { return all_bounds; }
-  /** All cones, two of each section and one of each arc; by their rows. */
+  /** All cones, two of each section, and one of each arc, disc and cone of
+   * friction; by their rows. */
   const std::vector<Cone> &cones() const { return all_cones; }
   /** The number of slacks. */
   std::size_t n_slacks() const
@@ -167,9 +173,12 @@ public:
   std::vector<double> product(const std::vector<double> &u) const;
 
 private:
+  void find_coefficients();
   bool factorise();
   double clear_border_work(std::vector<double> &u, double work) const;
   void invert_sets(const Weights &weights, bool with_curvature);
+  void multiply_by_scalings(const std::vector<double> &d,
+                            std::vector<double> &x) const;
 
   const ForceRows &rows;
   const std::vector<bool> held;
@@ -180,6 +189,8 @@ private:
   std::vector<unsigned int> without_force;
   /** Of each row, or of each pair of a set: K. */
   std::vector<double> coefficients;
+  /** In space without a curvature: W of each cone, of what is prepared. */
+  std::vector<QuadraticCone::Scaling> scalings;
   SparseFactor factor;
   /** f, the solution for it without one, and the work of f in that. */
   std::vector<double> border, of_border;

@@ -27,6 +27,9 @@ namespace Voussoir
  * Tension has the forces f_t |e| as another origin: see offset().
  *
  * Smoothed friction of Tresca has an Arc.
+ *
+ * In space the rows are those of the problem: each pressure has a bound or, with
+ * friction that grows with it, a FrictionCone, and each cell of friction a Disc.
  */
 class ForceRows : public Structure
 {
@@ -67,6 +70,25 @@ public:
     /** b. */
     double strength;
   };
+  /** In space: the tangential forces q of two rows, |q| <= b. */
+  struct Disc
+  {
+    /** The first of the rows among all; they have no bounds. */
+    unsigned int row;
+    /** b. */
+    double strength;
+  };
+  /** In space: a pressure p >= 0 and the tangential forces, |q| <= mu p. */
+  struct FrictionCone
+  {
+    /** The row of the pressure among all, with those of q; without bounds. */
+    unsigned int row;
+    /** mu, positive. */
+    double coefficient;
+    /** The largest pressure, possibly infinite. */
+    double strength;
+  };
+
   /** What limits friction. */
   enum class Friction
   {
@@ -91,6 +113,12 @@ public:
   const std::vector<Section> &sections() const { return all_sections; }
   /** All arcs. */
   const std::vector<Arc> &arcs() const { return all_arcs; }
+  /** All discs. */
+  const std::vector<Disc> &discs() const { return all_discs; }
+  /** All cones of friction. */
+  const std::vector<FrictionCone> &friction_cones() const { return all_cones; }
+  /** The problem. */
+  const DiscreteProblem &of() const { return problem; }
   /** Of each row of each joint of the structure, from those of these rows. */
   std::vector<double> forces_of(const std::vector<double> &x) const;
   /**
@@ -125,6 +153,8 @@ private:
   }
   void add_rays(unsigned int e, unsigned int minus, unsigned int plus);
   void add_contacts(unsigned int e, Friction friction);
+  void add_sets(unsigned int e);
+  std::vector<double> tension() const;
 
   const DiscreteProblem &problem;
   /** For each joint of the problem, the first one here that stands for it. */
@@ -132,6 +162,8 @@ private:
   std::vector<Bounds> of_rows;
   std::vector<Section> all_sections;
   std::vector<Arc> all_arcs;
+  std::vector<Disc> all_discs;
+  std::vector<FrictionCone> all_cones;
 };
 } // namespace Voussoir
 

@@ -4,11 +4,24 @@
 
 #include <voussoir/statics/conic/conic_forces.h>
 #include <voussoir/statics/conic/force_rows.h>
+#include <voussoir/statics/problem/mechanism.h>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
 {
+/** The displacement of the cells of a problem in @p u of its rows, of any size,
+ * as Mechanism::u. */
+std::vector<double> displacement_of_size_one(const DiscreteProblem &problem,
+                                             std::vector<double> u);
+
+/** The mechanism @p u, of the bodies of the rows and of any size; none if the
+ * loads do no more work than the forces of the rows resist. */
+std::optional<Mechanism> mechanism_by_rows(const ForceRows &rows,
+                                           std::vector<double> u);
+
 /** The joints of a problem by rows whose forces have bounds only. */
 class RowProblem
 {
@@ -33,7 +46,10 @@ public:
   std::vector<double> loads(std::vector<double> of_problem,
                             bool with_offset) const;
   /** The displacement of the cells in @p u, of any size, as Mechanism::u. */
-  std::vector<double> of_size_one(std::vector<double> u) const;
+  std::vector<double> of_size_one(std::vector<double> u) const
+  {
+    return displacement_of_size_one(problem, std::move(u));
+  }
 
 private:
   const DiscreteProblem &problem;

@@ -121,7 +121,16 @@ public:
   unsigned int n_iterations() const { return iterations; }
 
 private:
-  using Step = Variables;
+  /** A step of one cone: W^-1 s and W z. */
+  struct ScaledStep
+  {
+    QuadraticCone::Vector s, z;
+  };
+  /** A step of all variables. */
+  struct Step : Variables
+  {
+    std::vector<ScaledStep> scaled = {};
+  };
   /** The residuals of the five groups of equations. */
   struct Residuals
   {
@@ -130,6 +139,8 @@ private:
   };
 
   void take_usual_start();
+  void take_start_of_slacks();
+  std::vector<double> slacks_of_forces() const;
   Residuals residuals() const;
   double curvature_of(const std::vector<double> &x,
                       const std::vector<double> &y) const;

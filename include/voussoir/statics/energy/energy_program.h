@@ -15,7 +15,7 @@ namespace Voussoir
 /** What the forces of one joint cost; nondimensional. See EnergyProgram. */
 struct JointCost
 {
-  /** c^n of each contact, not negative. */
+  /** c^n of each contact, in space of all together; not negative. */
   double normal_compliance = 0.;
   /** c^t, not negative. */
   double tangential_compliance = 0.;

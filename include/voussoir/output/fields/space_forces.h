@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_fields_space_forces_h
+#define voussoir_output_fields_space_forces_h
+
+#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/output/fields/field.h>
+
+namespace Voussoir
+{
+// The quantities in space that follow from forces and motions.
+
+/** Of interfaces: the resultants of their forces, and what they use. */
+Fields<SpaceAnswer> face_forces();
+/** Of interfaces: how they open and slide in a motion. */
+Fields<SpaceAnswer> face_jumps();
+/** Of cells: the loads on them, and fixed cells without. */
+Fields<SpaceAnswer> polyhedron_loads();
+/** Of cells: their motion. */
+Fields<SpaceAnswer> polyhedron_motion();
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/energy/space_state.h>
+#include <voussoir/statics/problem/discretise_space.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The largest error of forces that is rounding; see largest_accepted_error. */
+constexpr double rounding_of_forces = 1e-10;
+
+/** Two sets of loads together, the second one times @p factor. */
+SpaceLoads sum_of(const SpaceLoads &a, const double factor, const SpaceLoads &b)
+{
+  SpaceLoads sum = a;
+  for (unsigned int c = 0; c < sum.size.size(); ++c)
+  {
+    sum.force[c] += factor * b.force[c];
+    sum.torque[c] += factor * b.torque[c];
+    sum.size[c] += std::abs(factor) * b.size[c];
+  }
+  return sum;
+}
+
+void show_loads(Terminal &terminal,
+                const SpaceScene &scene,
+                const std::string &name)
+{
+  dealii::Tensor<1, 3> sum;
+  double size = 0.;
+  unsigned int n_loaded = 0;
+  for (unsigned int c = 0; c < scene.packing().n_cells(); ++c)
+  {
+    sum += scene.loads.force[c];
+    size += scene.loads.size[c];
+    n_loaded += scene.loads.size[c] > 0.;
+  }
+  terminal.stage(name, text("on ", counted(n_loaded, "cell"), ", in all (",
+                            sum[0], ", ", sum[1], ", ", sum[2],
+                            "), of forces of the size ", size));
+}
+
+std::string words_of_error(const SpaceScene &scene,
+                           const LargestError &largest)
+{
+  const char *const what =
+      largest.kind == LargestError::Kind::balance  ? "the balance of forces"
+      : largest.kind == LargestError::Kind::moment ? "the balance of moments"
+                                                   : "a limit of forces";
+  return text(what, " at ", scene.packing().describe(largest.cell), " at ",
+              text_of_point(scene.packing().centre(largest.cell)));
+}
+
+/**
+ * Judge forces and fill in the status.
+ *
+ * @throws SolverError if their errors are too large.
+ */
+void judge_forces(SpaceAnswer &answer)
+{
+  answer.certificate = certify(answer.scene, answer.forces);
+  const double error = answer.certificate.error();
+  if (!(error <= largest_accepted_error))
+    throw SolverError(
+        text("The forces that were found are wrong by ", error,
+             " of the largest load, in ",
+             words_of_error(answer.scene, answer.certificate.largest),
+             ". The load is close to what the packing can carry, or the sizes "
+             "of blocks or strengths differ by too much; look whether other "
+             "units or loads help."));
+  if (error <= rounding_of_forces)
+    answer.status = {Status::Kind::solved, 0.};
+  else
+    answer.status = {Status::Kind::carried_within, error};
+}
+
+/**
+ * Judge a mechanism and fill in the status.
+ *
+ * @throws SolverError if it proves nothing.
+ */
+void judge_mechanism(SpaceAnswer &answer, const std::string &what)
+{
+  answer.proof = certify_mechanism(answer.scene, answer.motion);
+  if (!proves_collapse(answer.proof))
+    throw SolverError(
+        text("A mechanism was found that proves nothing: joints close by ",
+             answer.proof.closing_violation,
+             " of the displacement, and the loads do ",
+             answer.proof.work_over_dissipation,
+             " times the work that friction dissipates. The load is close to "
+             "what the packing can carry."));
+  answer.is_mechanism = true;
+  answer.status = {Status::Kind::collapse, 0.};
+  answer.message =
+      text(what, " in a mechanism that the proof accepts: joints close by ",
+           answer.proof.closing_violation,
+           " of the displacement, and the loads do ",
+           answer.proof.work_over_dissipation,
+           " times the work that friction dissipates.");
+}
+
+nlohmann::ordered_json json_of(const double x)
+{
+  return std::isfinite(x) ? nlohmann::ordered_json(x)
+                          : nlohmann::ordered_json(x > 0. ? "infinite"
+                                                          : "-infinite");
+}
+
+std::string words_of(const FactorOf<SpaceScene> &factor)
+{
+  const std::string carried = text_to_copy(factor.carried);
+  std::string words;
+  if (factor.is_unbounded)
+    words = carried + " is carried, and so is any beyond it: the live loads "
+                      "balance by pressure alone";
+  else if (!std::isfinite(factor.bound))
+    words = carried + " is carried; no mechanism was found that bounds it";
+  else
+    words = text(carried, " is carried, ", text_to_copy(factor.bound),
+                 " collapses; they differ by ", factor.width(), " of it");
+  if (factor.collapses_without)
+    words += "; the dead loads are not carried without the live ones";
+  return words;
+}
+} // namespace
+
+void SpaceAnalysis::add_entries(dealii::ParameterHandler &prm)
+{
+  add_choice<Question>(
+      prm, "Analysis", question,
+      {{Question::state, "state",
+        "forces that carry the loads, those of least energy, or the mechanism "
+        "in which they collapse; without loads nothing."},
+       {Question::load_factor, "load factor",
+        "the greatest factor of loads that is carried, between two proofs.",
+        "Live loads, Load factor"}},
+      "What is asked of the packing.");
+}
+
+void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Load factor");
+  add_choice<Multiplied>(
+      prm, "Factor", multiplied,
+      {{Multiplied::live_loads, "live loads",
+        "the loads in 'Live loads'; those in 'Loads' stay as they are."},
+       {Multiplied::all_loads, "all loads", "the loads in both sections."}},
+      "What the factor multiplies.");
+  add_choice<Direction>(
+      prm, "Direction", direction,
+      {{Direction::greatest, "greatest",
+        "the greatest factor that is carried."},
+       {Direction::least, "least",
+        "the least one, which is negative where the loads may also act the "
+        "other way."}},
+      "Which end of the factors that are carried is looked for.");
+  prm.leave_subsection();
+  prm.enter_subsection("Solver");
+  prm.add_parameter("Tolerance", controls.tolerance,
+                    "The largest force imbalance of a cell to stop at, as a "
+                    "fraction of the sum of the sizes of all loads over the "
+                    "square root of the number of cells.",
+                    Double(1e-14, 1e-2));
+  prm.add_parameter("Tolerance of the load factor",
+                    controls.tolerance_of_factor,
+                    "The largest distance of the two bounds of a load factor "
+                    "to stop at, over the larger of them.",
+                    Double(1e-15, 1.));
+  prm.add_parameter("Maximum iterations", controls.n_max_iterations,
+                    "Give up after so many iterations.", Integer(1, 1000000));
+  add_choice<LinearSolver>(
+      prm, "Linear solver", linear_solver,
+      {{LinearSolver::automatic, "automatic",
+        "the faster one at the size of the packing."},
+       {LinearSolver::direct, "direct", "CHOLMOD's Cholesky factorisation."},
+       {LinearSolver::multigrid, "multigrid",
+        "conjugate gradients with Trilinos' algebraic multigrid ML."}},
+      "How the linear systems of Newton's method are solved.");
+  prm.leave_subsection();
+}
+
+void SpaceAnalysis::check(const SpaceSceneParameters &parameters,
+                          const std::shared_ptr<const SpaceBlocks> &blocks,
+                          Terminal &terminal) const
+{
+  const SpaceScene scene = parameters.scene_of(blocks, terminal);
+  if (scene.is_loaded())
+    show_loads(terminal, scene, "Loads");
+  if (question != Question::load_factor)
+    return;
+  const SpaceScene live = parameters.live_scene_of(blocks, terminal);
+  if (live.is_loaded())
+    show_loads(terminal, live, "Live loads");
+}
+
+SpaceAnswer
+SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
+                      const std::shared_ptr<const SpaceBlocks> &blocks,
+                      Terminal &terminal) const
+{
+  SpaceScene scene = parameters.scene_of(blocks, terminal);
+  if (scene.is_loaded())
+    show_loads(terminal, scene, "Loads");
+  if (question == Question::state)
+    return state_of(std::move(scene), terminal);
+  SpaceScene live = parameters.live_scene_of(blocks, terminal);
+  if (live.is_loaded())
+    show_loads(terminal, live, "Live loads");
+  if (multiplied == Multiplied::all_loads)
+  {
+    live.loads = sum_of(scene.loads, 1., live.loads);
+    scene.loads = SpaceLoads(blocks->packing.n_cells());
+  }
+  return factor_of(std::move(scene), std::move(live), terminal);
+}
+
+SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
+{
+  SpaceAnswer answer = {std::move(scene)};
+  if (!answer.scene.is_loaded())
+    return answer;
+  answer.is_analysed = true;
+  terminal.begin("Statics");
+  const DiscreteProblem problem = discretise(answer.scene);
+  const Solution solution =
+      find_space_state(problem, controls, linear_solver, terminal);
+  if (solution.mechanism)
+  {
+    answer.motion = dimensional_motion(problem, answer.scene,
+                                       solution.mechanism->u, 1.);
+    judge_mechanism(answer, "The load is not carried: the packing collapses");
+  }
+  else
+  {
+    answer.forces = dimensional_forces(problem, answer.scene, solution);
+    answer.motion = dimensional_motion(
+        problem, answer.scene, solution.u,
+        problem.stress_scale() * problem.length_scale());
+    judge_forces(answer);
+  }
+  answer.summary = {
+      {"formulation", "least energy"},
+      {"selection", solution.selection.empty()
+                        ? "the state of least energy of elastic joints"
+                        : solution.selection},
+      {"iterations", solution.n_iterations}};
+  terminal.stage("Statics",
+                 text(answer.status.description(), " after ",
+                      counted(solution.n_iterations, "iteration")));
+  return answer;
+}
+
+SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
+                                     SpaceScene live,
+                                     Terminal &terminal) const
+{
+  terminal.begin("Load factor");
+  LoadFactorControls of_search;
+  of_search.greatest = direction == Direction::greatest;
+  of_search.tolerance = controls.tolerance_of_factor;
+  of_search.n_max_iterations = controls.n_max_iterations;
+  FactorAnswerOf<SpaceScene> found =
+      find_load_factor(dead, live, of_search, terminal);
+  SpaceAnswer answer = {dead};
+  answer.is_analysed = true;
+  if (!found.factor)
+  {
+    answer.motion = std::move(found.collapse);
+    judge_mechanism(answer,
+                    found.collapses_with_any
+                        ? "The dead loads are not carried, with any factor of "
+                          "the live loads: the packing collapses"
+                        : "The dead loads are not carried, and no factor of "
+                          "the live loads is known that helps: the packing "
+                          "collapses");
+    terminal.stage("Load factor", answer.status.description());
+    return answer;
+  }
+  FactorOf<SpaceScene> &factor = *found.factor;
+  answer.scene.loads = sum_of(dead.loads, factor.carried, live.loads);
+  answer.forces = std::move(factor.forces);
+  answer.motion = std::move(factor.mechanism);
+  answer.is_mechanism = !answer.motion.displacement.empty();
+  judge_forces(answer);
+  nlohmann::ordered_json &json = answer.summary["load_factor"];
+  json = {{"carried", json_of(factor.is_unbounded ? factor.bound
+                                                  : factor.carried)},
+          {"bound", json_of(factor.bound)},
+          {"width", json_of(factor.width())},
+          {"unbounded", factor.is_unbounded}};
+  if (factor.is_unbounded)
+    json["forces_at"] = factor.carried;
+  if (answer.is_mechanism)
+  {
+    json["closing_violation"] = factor.proof.closing_violation;
+    // Only what does not depend on the pressure is cut into cells.
+    const auto &strength = dead.blocks->strengths.of_interface;
+    if (dead.blocks->turns() &&
+        std::any_of(strength.begin(), strength.end(),
+                    [](const double s) { return s > 0.; }))
+      json["bound_of_continuous_faces"] =
+          bound_of_continuous_faces(dead, live, answer.motion).factor;
+  }
+  json["meaning"] = words_of(factor);
+  answer.summary["iterations"] = factor.n_iterations;
+  terminal.stage("Load factor", words_of(factor));
+  return answer;
+}
+} // namespace Voussoir

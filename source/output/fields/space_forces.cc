@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/fields/space_forces.h>
+#include <voussoir/scene/proofs/space_certificate.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+using dealii::Tensor;
+
+namespace
+{
+const Packing<3>::Interface &face_of(const SpaceAnswer &a, const unsigned int e)
+{
+  return a.scene.packing().interfaces()[e];
+}
+
+/** The resultant of an interface, its force along n_e taken apart. */
+struct FaceForce
+{
+  FaceForce(const SpaceAnswer &a, const unsigned int e)
+      : resultant(a.forces.resultant(a.scene.packing(), e)),
+        normal(resultant.force * face_of(a, e).normal),
+        shear(resultant.force - normal * face_of(a, e).normal)
+  {}
+  FaceResultant resultant;
+  double normal;
+  Tensor<1, 3> shear;
+};
+
+FieldCondition<SpaceAnswer> with_forces()
+{
+  return {"with loads that are carried",
+          [](const SpaceAnswer &a) { return !a.forces.empty(); }};
+}
+
+FieldCondition<SpaceAnswer> with_motion()
+{
+  return {"with loads",
+          [](const SpaceAnswer &a) { return !a.motion.displacement.empty(); }};
+}
+
+FieldCondition<SpaceAnswer> with_loads()
+{
+  return {"with loads", [](const SpaceAnswer &a) { return a.is_analysed; }};
+}
+
+/** The value of a cell that moves, or zero. */
+Tensor<1, 3> of_cell(const std::vector<Tensor<1, 3>> &list,
+                     const unsigned int c)
+{
+  return c < list.size() ? list[c] : Tensor<1, 3>();
+}
+
+std::vector<std::string> components(const std::string &name)
+{
+  return {name + "_x", name + "_y", name + "_z"};
+}
+
+/** A field of a vector with its three columns. */
+template <typename Value>
+Field<SpaceAnswer> vector_field(const std::string &name,
+                                const std::string &unit,
+                                const std::string &words,
+                                const Value &value)
+{
+  return Field<SpaceAnswer>(name, unit, words, value)
+      .with_columns(components(name));
+}
+
+/** jumps_of_faces() of an answer, made once for all interfaces. */
+template <typename Of>
+auto jumps_by(const Of &of)
+{
+  return [of](const SpaceAnswer &a) {
+    const auto jumps = std::make_shared<const std::vector<FaceJump>>(
+        jumps_of_faces(*a.scene.blocks, a.motion));
+    return [jumps, of](const unsigned int e) { return of((*jumps)[e]); };
+  };
+}
+} // namespace
+
+Fields<SpaceAnswer> face_forces()
+{
+  return when<SpaceAnswer>(
+      with_forces(),
+      {Field<SpaceAnswer>("normal_force", "S L^2",
+                          "the force on c- along n_e, negative in compression",
+                          [](const SpaceAnswer &a, const unsigned int e) {
+                            return FaceForce(a, e).normal;
+                          }),
+       vector_field("shear_force", "S L^2",
+                    "the force on c- across n_e",
+                    [](const SpaceAnswer &a, const unsigned int e) {
+                      return FaceForce(a, e).shear;
+                    }),
+       vector_field("moment", "S L^3",
+                    "the moment of the forces on c- about the centroid of the "
+                    "polygon",
+                    [](const SpaceAnswer &a, const unsigned int e) {
+                      return FaceForce(a, e).resultant.moment;
+                    }),
+       vector_field("eccentricity", "L",
+                    "from the centroid to the place of the resultant in the "
+                    "polygon; zero where nothing presses",
+                    [](const SpaceAnswer &a, const unsigned int e) {
+                      const FaceForce force(a, e);
+                      // n x (r x N n) = N (r - (r . n) n).
+                      return force.normal < 0.
+                                 ? cross_product_3d(face_of(a, e).normal,
+                                                    force.resultant.moment) /
+                                       force.normal
+                                 : Tensor<1, 3>();
+                    }),
+       Field<SpaceAnswer>("normal_stress", "S", "the normal force over |e|",
+                          [](const SpaceAnswer &a, const unsigned int e) {
+                            return FaceForce(a, e).normal / face_of(a, e).area;
+                          })
+           .only_in_grid(),
+       Field<SpaceAnswer>("utilisation", "",
+                          "the size of the shear force over c_e |e| + mu_e N, "
+                          "the strength against sliding",
+                          [](const SpaceAnswer &a, const unsigned int e) {
+                            return utilisation_of_face(*a.scene.blocks,
+                                                       a.forces, e);
+                          })});
+}
+
+Fields<SpaceAnswer> face_jumps()
+{
+  return when<SpaceAnswer>(
+      with_motion(),
+      {Field<SpaceAnswer>(
+           "opening", "L",
+           "the least opening at a vertex, negative where blocks approach",
+           jumps_by([](const FaceJump &jump) { return jump.least_opening; })),
+       Field<SpaceAnswer>(
+           "sliding", "L", "the largest size of the sliding at a vertex",
+           jumps_by([](const FaceJump &jump) { return jump.largest_slip; }))});
+}
+
+Fields<SpaceAnswer> polyhedron_loads()
+{
+  return when<SpaceAnswer>(
+      with_loads(),
+      {vector_field("load", "S L^2", "the sum of the loads on it",
+                    [](const SpaceAnswer &a, const unsigned int c) {
+                      return of_cell(a.scene.loads.force, c);
+                    }),
+       vector_field("torque", "S L^3", "their moment about its centre",
+                    [](const SpaceAnswer &a, const unsigned int c) {
+                      return of_cell(a.scene.loads.torque, c);
+                    })});
+}
+
+Fields<SpaceAnswer> polyhedron_motion()
+{
+  const std::string words =
+      "displacement of the centre: of elastic joints with the modulus 1, or of "
+      "the mechanism, of any size";
+  return when<SpaceAnswer>(
+      with_motion(),
+      {vector_field("displacement", "L", words,
+                    [](const SpaceAnswer &a, const unsigned int c) {
+                      return of_cell(a.motion.displacement, c);
+                    })
+           .at(FieldDescription::Place::points)
+           .saying_in_grid("of each point, with the rotation"),
+       vector_field("rotation", "",
+                    "the vector of the angle, in the unit of the displacement "
+                    "over one of length; zero where blocks do not turn",
+                    [](const SpaceAnswer &a, const unsigned int c) {
+                      return of_cell(a.motion.rotation, c);
+                    })});
+}
+} // namespace Voussoir

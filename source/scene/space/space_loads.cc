@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
+#include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/formula/integrals/simplex_integral.h>
+#include <voussoir/formula/vector_expression.h>
+#include <voussoir/packing/cell_groups.h>
+#include <voussoir/packing/group_names.h>
+#include <voussoir/packing/polyhedra/face_triangles.h>
+#include <voussoir/scene/space/space_loads.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace Voussoir
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/** The distance of a place from a cell, over its size, that counts as none. */
+constexpr double largest_distance_from_block = 1e-6;
+
+const std::vector<std::string> places = {"x", "y", "z"},
+                               places_on_faces = {"x", "y", "z",
+                                                  "nx", "ny", "nz"};
+
+/** Three numbers with commas between; none if they are not that. */
+std::optional<Tensor<1, 3>> three_numbers(const std::string &list)
+{
+  std::istringstream in(list);
+  Tensor<1, 3> v;
+  char comma = ',', more;
+  for (unsigned int i = 0; i < 3; ++i)
+    if (!(i == 0 || (in >> comma && comma == ',')) || !(in >> v[i]) ||
+        !std::isfinite(v[i]))
+      return {};
+  if (in >> more)
+    return {};
+  return v;
+}
+
+Tensor<1, 3> three_or_refuse(const std::string &list,
+                             const std::string &form,
+                             const std::string &begin)
+{
+  const std::optional<Tensor<1, 3>> v = three_numbers(list);
+  if (!v)
+    throw InputError(begin + " '" + list + "'; three finite numbers \"" + form +
+                     "\" are expected, with commas between.");
+  return *v;
+}
+
+/** An expression with three components. */
+VectorExpression vector_in_space(const std::string &formulas,
+                                 const std::vector<std::string> &variables,
+                                 const std::string &parameter)
+{
+  VectorExpression expression(formulas, variables, parameter);
+  if (expression.size() != 3)
+    throw InputError(
+        text("The parameter '", parameter, "' = '", formulas, "' has ",
+             counted(expression.size(), "component"),
+             "; in space three are expected, with semicolons between, and a "
+             "bar | before the next name if there is one."));
+  return expression;
+}
+
+/** A vector and its moment about the centre of a cell, as six values. */
+class ForceDensity
+{
+public:
+  ForceDensity(const VectorExpression &f,
+               const Point<3> &about,
+               std::vector<double> more_variables,
+               std::string where)
+      : f(f), about(about), more(std::move(more_variables)),
+        where(std::move(where))
+  {}
+  void operator()(const Point<3> &x, IntegratedValues &values) const
+  {
+    std::vector<double> variables(x.begin_raw(), x.end_raw());
+    variables.insert(variables.end(), more.begin(), more.end());
+    Tensor<1, 3> force;
+    for (unsigned int i = 0; i < 3; ++i)
+      force[i] = f.component(i, variables, x, where);
+    const Tensor<1, 3> moment = cross_product_3d(x - about, force);
+    values.assign(force.begin_raw(), force.end_raw());
+    values.insert(values.end(), moment.begin_raw(), moment.end_raw());
+  }
+
+private:
+  const VectorExpression &f;
+  const Point<3> about;
+  const std::vector<double> more;
+  const std::string where;
+};
+
+void add_integral(const SimplexIntegral &integral,
+                  const unsigned int cell,
+                  SpaceLoads &loads)
+{
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    loads.force[cell][i] += integral.values[i];
+    loads.torque[cell][i] += integral.values[3 + i];
+  }
+  loads.size[cell] += integral.size;
+}
+
+void append(std::vector<std::string> &warnings,
+            const Inaccuracies &inaccuracies)
+{
+  for (std::string &warning : inaccuracies.warnings())
+    warnings.push_back(std::move(warning));
+}
+
+/** The body force @p b on some cells. */
+void add_body_force(const Packing<3> &packing,
+                    const std::vector<unsigned int> &cells,
+                    const VectorExpression &b,
+                    const std::string &parameter,
+                    SpaceLoads &loads,
+                    std::vector<std::string> &warnings)
+{
+  if (b.is_zero())
+    return;
+  Inaccuracies inaccuracies(parameter);
+  const CellFaces &mesh = packing.polyhedra();
+  for (const unsigned int c : cells)
+  {
+    const Point<3> &centre = packing.centre(c);
+    const Point<3> &centroid = packing.moments(c).centroid;
+    const std::string where = text(", in cell ", c, "; a force must be finite.");
+    const ForceDensity density(b, centre, {}, where);
+    if (b.is_constant())
+    {
+      IntegratedValues values;
+      density(centroid, values);
+      loads.add(c,
+                packing.volume(c) * Tensor<1, 3>({values[0], values[1],
+                                                  values[2]}),
+                centroid - centre);
+      continue;
+    }
+    // Tetrahedra from the centroid, which count as holes where they are.
+    SimplexIntegral sum;
+    for (unsigned int f = mesh.first_face[c]; f < mesh.first_face[c + 1]; ++f)
+      for (const auto &triangle : triangles_of(mesh, f))
+      {
+        std::vector<Point<3>> corners = {centroid};
+        for (const unsigned int k : triangle)
+          corners.push_back(mesh.vertex(f, k));
+        SimplexIntegral part = integral_over_simplex(corners, density);
+        const double volume =
+            cross_product_3d(corners[2] - corners[1], corners[3] - corners[1]) *
+            (corners[1] - centroid);
+        if (volume < 0.)
+          for (double &value : part.values)
+            value = -value;
+        sum.add(part);
+      }
+    inaccuracies.look_at(sum.error, sum.size, 0.,
+                         [&] { return text("in cell ", c); });
+    add_integral(sum, c, loads);
+  }
+  append(warnings, inaccuracies);
+}
+
+/** The largest distance at which @p x is outside of a face, over the size. */
+double distance_outside(const Packing<3> &packing,
+                        const unsigned int cell,
+                        const Point<3> &x)
+{
+  const CellFaces &mesh = packing.polyhedra();
+  double largest = -std::numeric_limits<double>::infinity();
+  for (unsigned int f = mesh.first_face[cell]; f < mesh.first_face[cell + 1];
+       ++f)
+  {
+    const PolygonMoments face = moments_of_face(mesh, f);
+    largest = std::max(largest, (x - face.centroid) * face.normal());
+  }
+  return largest / std::cbrt(packing.volume(cell));
+}
+} // namespace
+
+void SpaceLoadParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection(name);
+  add_choice<Kind>(prm, "Boundary load", kind,
+                   {{Kind::traction, "traction",
+                     "the expressions in 'Traction'.", "Traction"},
+                    {Kind::uniform_stress, "uniform stress",
+                     "g = S n with the tensor S in 'Stress'.", "Stress"}},
+                   "What acts on the boundary.");
+  prm.add_parameter("Traction", traction,
+                    "The components \"g_x; g_y; g_z\" of the traction on the "
+                    "boundary; stresses, tension positive. Expressions in x, "
+                    "y, z and the outward unit normal nx, ny, nz.",
+                    List(Anything(), 3, 3, ";"));
+  prm.add_parameter("Stress", stress,
+                    "The symmetric tensor \"S_xx, S_xy, S_xz; S_yx, S_yy, "
+                    "S_yz; S_zx, S_zy, S_zz\" of the uniform stress; stresses, "
+                    "tension positive.",
+                    List(List(Double(), 3, 3, ","), 3, 3, ";"));
+  prm.add_parameter("Where", loaded_where,
+                    "The boundary faces that the load acts on: those at whose "
+                    "centroid x, y, z, with the outward unit normal nx, ny, "
+                    "nz, this expression is not zero. 1: all that are not "
+                    "supported.",
+                    Anything());
+  prm.add_parameter("Body force", body,
+                    "The components \"b_x; b_y; b_z\" of a force per volume, "
+                    "such as weight: 0; 0; -20 in kN/m^3. Expressions in x, y "
+                    "and z.",
+                    List(Anything(), 3, 3, ";"));
+  prm.add_parameter("Group body forces", body_of_groups,
+                    "The same for groups of cells, or cells by number, in "
+                    "place of 'Body force': \"name: b_x; b_y; b_z | name: b_x; "
+                    "b_y; b_z\", as in stone: 0; 0; -24 | fill: 0; 0; -18.",
+                    Anything());
+  prm.add_parameter("Cell forces", cell_forces,
+                    "Point loads: \"at x, y, z: F_x, F_y, F_z | ...\" for "
+                    "forces on the cells at these places; or by name, as in "
+                    "keystone: 0, 0, -10, on each cell of the group of that "
+                    "name, or on the cell with a number, as in cell 12: 0, 0, "
+                    "-5, at its centroid or at a place, as in cell 12: 0, 0, "
+                    "-5 at 0.3, 0.2, 1.",
+                    Anything());
+  prm.leave_subsection();
+}
+
+SpaceLoads SpaceLoadParameters::loads(const Packing<3> &packing,
+                                      std::vector<std::string> &warnings) const
+{
+  SpaceLoads loads(packing.n_cells());
+  add_tractions(packing, loads, warnings);
+  add_body_forces(packing, loads, warnings);
+  add_cell_forces(packing, loads);
+  return loads;
+}
+
+void SpaceLoadParameters::add_tractions(
+    const Packing<3> &packing,
+    SpaceLoads &loads,
+    std::vector<std::string> &warnings) const
+{
+  const std::string parameter = name + "/Traction";
+  const VectorExpression g =
+      vector_in_space(traction, places_on_faces, parameter);
+  Tensor<2, 3> S;
+  dealii::Patterns::Tools::to_value(stress, S);
+  const bool is_uniform = kind == Kind::uniform_stress;
+  if (is_uniform && ((S - transpose(S)).norm() > 0. || !std::isfinite(S.norm())))
+    throw InputError("'" + name + "/Stress' = '" + stress +
+                     "' must be finite and symmetric: S_xy = S_yx, S_xz = "
+                     "S_zx and S_yz = S_zy.");
+  if (is_uniform ? S.norm() == 0. : g.is_zero())
+    return;
+  const Condition where(loaded_where, places_on_faces, name + "/Where");
+  Inaccuracies inaccuracies(parameter);
+  bool is_any = false;
+  for (const Packing<3>::BoundaryFace &face : packing.boundary_faces())
+  {
+    const Point<3> &x = face.centroid;
+    const Tensor<1, 3> &n = face.normal;
+    if (!where({x[0], x[1], x[2], n[0], n[1], n[2]}))
+      continue;
+    is_any = true;
+    const Point<3> &centre = packing.centre(face.cell);
+    if (is_uniform)
+    {
+      loads.add(face.cell, face.area * (S * n), x - centre);
+      continue;
+    }
+    const ForceDensity density(
+        g, centre, {n[0], n[1], n[2]},
+        text(", on a boundary face of cell ", face.cell,
+             "; a traction must be finite."));
+    SimplexIntegral sum;
+    for (unsigned int p = face.first_part; p < face.first_part + face.n_parts;
+         ++p)
+    {
+      const auto polygon = packing.parts()[p];
+      for (unsigned int k = 1; k + 1 < polygon.size(); ++k)
+        sum.add(integral_over_simplex({polygon[0], polygon[k], polygon[k + 1]},
+                                      density));
+    }
+    inaccuracies.look_at(sum.error, sum.size, 0., [&] {
+      return text("on the face at ", text_of_point(x), " of cell ", face.cell);
+    });
+    add_integral(sum, face.cell, loads);
+  }
+  if (!is_any)
+    throw InputError("The condition '" + loaded_where + "' of '" + name +
+                     "/Where' holds on no face of the boundary that is not "
+                     "supported, so that the load acts nowhere. It is asked at "
+                     "the centroid x, y, z of what is free of each face; where "
+                     "rounding matters write z > 2.999 rather than z == 3.");
+  append(warnings, inaccuracies);
+}
+
+void SpaceLoadParameters::add_body_forces(
+    const Packing<3> &packing,
+    SpaceLoads &loads,
+    std::vector<std::string> &warnings) const
+{
+  std::vector<bool> has_own(packing.n_cells(), false);
+  const std::string of_groups = name + "/Group body forces";
+  for (const auto &[group, value] :
+       split_named_list(body_of_groups, of_groups, true))
+  {
+    const std::vector<unsigned int> cells =
+        cells_of_name(packing, group, of_groups);
+    for (const unsigned int c : cells)
+    {
+      if (c >= packing.n_cells())
+        throw InputError("The parameter '" + of_groups +
+                         "' gives a body force to '" + group +
+                         "', which does not move; name another group.");
+      if (has_own[c])
+        throw InputError(text("The parameter '", of_groups,
+                              "' gives a body force to cell ", c,
+                              " twice, the second time as '", group,
+                              "'; give it once."));
+      has_own[c] = true;
+    }
+    add_body_force(packing, cells, vector_in_space(value, places, of_groups),
+                   of_groups, loads, warnings);
+  }
+  std::vector<unsigned int> others;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (!has_own[c])
+      others.push_back(c);
+  const std::string everywhere = name + "/Body force";
+  add_body_force(packing, others, vector_in_space(body, places, everywhere),
+                 everywhere, loads, warnings);
+}
+
+void SpaceLoadParameters::add_cell_forces(const Packing<3> &packing,
+                                          SpaceLoads &loads) const
+{
+  const std::string parameter = name + "/Cell forces";
+  for (const auto &[who, value] : split_named_list(cell_forces, parameter))
+  {
+    const std::size_t at = value.find(" at ");
+    const Tensor<1, 3> force = three_or_refuse(
+        value.substr(0, at), "F_x, F_y, F_z",
+        "The parameter '" + parameter + "' gives '" + who + "' the force");
+    const std::string begin = "The parameter '" + parameter + "' lets a force";
+    if (who.compare(0, 3, "at ") == 0)
+    {
+      const Point<3> x(
+          three_or_refuse(who.substr(3), "x, y, z", begin + " act at"));
+      std::vector<unsigned int> there;
+      double least = std::numeric_limits<double>::infinity();
+      unsigned int nearest = 0;
+      for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      {
+        const double distance = distance_outside(packing, c, x);
+        if (distance <= largest_distance_from_block)
+          there.push_back(c);
+        if (distance < least)
+        {
+          least = distance;
+          nearest = c;
+        }
+      }
+      if (there.empty())
+        throw InputError(text(begin, " act at ", text_of_point(x),
+                              ", which is in no cell; the nearest is ",
+                              packing.describe(nearest), " at ",
+                              text_of_point(packing.centre(nearest)),
+                              ". Correct the place, or name the cell."));
+      for (const unsigned int c : there)
+        loads.add(c, force / double(there.size()), x - packing.centre(c));
+      continue;
+    }
+    const std::vector<unsigned int> cells =
+        cells_of_name(packing, who, parameter);
+    for (const unsigned int c : cells)
+      if (c >= packing.n_cells())
+        throw InputError("The parameter '" + parameter +
+                         "' gives a force to '" + who +
+                         "', which does not move; name another group.");
+    if (at == std::string::npos)
+    {
+      for (const unsigned int c : cells)
+        loads.add(c, force, packing.moments(c).centroid - packing.centre(c));
+      continue;
+    }
+    const Point<3> x(three_or_refuse(value.substr(at + 4), "x, y, z",
+                                     begin + " on '" + who + "' act at"));
+    if (cells.size() != 1)
+      throw InputError(text(begin, " on '", who, "' act at ", text_of_point(x),
+                            ", but there are ", cells.size(),
+                            " cells of that name; name one cell, as in cell "
+                            "12, or give the place alone."));
+    if (distance_outside(packing, cells[0], x) > largest_distance_from_block)
+      throw InputError(text(begin, " on '", who, "' act at ", text_of_point(x),
+                            ", which is not a place in ",
+                            packing.describe(cells[0]), " at ",
+                            text_of_point(packing.centre(cells[0])), "."));
+    loads.add(cells[0], force, x - packing.centre(cells[0]));
+  }
+}
+} // namespace Voussoir

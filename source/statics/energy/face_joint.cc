@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/statics/energy/face_joint.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+/** A disc of friction: two tangential forces, at most a strength. */
+struct ElasticDisc
+{
+  double stiffness, strength;
+
+  bool slides(const double *jump) const
+  {
+    return stiffness * std::hypot(jump[0], jump[1]) > strength;
+  }
+  void find_forces(const double *jump, double *force) const
+  {
+    const double factor =
+        slides(jump) ? strength / std::hypot(jump[0], jump[1]) : stiffness;
+    for (unsigned int i = 0; i < 2; ++i)
+      force[i] = factor * jump[i];
+  }
+  void find_second_derivatives(const double *jump, double *second) const
+  {
+    const bool is_sliding = slides(jump);
+    const double size = std::hypot(jump[0], jump[1]);
+    const double across = is_sliding ? strength / size : stiffness,
+                 along = is_sliding ? 0. : stiffness;
+    const double t[] = {is_sliding ? jump[0] / size : 1.,
+                        is_sliding ? jump[1] / size : 0.};
+    second[0] = along * t[0] * t[0] + across * t[1] * t[1];
+    second[1] = second[2] = (along - across) * t[0] * t[1];
+    second[3] = along * t[1] * t[1] + across * t[0] * t[0];
+  }
+};
+
+/** A pressure with friction that grows with it. */
+struct ElasticCone
+{
+  /** Across the joint, and the part of it along the joint. */
+  double stiffness, part;
+  double coefficient;
+  /** The largest tension, that of the tip of the cone. */
+  double tension;
+
+  /** The state of a cone. */
+  enum class State
+  {
+    sticks,
+    slides,
+    open
+  };
+  /** The pressure and friction of a joint that sticks. */
+  struct Trial
+  {
+    double pressure, size;
+    State state;
+    /** The pressure, from the tip, if it slides. */
+    double sliding_pressure;
+  };
+  Trial trial(const double *jump) const
+  {
+    Trial of = {tension - stiffness * jump[0],
+                part * stiffness * std::hypot(jump[1], jump[2]), State::sticks,
+                0.};
+    if (of.size <= coefficient * of.pressure)
+      return of;
+    of.sliding_pressure = (of.pressure + coefficient / part * of.size) /
+                          (1. + coefficient * coefficient / part);
+    of.state = of.sliding_pressure > 0. ? State::slides : State::open;
+    return of;
+  }
+  void find_forces(const double *jump, double *force) const
+  {
+    const Trial of = trial(jump);
+    force[0] = tension;
+    force[1] = force[2] = 0.;
+    if (of.state == State::open)
+      return;
+    const bool slides = of.state == State::slides;
+    force[0] -= slides ? of.sliding_pressure : of.pressure;
+    for (unsigned int i = 1; i < 3; ++i)
+      force[i] = part * stiffness * jump[i] *
+                 (slides ? coefficient * of.sliding_pressure / of.size : 1.);
+  }
+  void find_second_derivatives(const double *jump, double *second) const
+  {
+    const Trial of = trial(jump);
+    std::fill_n(second, 9, 0.);
+    if (of.state == State::open)
+      return;
+    if (of.state == State::sticks)
+    {
+      second[0] = stiffness;
+      second[4] = second[8] = part * stiffness;
+      return;
+    }
+    const double size = std::hypot(jump[1], jump[2]);
+    const double t[] = {jump[1] / size, jump[2] / size};
+    const double normal =
+        stiffness / (1. + coefficient * coefficient / part);
+    const double along = coefficient * coefficient * normal,
+                 across = coefficient * of.sliding_pressure / size;
+    second[0] = normal;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      second[1 + i] = second[3 * (1 + i)] = -coefficient * normal * t[i];
+      for (unsigned int j = 0; j < 2; ++j)
+        second[3 * (1 + i) + 1 + j] =
+            (along - across) * t[i] * t[j] + (i == j ? across : 0.);
+    }
+  }
+};
+} // namespace
+
+double tangential_part(const DiscreteProblem &problem, const unsigned int e)
+{
+  const Joint &joint = problem.joints()[e];
+  return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
+}
+
+void FaceJoint::find_forces(const unsigned int e,
+                            const double *jumps,
+                            double *forces) const
+{
+  const Joint &joint = problem.joints()[e];
+  const double *share = problem.shares(e);
+  const double part = tangential_part(problem, e);
+  problem.for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                              unsigned int) {
+    const double stiffness = joint.stiffness() * *share;
+    const double tension = problem.tension(e) * *share;
+    if (size == 1)
+      forces[row] = std::min(stiffness * jumps[row], tension);
+    else if (size == 2)
+      ElasticDisc{part * stiffness, joint.strength * *share}.find_forces(
+          jumps + row, forces + row);
+    else
+      ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
+          jumps + row, forces + row);
+    ++share;
+  });
+}
+
+bool FaceJoint::find_second_derivatives(const unsigned int e,
+                                        const double *jumps,
+                                        double *second) const
+{
+  const Joint &joint = problem.joints()[e];
+  const double *share = problem.shares(e);
+  const double part = tangential_part(problem, e);
+  problem.for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                              const unsigned int coefficient) {
+    const double stiffness = joint.stiffness() * *share;
+    const double tension = problem.tension(e) * *share;
+    double *const block = second + coefficient;
+    if (size == 1)
+      *block = stiffness * jumps[row] <= tension ? stiffness : 0.;
+    else if (size == 2)
+      ElasticDisc{part * stiffness, joint.strength * *share}
+          .find_second_derivatives(jumps + row, block);
+    else
+      ElasticCone{stiffness, part, joint.coefficient, tension}
+          .find_second_derivatives(jumps + row, block);
+    ++share;
+  });
+  // At one point, or at two in the same place: k_e in all directions, or less.
+  const double k = joint.stiffness();
+  const unsigned int n = problem.n_rows(e);
+  if (problem.kinematics().turns() || part != 1.)
+    return false;
+  if (joint.coefficient > 0.)
+    return n == 3 && second[0] == k && second[4] == k && second[8] == k;
+  return n == 3 && second[0] == k && second[1] == k && second[4] == k;
+}
+} // namespace Voussoir

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/newton.h>
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/energy/energy_program.h>
+#include <voussoir/statics/energy/face_joint.h>
+#include <voussoir/statics/energy/proximal_steps.h>
+#include <voussoir/statics/energy/space_state.h>
+#include <voussoir/statics/problem/equilibrate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/**
+ * The steps of Newton's method before an EnergyProgram is asked, unless it is
+ * this near; and those behind it. Far from the limit it takes one to six.
+ */
+constexpr unsigned int n_steps_before_doubt = 8, n_steps_behind = 12;
+constexpr double near_minimum = 1e-4;
+/** The error of the program that is enough to go on from, or without. */
+constexpr double error_of_start = 1e-8, error_of_end = 1e-14,
+                 accepted_error = 1e-11;
+
+/** The search for one state. */
+class SpaceStateSearch
+{
+public:
+  SpaceStateSearch(const DiscreteProblem &problem,
+                   const SolverControls &controls,
+                   const LinearSolver linear_solver,
+                   Terminal &terminal)
+      : problem(problem), controls(controls), linear_solver(linear_solver),
+        terminal(terminal)
+  {}
+
+  Solution find();
+
+private:
+  bool crushes() const
+  {
+    return std::any_of(problem.normal_limits().begin(),
+                       problem.normal_limits().end(),
+                       [](const NormalLimits &limits) {
+                         return std::isfinite(limits.crushing);
+                       });
+  }
+  bool minimise_by_newton(std::vector<double> start, unsigned int n_most);
+  EnergyProgram minimise_by_program(double error);
+  void take(EnergyProgram program);
+
+  const DiscreteProblem &problem;
+  const SolverControls &controls;
+  const LinearSolver linear_solver;
+  Terminal &terminal;
+  Solution found;
+};
+
+/** @return true if it has converged. */
+bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
+                                          const unsigned int n_most)
+{
+  const FaceJoint law(problem);
+  JointSystem system(problem, linear_solver);
+  Newton newton(problem, law, system, std::move(start));
+  ProximalSteps proximal(newton);
+  try
+  {
+    while (newton.imbalance() > controls.tolerance &&
+           (newton.n_iterations() < n_most ||
+            (newton.imbalance() < near_minimum &&
+             newton.n_iterations() < 2 * n_most)))
+    {
+      proximal.advance();
+      terminal.iteration("Newton", text("iteration ", newton.n_iterations(),
+                                        ", imbalance ", newton.imbalance()));
+    }
+  }
+  catch (const NewtonFailure &)
+  {
+    // Where it was before.
+  }
+  found.n_iterations += newton.n_iterations();
+  found.n_evaluations += newton.n_evaluations();
+  found.seconds["linear systems"] += newton.seconds_of_systems();
+  if (!(newton.imbalance() <= controls.tolerance))
+    return false;
+  found.forces = newton.forces();
+  found.u = newton.u();
+  problem.remove_rigid_motions(found.u);
+  found.stop = Stop::Reason::converged;
+  return true;
+}
+
+EnergyProgram SpaceStateSearch::minimise_by_program(const double error)
+{
+  EnergyProgram program =
+      solve_energy_program(problem, elastic_costs(problem), error,
+                           controls.n_max_iterations, terminal);
+  found.n_iterations += program.n_iterations;
+  found.n_evaluations += program.n_iterations;
+  return program;
+}
+
+void SpaceStateSearch::take(EnergyProgram program)
+{
+  if (program.mechanism)
+  {
+    found.stop = Stop::Reason::collapse;
+    found.mechanism = std::move(program.mechanism);
+  }
+  else if (program.error <= accepted_error)
+  {
+    found.stop = Stop::Reason::converged;
+    found.forces = std::move(program.forces);
+    found.u = std::move(program.u);
+    problem.remove_rigid_motions(found.u);
+  }
+}
+
+Solution SpaceStateSearch::find()
+{
+  const bool by_newton = !crushes();
+  if (by_newton && minimise_by_newton(std::vector<double>(problem.n_dofs(), 0.),
+                                      n_steps_before_doubt))
+    return std::move(found);
+  EnergyProgram program =
+      minimise_by_program(by_newton ? error_of_start : error_of_end);
+  if (by_newton && !program.mechanism && !program.u.empty())
+  {
+    if (minimise_by_newton(program.u, n_steps_behind))
+      return std::move(found);
+    if (program.error > accepted_error)
+      program = minimise_by_program(error_of_end);
+  }
+  take(std::move(program));
+  if (found.converged() || found.mechanism)
+    return std::move(found);
+  Solution any =
+      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  any.n_iterations += found.n_iterations;
+  any.n_evaluations += found.n_evaluations;
+  if (any.converged())
+    any.selection = FeasibleState().selection();
+  if (!any.converged() && !any.mechanism)
+    throw SolverError(
+        text("Neither forces that carry the loads nor a mechanism were found "
+             "after ",
+             counted(any.n_iterations, "iteration"),
+             ". The load is close to what the packing can carry, or "
+             "'Solver/Maximum iterations' is small."));
+  return any;
+}
+} // namespace
+
+Solution find_space_state(const DiscreteProblem &problem,
+                          const SolverControls &controls,
+                          const LinearSolver linear_solver,
+                          Terminal &terminal)
+{
+  if (problem.joints().empty() || !problem.is_loaded())
+  {
+    Solution nothing;
+    nothing.forces.resize(problem.n_all_rows());
+    nothing.stop = Stop::Reason::nothing_to_balance;
+    return nothing;
+  }
+  return SpaceStateSearch(problem, controls, linear_solver, terminal).find();
+}
+} // namespace Voussoir
