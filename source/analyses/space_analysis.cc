@@ -104,11 +104,13 @@ void judge_mechanism(SpaceAnswer &answer, const std::string &what)
   answer.is_mechanism = true;
   answer.status = {Status::Kind::collapse, 0.};
   answer.message =
-      text(what, " in a mechanism that the proof accepts: joints close by ",
+      text(what, " in a mechanism in which joints close by ",
            answer.proof.closing_violation,
            " of the displacement, and the loads do ",
-           answer.proof.work_over_dissipation,
-           " times the work that friction dissipates.");
+           std::isfinite(answer.proof.work_over_dissipation)
+               ? text(answer.proof.work_over_dissipation,
+                      " times the work that strengths dissipate.")
+               : "work that no strength dissipates.");
 }
 
 nlohmann::ordered_json json_of(const double x)

@@ -26,19 +26,37 @@ void write_cells_csv(std::ostream &out, const SpaceAnswer &answer)
               answer.scene.packing().polyhedra().n_cells());
 }
 
-void write_corner_forces_csv(std::ostream &out, const FaceForces &forces)
+namespace
 {
+void write_vector(std::ostream &out, const dealii::Tensor<1, 3> &v)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    out << ',' << v[d];
+}
+} // namespace
+
+void write_interface_points_csv(std::ostream &out, const SpaceAnswer &answer)
+{
+  const FaceForces &forces = answer.forces;
+  const auto &points = answer.scene.blocks->points;
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << "interface,x,y,z,force_x,force_y,force_z\n";
-  for (unsigned int e = 0; e + 1 < forces.first.size(); ++e)
-    for (unsigned int k = forces.first[e]; k < forces.first[e + 1]; ++k)
-    {
-      out << e;
-      for (unsigned int i = 0; i < 3; ++i)
-        out << ',' << forces.list[k].place[i];
-      for (unsigned int i = 0; i < 3; ++i)
-        out << ',' << forces.list[k].force[i];
-      out << '\n';
-    }
+  out << "interface,pressure,share,x,y,z"
+      << (forces.empty() ? "" : ",force_x,force_y,force_z") << '\n';
+  for (unsigned int e = 0; e < points.size(); ++e)
+  {
+    unsigned int k = forces.empty() ? 0 : forces.first[e];
+    for (const bool presses : {true, false})
+      for (const FacePoint &point :
+           presses ? points[e].pressure : points[e].friction)
+      {
+        out << e << ',' << presses << ',' << point.share;
+        write_vector(out, point.place);
+        // Without a strength the points of friction have no forces.
+        if (!forces.empty())
+          write_vector(out, k < forces.first[e + 1] ? forces.list[k++].force
+                                                    : dealii::Tensor<1, 3>());
+        out << '\n';
+      }
+  }
 }
 } // namespace Voussoir

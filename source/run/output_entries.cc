@@ -41,7 +41,7 @@ FilesOfRuns files_of_all_runs()
       {interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
        stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
        mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
-       corner_forces_csv, results_pvd,
+       interface_points_csv, results_pvd,
        report_html, drawing_check_html, parameters_prm, summary_json},
       {packing_wkt, packing_off, packing_obj, packing_json, packing_centres},
       is_stress_piece};

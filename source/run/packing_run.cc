@@ -123,10 +123,8 @@ void PackingRun::write(ResultDirectory &files, const SpaceAnswer &answer) const
   files.write(boundary_csv, [&](std::ostream &out) {
     write_boundary_csv(out, packing);
   });
-  if (!answer.forces.empty())
-    files.write(corner_forces_csv, [&](std::ostream &out) {
-      write_corner_forces_csv(out, answer.forces);
-    });
+  if (answer.is_analysed)
+    add(interface_points_csv, write_interface_points_csv);
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
   write_collection(files, {blocks_vtu, interfaces_vtu});

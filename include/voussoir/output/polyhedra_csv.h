@@ -21,14 +21,16 @@ void write_boundary_csv(std::ostream &out, const Packing<3> &packing);
 /** One line per cell, then one per fixed cell, with polyhedron_fields(). */
 void write_cells_csv(std::ostream &out, const SpaceAnswer &answer);
 
-/** The name of the table of the forces at points of interfaces. */
-inline const std::string corner_forces_csv = "corner_forces.csv";
+/** The name of the table of the points of interfaces. */
+inline const std::string interface_points_csv = "interface_points.csv";
 
 /**
  * One line per point of an interface at which a force acts, FacePoints: the
- * number of the interface, the place (L), and the force on c- (S L^2).
+ * number of the interface, 1 if the point bears pressure and 0 if it bears
+ * friction alone, its share of the area, the place (L), and if there are forces
+ * that on c- (S L^2).
  */
-void write_corner_forces_csv(std::ostream &out, const FaceForces &forces);
+void write_interface_points_csv(std::ostream &out, const SpaceAnswer &answer);
 } // namespace Voussoir
 
 #endif

@@ -259,7 +259,6 @@ double SelfDual::find_error(const double primal, const double dual) const
     of_bounds = std::max(of_bounds, std::abs(residual.bounds[b]) /
                                         (1. + std::abs(limits[b])));
   const double reference = std::max(std::abs(primal) / now.tau, unit);
-  if (getenv("SDDEBUG")) fprintf(stderr, "gap %g bal %g bnd %g mul %g work %g tau %g kappa %g mean %g\n", std::abs(primal - dual) / now.tau /reference, relative(residual.balance) / size_of_loads, of_bounds/now.tau, of_multipliers/now.tau, std::abs(residual.live_work) / now.tau, now.tau, now.kappa, mean_product());
   return std::max({std::abs(primal - dual) / now.tau /
                        std::max(reference, std::numeric_limits<double>::min()),
                    relative(residual.balance) / size_of_loads,

@@ -509,9 +509,7 @@ SelfDual::State SelfDual::step()
   }
   if (length < 1.)
     length *= std::min(std::max(usual_fraction, 1. - mean), largest_fraction);
-  if (getenv("SDDEBUG")) { double sl=1e300, se=0; for (std::size_t k=0;k<lambda.size();++k){ auto W=weights.of_cones[k]; auto ws=W.over(forces.of_cone(best.s,k)); double d=0,m=0; for(int i=0;i<3;++i){d=std::max(d,std::abs(ws[i]-best.scaled[k].s[i]));m=std::max(m,std::abs(lambda[k][i]));} se=std::max(se,d/m); sl=std::min(sl,m);} double wmax=0, emin=1e300, emax=0; for (auto &w: weights.of_cones){wmax=std::max(wmax,w.w[0]);emin=std::min(emin,w.eta_squared);emax=std::max(emax,w.eta_squared);} fprintf(stderr,"|du| %g |dz| %g |dx| %g |u| %g |z| %g |x| %g wmax %g eta2 %g %g\n", largest_component(best.u), largest_component(best.z), largest_component(best.x), largest_component(now.u), largest_component(now.z), largest_component(now.x), wmax, emin, emax); fprintf(stderr,"left %g centring %g longest %g scaled error %g smallest lambda %g", left, centring, length, se, sl); }
   length = keep_products_near(best, length);
-  if (getenv("SDDEBUG")) fprintf(stderr," kept %g\n", length);
   if (!std::isfinite(length * (best.tau + best.kappa + best.alpha)))
     return State::stalled;
 

@@ -3,7 +3,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/conic/factor_bounds.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/conic/proven_factor.h>
 #include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/energy/face_joint.h>
 
@@ -203,7 +205,10 @@ EnergyProgram EnergySearch::find(const double error,
   best.u = std::move(nearest->u);
   if (!problem.is_plane())
   {
-    best.forces = rows.forces_of(nearest->x);
+    // Within all limits and balanced, near enough to the minimum.
+    const FactorState state = state_near(forces, {program.dead}, *nearest);
+    best.forces = rows.forces_of(
+        state.residual <= largest_residual_of_state ? state.x : nearest->x);
     return best;
   }
   best.forces.reserve(problem.n_all_rows());

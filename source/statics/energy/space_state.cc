@@ -24,6 +24,9 @@ namespace
  */
 constexpr unsigned int n_steps_before_doubt = 8, n_steps_behind = 12;
 constexpr double near_minimum = 1e-4;
+/** The steps behind the tolerance, and the imbalance that is rounding. */
+constexpr unsigned int n_steps_to_rounding = 3;
+constexpr double rounding_of_steps = 1e-14;
 /** The error of the program that is enough to go on from, or without. */
 constexpr double error_of_start = 1e-8, error_of_end = 1e-14,
                  accepted_error = 1e-11;
@@ -86,13 +89,33 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   {
     // Where it was before.
   }
+  found.forces = newton.forces();
+  found.u = newton.u();
+  double least = newton.imbalance();
+  // Near its end each step doubles the digits.
+  for (unsigned int n = 0; n < n_steps_to_rounding && least > rounding_of_steps &&
+                           least <= controls.tolerance;
+       ++n)
+  {
+    try
+    {
+      newton.full_step();
+    }
+    catch (const NewtonFailure &)
+    {
+      break;
+    }
+    if (!(newton.imbalance() < least))
+      break;
+    least = newton.imbalance();
+    found.forces = newton.forces();
+    found.u = newton.u();
+  }
   found.n_iterations += newton.n_iterations();
   found.n_evaluations += newton.n_evaluations();
   found.seconds["linear systems"] += newton.seconds_of_systems();
-  if (!(newton.imbalance() <= controls.tolerance))
+  if (!(least <= controls.tolerance))
     return false;
-  found.forces = newton.forces();
-  found.u = newton.u();
   problem.remove_rigid_motions(found.u);
   found.stop = Stop::Reason::converged;
   return true;
