@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A scene in the plane that is extruded has the same answers in space, times
+// the thickness: load factors of random cells and walls with all laws, with
+// blocks that turn and that do not; and it does not matter how it stands, in
+// which order its cells come, or in which units it is.
+
+#include "space_scenes.h"
+#include <random>
+
+namespace test_space_extruded
+{
+using namespace Voussoir;
+
+constexpr double thickness = 0.3;
+
+/** Prisms between y = 0 and y = thickness, whose z is the plane's y. */
+CellFaces extruded(const Packing<2> &packing)
+{
+  CellFaces cells;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    std::vector<dealii::Point<2>> base;
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+      base.push_back(packing.vertex(c, i));
+    add_prism(cells, base, -thickness, 0.);
+    const dealii::Point<2> &x = packing.centre(c);
+    cells.centres.emplace_back(x[0], x[1], -0.5 * thickness);
+  }
+  // (x, y, z) to (x, -z, y) keeps the orientation.
+  const auto turn = [](const dealii::Point<3> &p) {
+    return dealii::Point<3>(p[0], -p[2], p[1]);
+  };
+  cells = mapped(std::move(cells), turn);
+  for (dealii::Point<3> &centre : cells.centres)
+    centre = turn(centre);
+  cells.tolerance = 1e-9;
+  return cells;
+}
+
+/** The laws of a scene, and the loads on it. */
+struct Laws
+{
+  double strength, mu, tension;
+  bool turns;
+  dealii::Tensor<1, 2> dead, live;
+};
+
+LoadFactor factor_in_plane(const Packing<2> &packing, const Laws &laws)
+{
+  const auto scene = [&](const dealii::Tensor<1, 2> &b) {
+    Loads loads;
+    loads.traction.resize(packing.boundary_edges().size());
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      loads.body.add(packing, c, packing.area(c) * b);
+    const std::size_t n = packing.interfaces().size();
+    Scene result(packing, std::vector<double>(n, laws.strength), loads,
+                 laws.turns ? rotations() : translations());
+    if (laws.mu > 0.)
+      result.coefficient.assign(n, laws.mu);
+    if (laws.tension > 0.)
+      result.tensile_strength.assign(n, laws.tension);
+    return result;
+  };
+  const auto answer = find_load_factor(scene(laws.dead), scene(laws.live), {},
+                                       Terminal::silent());
+  return answer.factor ? *answer.factor : LoadFactor();
+}
+
+/** As SpaceCase, with supports where the plane has them. */
+SpaceCase in_space(const Packing<2> &packing, const Laws &laws)
+{
+  SpaceCase of{Packing<3>(extruded(packing))};
+  of.strength = laws.strength;
+  of.mu = laws.mu;
+  of.tension = laws.tension;
+  of.turns = laws.turns;
+  return of;
+}
+
+Vector3 upright(const dealii::Tensor<1, 2> &b)
+{
+  return vector(b[0], 0., b[1]);
+}
+
+void compare_with_the_plane()
+{
+  std::mt19937 generator(4);
+  const auto random = [&](const double a, const double b) {
+    return a + (b - a) * (generator() / double(std::mt19937::max()));
+  };
+  unsigned int n_compared = 0;
+  double difference = 0.;
+  for (unsigned int k = 0; k < 24; ++k)
+  {
+    Packing<2> packing = k % 2 == 0 ? random_packing(8 + k, k + 1)
+                                    : wall(3 + k % 3, 3, 2., 1.);
+    std::vector<bool> at_foot;
+    for (const auto &edge : packing.boundary_edges())
+      at_foot.push_back(edge.midpoint()[1] < 1e-9);
+    packing.support(at_foot);
+    const bool is_dry = k % 3 == 0;
+    Laws laws = {is_dry ? 0. : random(0.1, 2.), k % 3 == 1 ? 0. : 0.6,
+                 k % 3 == 2 && k % 4 > 1 ? 0.1 : 0., k % 4 < 3, {}, {}};
+    laws.dead[1] = -1.;
+    laws.live[0] = random(-1., 1.);
+    laws.live[1] = random(-0.2, 0.5);
+    const LoadFactor plane = factor_in_plane(packing, laws);
+    const SpaceCase of = in_space(packing, laws);
+    const auto answer = find_load_factor(
+        SpaceScene(of.blocks(), body_force(of.packing, upright(laws.dead))),
+        SpaceScene(of.blocks(), body_force(of.packing, upright(laws.live))),
+        {}, Terminal::silent());
+    const bool both = answer.factor.has_value() == !plane.forces.empty();
+    if (!both || (answer.factor &&
+                  answer.factor->is_unbounded != plane.is_unbounded))
+      std::cout << "scene " << k << " FAILED" << std::endl;
+    if (!answer.factor || plane.is_unbounded)
+      continue;
+    ++n_compared;
+    difference = std::max(
+        difference, std::abs(answer.factor->bound / plane.bound - 1.));
+  }
+  check("scenes with a factor", n_compared > 12);
+  check_error("difference of factors", difference, 2e-8);
+}
+
+/** A heap of grains on the ground, as it is and otherwise. */
+void invariance()
+{
+  const Packing<2> wall_in_plane = wall(4, 3, 2., 1.);
+  Laws laws = {0.05, 0.5, 0., true, {}, {}};
+  CellFaces cells = extruded(wall_in_plane);
+  const auto factor = [&](CellFaces of, const auto &map, const double unit,
+                          const double stress) {
+    for (dealii::Point<3> &centre : of.centres)
+      centre = map(centre);
+    of = mapped(std::move(of), map);
+    of.tolerance = 1e-9 * unit;
+    Packing<3> packing(of);
+    std::vector<bool> at_foot;
+    const auto direction = [&](const Vector3 &v) {
+      return Vector3(map(dealii::Point<3>(v)) - map(dealii::Point<3>())) / unit;
+    };
+    const Vector3 down = direction(vector(0., 0., -1.)),
+                  side = direction(vector(1., 0.3, 0.));
+    for (const auto &face : packing.boundary_faces())
+      at_foot.push_back(
+          std::abs((face.centroid - map(dealii::Point<3>())) * down) <
+              1e-6 * unit &&
+          face.normal * down > 0.5);
+    SpaceCase result(packing);
+    result.packing = packing;
+    result.packing.support(at_foot);
+    result.strength = laws.strength * stress;
+    result.mu = laws.mu;
+    const double b = stress / unit;
+    const auto found = find_load_factor(
+        SpaceScene(result.blocks(), body_force(result.packing, b * down)),
+        SpaceScene(result.blocks(), body_force(result.packing, b * side)), {},
+        Terminal::silent());
+    return found.factor ? found.factor->bound : 0.;
+  };
+  const auto identity = [](const dealii::Point<3> &p) { return p; };
+  const double expected = factor(cells, identity, 1., 1.);
+  check("a factor", expected > 0.);
+  const auto compare = [&](const std::string &what, const double found,
+                           const double error) {
+    check_error(what, std::abs(found / expected - 1.), error);
+  };
+  const double a = 0.7, b = 1.1;
+  const auto turned = [&](const dealii::Point<3> &p) {
+    const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
+                 y = std::sin(a) * p[0] + std::cos(a) * p[1];
+    return dealii::Point<3>(x, std::cos(b) * y - std::sin(b) * p[2],
+                            std::sin(b) * y + std::cos(b) * p[2]);
+  };
+  compare("turned", factor(cells, turned, 1., 1.), 2e-8);
+  const auto moved = [](const dealii::Point<3> &p) {
+    return p + dealii::Point<3>(1e4, -2e4, 1e4);
+  };
+  compare("moved far away", factor(cells, moved, 1., 1.), 1e-6);
+  for (const double unit : {1e-9, 1e-3, 1e3, 1e9})
+  {
+    const auto scaled = [unit](const dealii::Point<3> &p) {
+      return dealii::Point<3>(unit * p);
+    };
+    compare("in other units", factor(cells, scaled, unit, 1e3 * unit), 2e-8);
+  }
+}
+
+/** Grains under a uniform stress: the tractions are those of the stress. */
+void uniform_stress()
+{
+  dealii::Tensor<2, 3> S;
+  S[0][0] = -1.;
+  S[1][1] = -1.3;
+  S[2][2] = -0.8;
+  S[0][1] = S[1][0] = 0.2;
+  S[1][2] = S[2][1] = -0.1;
+  for (const bool turns : {false, true})
+    for (const double mu : {0., 0.8})
+    {
+      SpaceCase of{Packing<3>(extruded(random_packing(60, 5)))};
+      of.packing = Packing<3>(extruded(random_packing(60, 5)));
+      of.turns = turns;
+      of.mu = mu;
+      of.strength = mu > 0. ? 0. : 1.;
+      const SpaceScene scene(of.blocks(), tractions(of.packing, S));
+      const DiscreteProblem problem = discretise(scene);
+      const Solution solution = find_space_state(
+          problem, {}, LinearSolver::automatic, Terminal::silent());
+      const FaceForces forces = dimensional_forces(problem, scene, solution);
+      double error = 0.;
+      for (unsigned int e = 0; e < of.packing.interfaces().size(); ++e)
+      {
+        const auto &i = of.packing.interfaces()[e];
+        error = std::max(error, (forces.resultant(of.packing, e).force -
+                                 i.area * (S * i.normal))
+                                    .norm());
+      }
+      check_error(text("uniform stress, ", turns ? "turning, " : "", "mu ", mu,
+                       ": forces"),
+                  error, 1e-9);
+      check("  in one step", solution.n_iterations == 1);
+    }
+}
+
+void run()
+{
+  compare_with_the_plane();
+  invariance();
+  uniform_stress();
+}
+
+const RoomTest test("space_extruded", run);
+} // namespace test_space_extruded
