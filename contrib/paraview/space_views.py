@@ -111,13 +111,13 @@ def faces_of(grid):
     return Faces.of(polygons)
 
 
-def loops(following):
-    """Those of a dictionary from each key to the next."""
-    while following:
-        loop, key = [], next(iter(following))
-        while key in following:
-            loop.append(key)
-            key = following.pop(key)
+def loops(after):
+    """The closed lines of a dictionary from each place to the one after it."""
+    while after:
+        loop, place = [], next(iter(after))
+        while place in after:
+            loop.append(place)
+            place = after.pop(place)
         if len(loop) > 2:
             yield loop
 
@@ -125,7 +125,7 @@ def loops(following):
 def cut(faces, normal, offset):
     """What is left of blocks below a plane, closed by polygons in the plane."""
     offset -= BESIDE * np.ptp(faces.points, 0).max()
-    left, places, following_cut = [], {}, {}
+    left, places, after = [], {}, {}
     for (points, vertices, block), out in zip(faces.polygons(), faces.normals()):
         height = points @ normal - offset
         part, crossed = [], []
@@ -140,10 +140,10 @@ def cut(faces, normal, offset):
                 crossed.append(edge)
         # Around what is cut through, the block is on the left.
         crossed.sort(key=lambda edge: places[edge] @ np.cross(normal, out))
-        following_cut.update(zip(crossed[::2], crossed[1::2]))
+        after.update(zip(crossed[::2], crossed[1::2]))
         if part:
             left.append((part, np.zeros(len(part), int), block, False))
-    for loop in loops(following_cut):
+    for loop in loops(after):
         left.append(([places[edge] for edge in loop], np.zeros(len(loop), int),
                      loop[0][0], True))
     if not left:
@@ -164,7 +164,7 @@ def seen(results, faces, colours, options, both_sides=False, of_cut=1.0):
     """A panel of polygons in the colours of their blocks, in perspective: of the faces
     of a cut, which have no shade, so much of the colour is left.
 
-    Planes stay planes with nearness as a coordinate, so that what is hidden is exact."""
+    Planes stay planes with nearness as a coordinate, so that what hides is exact."""
     towards = options.viewer
     right = np.array([-towards[1], towards[0], 0.0])
     right = right / np.linalg.norm(right) if right.any() else np.eye(3)[0]
@@ -216,6 +216,10 @@ def volume_panel(results, limit, options):
     return seen(results, faces_shown(results, "blocks.vtu", options), colours, options)
 
 
+def areas(results, options=None):
+    return results.interfaces().of_cells.get("area", np.empty(0))
+
+
 def joint_panel(results, limit, options):
     support = results.interfaces().of_cells["support"][:, None] == 1
     return seen(results, faces_shown(results, "interfaces.vtu", options),
@@ -225,4 +229,5 @@ def joint_panel(results, limit, options):
 VIEWS_IN_SPACE = {
     "blocks": View("blocks.vtu", group_panel, legend="groups"),
     "volume": View("blocks.vtu", volume_panel, volumes, scale=SEQUENTIAL),
-    "joints": View("interfaces.vtu", joint_panel, legend="joints")}
+    "joints": View("interfaces.vtu", joint_panel, areas, legend="joints",
+                   shows="interfaces")}

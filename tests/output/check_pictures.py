@@ -327,6 +327,9 @@ def check_space():
         scene = os.path.relpath(file, f"{SOURCE}/prm")[:-4]
         expect_views(run(scene, scene.replace("/", "_")), IN_SPACE)
     cube = run("space/grains", "cube", "Packing/Voronoi/Number of points=1")
+    alone = run("space/grains", "alone", "Packing/Voronoi/Number of points=1",
+                "Supports/Where=0")
+    expect_views(alone, IN_SPACE - {"joints"})
     above = "--from=0,0,1"
     image = view("volume", cube, options=[above])
     lit = np.array(MOST) * (SHADE + (1 - SHADE) * LIGHT[2])
@@ -349,8 +352,8 @@ def check_space():
 
 
 def expect_half_of_the_dome():
-    """That a cut leaves half of each block that it passes through the middle of, and
-    closes it: the vector areas of faces add up to nothing."""
+    """Half of the volume, of blocks that are closed: the vector areas of their faces
+    add up to nothing."""
     dome = Results("pictures/space_dome")
     faces = cut(faces_of(dome.read("blocks.vtu")), *half_space("x < 0"))
     first = faces.offsets[:-1]
@@ -400,6 +403,9 @@ def check_refusals():
              "Packings in the plane and in space have no view in common."),
             ([["blocks", to, dome, "--cut=z < 2"]],
              "Nothing is left of the packing by this --cut."),
+            ([["joints", to, "pictures/alone"]],
+             "The view 'joints' shows interfaces, and 'pictures/alone' has none but "
+             "rounding."),
             ([["blocks", to, dome, "--cut=z = 2"]],
              "Argument --cut: invalid half_space value: 'z = 2'; see --help."),
             ([["blocks", to, dome, "--from=0,0,0"]],
