@@ -20,8 +20,9 @@ endforeach()
 # The program, with scenes and manual.
 install(TARGETS voussoir COMPONENT program
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# Scenes of models read files of tests, which are not installed.
 install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir
-  COMPONENT program)
+  COMPONENT program PATTERN prm/space/models EXCLUDE)
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   COMPONENT program PATTERN doxygen EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff

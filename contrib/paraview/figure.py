@@ -3,6 +3,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
@@ -41,25 +42,32 @@ class Figure:
         camera.ParallelProjectionOn()
         camera.SetParallelScale(height / 2)
         camera.SetFocalPoint(width / 2, height / 2, 0)
-        camera.SetPosition(width / 2, height / 2, 1000)
-        camera.SetClippingRange(1, 2000)
+        far = 10 * max(width, height, 1000)
+        camera.SetPosition(width / 2, height / 2, far)
+        camera.SetClippingRange(1, 2 * far)
 
     def add(self, points, offsets, corners, colours, line_width=0):
-        """Polygons, or lines of a width, above all that is already there.
+        """Polygons, or lines of a width, above all that is already there, by a pixel
+        if points have how near they are as a third coordinate.
 
         colours is one colour or one for each cell."""
         if len(offsets) < 2:
             return
         self.layers += 1
-        points = np.column_stack((points, np.full(len(points), self.layers)))
+        nearness, in_space = points[:, 2:].sum(axis=1), points.shape[1] == 3
+        points = np.column_stack((points[:, :2], nearness + self.layers))
         data = poly_data(points, offsets, corners, line_width > 0)
         colours = np.broadcast_to(colours, (len(offsets) - 1, 3))
         data.GetCellData().SetScalars(
             numpy_to_vtk(np.round(255 * colours).astype(np.uint8), deep=True))
-        mapper, actor = vtkPolyDataMapper(), vtkActor()
-        mapper.SetInputData(data)
+        # OpenGL would draw what is not convex as a fan.
+        mapper, actor, triangles = vtkPolyDataMapper(), vtkActor(), vtkTriangleFilter()
+        triangles.SetInputData(data)
+        mapper.SetInputConnection(triangles.GetOutputPort())
         actor.SetMapper(mapper)
         actor.GetProperty().LightingOff()
+        if in_space:  # lines in front of steep polygons keep their width
+            mapper.SetResolveCoincidentTopologyToPolygonOffset()
         if line_width:
             actor.GetProperty().SetLineWidth(line_width)
         self.renderer.AddActor(actor)

@@ -26,6 +26,12 @@ SIX = ("--titles", "; ".join(SELECTIONS))
 OWN = ((),)  # as the scene is
 LOW = "Friction/Strength="
 PUSH = "Loads/Body force=4; -20"
+VAULT = "Packing/vault/"
+POINTED = (VAULT + "Shape=pointed", VAULT + "Abutments=4", VAULT + "Length=0.4",
+           VAULT + "Blocks per row=1", VAULT + "Bond=stack",
+           "Supports/Where=nz < -0.99 && z < -0.9")
+OCULUS = ("Packing/dome/Crown=oculus", "Packing/dome/Embrace=140",
+          "Packing/dome/Sectors=16", "Supports/Where=nz < -0.5 && z < 0.35")
 
 # Name of the picture, scene of prm/, settings of each panel, view, and options of
 # render.py. This is the one place where pictures are defined.
@@ -88,6 +94,36 @@ PICTURES = [
      ("--titles", "weight; weight and push")),
     ("tutorial_mechanism", "tutorial_wall", ((PUSH, LOW + "10.09"),), "mechanism",
      ()),
+    ("space_wall", "space/wall", OWN, "blocks", ("--from=1,-2,1", "--cut=x > 2.74")),
+    ("space_building", "space/building", OWN, "blocks",
+     ("--from=1,-1.5,1", "--width", "700")),
+    ("space_columns", "space/columns", OWN, "blocks",
+     ("--from=1,-2,0.7", "--width", "600")),
+    ("space_stairs", "space/stairs", OWN, "blocks",
+     ("--from=-1,-1.5,1", "--width", "700")),
+    ("space_barrel_vault", "space/barrel_vault", OWN, "blocks",
+     ("--from=1,-1.5,1", "--apart", "0.2", "--width", "700")),
+    ("space_pointed_arch", "space/barrel_vault", (POINTED,), "blocks",
+     ("--from=1,-2,0.7", "--width", "500")),
+    ("space_dome", "space/dome", OWN, "blocks", ("--width", "700")),
+    ("space_dome_joints", "space/dome", OWN, "joints", ("--width", "700")),
+    ("space_dome_oculus", "space/dome", (OCULUS,), "blocks",
+     ("--from=1,-2,1", "--cut=y < 0")),
+    ("space_cross_vault", "space/cross_vault", OWN, "volume", ("--width", "700")),
+    ("space_cross_vault_apart", "space/cross_vault", OWN, "volume",
+     ("--apart", "0.5", "--width", "700")),
+    ("space_grains", "space/grains", OWN, "volume",
+     ("--cut=y < 0.5", "--width", "600")),
+    ("space_bridge", "space/models/bridge", OWN, "blocks",
+     ("--from=1,-2.5,1", "--apart", "0.15")),
+    ("space_snake", "space/models/snake", OWN, "blocks",
+     ("--from=1,-2.5,1", "--width", "700")),
+    ("space_curved_wall", "space/models/curved_wall", OWN, "blocks",
+     ("--from=-1,-2,1.2",)),
+    ("space_oculus_dome", "space/models/oculus_dome", OWN, "blocks",
+     ("--from=1,-2,1.2", "--cut=y < -0.5")),
+    ("space_tessellation", "space/models/tessellation", OWN, "volume",
+     ("--apart", "0.3", "--width", "600")),
 ]
 
 

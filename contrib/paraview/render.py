@@ -16,14 +16,19 @@ from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from figure import Figure, write_png
-from voussoir_views import (COMPRESSION, DARK, GROUPS, RED, ROUNDING, TENSION, VIEWS,
-                            NotThere, Results, block_size, interpolate, scale_of)
+from space_views import (JOINT, SUPPORT, VIEWS_IN_SPACE, direction, half_space,
+                         named_groups)
+from voussoir_views import (COMPRESSION, DARK, GREY, GROUPS, RED, ROUNDING, TENSION,
+                            VIEWS, NotThere, Results, block_size, interpolate, scale_of)
 
+NAMES = list(dict.fromkeys((*VIEWS, *VIEWS_IN_SPACE)))
 FRAMES = 24
+FIXED = [(GREY, "does not move")]
 SWATCHES = {"chains": [(COMPRESSION, "compression")],
             "thrust": [(COMPRESSION, "line of thrust")],
             "resultants": [(COMPRESSION, "resultant")],
             "loads": [(RED, "load"), (DARK, "support")],
+            "joints": [(JOINT, "joint"), (SUPPORT, "support")],
             "principal": [(COMPRESSION, "compression"), (TENSION, "tension")]}
 
 
@@ -35,7 +40,8 @@ class Parser(argparse.ArgumentParser):
 def parse(arguments):
     parser = Parser(prog="render.py", description="Pictures of results of voussoir.")
     parser.add_argument("view", metavar="VIEW",
-                        help=", ".join(VIEWS) + "; or all: each one that the "
+                        help=", ".join(VIEWS) + "; of packings in space " +
+                        ", ".join(VIEWS_IN_SPACE) + "; or all: each one that the "
                         "results allow, in the directory PICTURE")
     parser.add_argument("picture", metavar="PICTURE",
                         help="a .png; of an animation also .ogv, or NAME_%%02d.png "
@@ -56,13 +62,22 @@ def parse(arguments):
     parser.add_argument("--fraction", type=float, default=0.5,
                         help="of the mean block that the largest displacement is "
                         "drawn as; default 0.5")
+    space = parser.add_argument_group("packings in space")
+    space.add_argument("--from", dest="viewer", type=direction, metavar="X,Y,Z",
+                       default="1,-1,1", help="towards the viewer, as --from=-1,-2,1; "
+                       "default 1,-1,1")
+    space.add_argument("--cut", type=half_space, metavar="WHAT", help="what is cut "
+                       "away, as 'y < 0.5', in the coordinates of the packing")
+    space.add_argument("--apart", type=float, default=0.0, metavar="FACTOR",
+                       help="moves blocks away from the middle of the packing, by "
+                       "this times their distance from it")
     return parser.parse_intermixed_args(arguments)
 
 
 def check(options):
-    if options.view not in VIEWS and options.view != "all":
+    if options.view not in NAMES and options.view != "all":
         raise NotThere(f"There is no view '{options.view}'; choose one of "
-                       f"{', '.join(VIEWS)}, or all.")
+                       f"{', '.join(NAMES)}, or all.")
     if options.limit is not None and not 0 < options.limit < np.inf:
         raise NotThere("The limit must be positive.")
     if not 100 <= options.width <= 8000:
@@ -71,6 +86,8 @@ def check(options):
         raise NotThere("There must be at least one column.")
     if options.titles and len(options.titles) != len(options.directories):
         raise NotThere("Give as many titles as directories.")
+    if not 0 <= options.apart < np.inf:
+        raise NotThere("The factor of --apart must not be negative.")
     check_picture(options.view, options.picture)
 
 
@@ -93,11 +110,26 @@ def number(value):
     return f"{value:.0f}" if "e+" in text and abs(value) < 1e6 else text
 
 
+def views_of(results):
+    """The views that there are of packings in the plane, or in space."""
+    in_space = {result.in_space() for result in results}
+    if len(in_space) > 1:
+        raise NotThere("Packings in the plane and in space have no view in common.")
+    return VIEWS_IN_SPACE if in_space.pop() else VIEWS
+
+
 class Picture:
     """A view of some results, with its scale and legend."""
 
     def __init__(self, name, results, options):
-        self.name, self.view, self.results = name, VIEWS[name], results
+        views = views_of(results)
+        if name not in views:
+            where = "in space" if results[0].in_space() else "in the plane"
+            raise NotThere(f"There is no view '{name}' of packings {where}; choose one "
+                           f"of {', '.join(views)}, or all.")
+        if views is VIEWS and (options.cut or options.apart):
+            raise NotThere("There is no --cut and no --apart of packings in the plane.")
+        self.name, self.view, self.results = name, views[name], results
         self.options = copy(options)
         for result in results:
             missing = self.view.missing(result)
@@ -149,7 +181,9 @@ class Picture:
             return ("where the resultant passes through a joint; blue: in its middle "
                     "third")
         if self.name == "blocks":
-            return "groups of blocks"
+            return "groups of blocks" if len(self.swatches()) > 1 else "blocks"
+        if self.name == "joints":
+            return "where blocks touch"
         if self.name == "utilisation":
             return "utilisation of friction; at 1 an interface slides"
         if self.name in ("mechanism", "animation"):
@@ -170,9 +204,13 @@ class Picture:
         if self.view.legend == "groups":
             names = {}
             for result in self.results:
-                found = np.unique(result.blocks().of_cells["group"])
+                found = (named_groups(result) if result.in_space() else
+                         np.unique(result.blocks().of_cells["group"]))
                 names.update((i, result.groups()[i]) for i in found)
-            return [(GROUPS[i % len(GROUPS)], name) for i, name in sorted(names.items())]
+            held = any(result.summary["packing"].get("fixed_cells")
+                       for result in self.results)
+            return [(GROUPS[i % len(GROUPS)], name)
+                    for i, name in sorted(names.items())] + FIXED * held
         pulls = self.view.legend == "chains" and self.high > 0
         return SWATCHES["principal" if pulls else self.view.legend]
 
@@ -226,6 +264,8 @@ def draw_bar(figure, picture, x, y, layout):
 
 
 def draw_swatches(figure, swatches, x, y, layout):
+    if not swatches:
+        return
     font = layout.font
     pitch = min(9 * font, layout.size[0] / len(swatches))
     middles = x + pitch * (np.arange(len(swatches)) - (len(swatches) - 1) / 2)
@@ -248,9 +288,9 @@ def draw(picture, options, bounds=None):
         pixels = scale * np.sqrt(np.prod(high - low) / panel.n_blocks)
         line = float(np.clip(0.05 * pixels, 0.25, 1.5)) * max(1, options.width / 800)
         for layer in panel.layers:
-            figure.add((layer.points - (low + high) / 2) * scale + middle,
-                       layer.offsets, layer.corners, layer.colours,
-                       line * layer.line_width)
+            flat = (layer.points[:, :2] - (low + high) / 2) * scale + middle
+            figure.add(np.hstack((flat, layer.points[:, 2:] * scale)), layer.offsets,
+                       layer.corners, layer.colours, line * layer.line_width)
         if titles:
             figure.text(middle[0], middle[1] + layout.height / 2 + 0.4 * layout.font,
                         titles[i].strip(), layout.font, layout.width)
@@ -306,7 +346,7 @@ def render(name, file, results, options):
 
 def render_all(folder, results, options):
     os.makedirs(folder, exist_ok=True)
-    for name, view in VIEWS.items():
+    for name, view in views_of(results).items():
         if not any(view.missing(result) for result in results):
             ending = "ogv" if name == "animation" else "png"
             render(name, os.path.join(folder, f"{name}.{ending}"), results, options)

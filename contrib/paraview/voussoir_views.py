@@ -60,8 +60,11 @@ class Results:
     def has(self, name):
         return os.path.exists(os.path.join(self.directory, name))
 
-    @lru_cache(maxsize=None)
-    def grid(self, name):
+    def in_space(self):
+        return self.summary.get("dimension") == 3
+
+    def read(self, name):
+        """An unstructured grid of VTK."""
         reader = (vtkXMLPUnstructuredGridReader if name.endswith(".pvtu")
                   else vtkXMLUnstructuredGridReader)()
         file = os.path.join(self.directory, name)
@@ -70,7 +73,11 @@ class Results:
             raise NotThere(f"'{self.directory}' has no {name} that can be read; "
                            f"its status is '{self.summary.get('status')}'.")
         reader.Update()
-        return Grid(reader.GetOutput())
+        return reader.GetOutput()
+
+    @lru_cache(maxsize=None)
+    def grid(self, name):
+        return Grid(self.read(name))
 
     def blocks(self):
         return self.grid("blocks.vtu")
@@ -118,7 +125,9 @@ class Results:
 
 @dataclass
 class Layer:
-    """Polygons, or lines whose width is that of outlines times line_width."""
+    """Polygons, or lines whose width is that of outlines times line_width.
+
+    A third coordinate of points is how near they are to the viewer."""
     points: np.ndarray
     offsets: np.ndarray
     corners: np.ndarray
@@ -135,7 +144,7 @@ class Panel:
 
     def bounds(self):
         """The lower left and the upper right corner."""
-        points = np.concatenate([layer.points for layer in self.layers])
+        points = np.concatenate([layer.points[:, :2] for layer in self.layers])
         return points.min(axis=0), points.max(axis=0)
 
 

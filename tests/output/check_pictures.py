@@ -20,6 +20,8 @@ sys.path.insert(0, f"{SOURCE}/contrib/paraview")
 import pictures  # noqa: E402
 import render  # noqa: E402
 from macro import chains  # noqa: E402
+from space_views import (  # noqa: E402
+    LIGHT, SHADE, SUPPORT, cut, faces_of, following, half_space)
 from voussoir_views import MIDDLE_THIRD, ONE_SIGN, Results, interpolate  # noqa: E402
 
 WIDTH = 240
@@ -33,6 +35,7 @@ STRESSES = {"sigma_xx", "sigma_xy", "sigma_yy", "von_mises"}
 SOLVED = STRESSES | {"principal", "chains", "resultants", "loads", "utilisation",
                      "blocks", "displacement"}
 PURE_SHEAR = SOLVED - {"chains"}
+IN_SPACE = {"blocks", "volume", "joints"}
 # Scenes with Rotations = true.
 TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
@@ -87,10 +90,10 @@ def share(image, colour):
     return has_colour(image, colour).mean()
 
 
-def above_legend(name, directory, width=1000):
+def above_legend(name, directory, *words, width=1000):
     """The pixels of a view, and where in the packing they are."""
-    image = view(name, directory, width=width)
-    options = render.parse([name, "", directory, "--width", str(width)])
+    image = view(name, directory, width=width, options=words)
+    options = render.parse([name, "", directory, "--width", str(width), *words])
     panel, = render.Picture(name, [render.Results(directory)], options).panels()
     layout = render.Layout([panel.bounds()], options, False)
     middle, scale = layout.place(0)
@@ -318,9 +321,56 @@ def check_extremes():
     expect("the means of a draft", share(view("sigma_xx", draft), DARKEST) > 0.6)
 
 
+def check_space():
+    """Scenes in space; a cube from above, cut, and taken apart; what is not convex."""
+    for file in glob.glob(f"{SOURCE}/prm/space/**/*.prm", recursive=True):
+        scene = os.path.relpath(file, f"{SOURCE}/prm")[:-4]
+        expect_views(run(scene, scene.replace("/", "_")), IN_SPACE)
+    cube = run("space/grains", "cube", "Packing/Voronoi/Number of points=1")
+    alone = run("space/grains", "alone", "Packing/Voronoi/Number of points=1",
+                "Supports/Where=0")
+    expect_views(alone, IN_SPACE - {"joints"})
+    above = "--from=0,0,1"
+    image = view("volume", cube, options=[above])
+    lit = np.array(MOST) * (SHADE + (1 - SHADE) * LIGHT[2])
+    expect("the top of a cube, in the light", share(image, np.round(lit)) > 0.6)
+    image = view("volume", cube, options=[above, "--cut=z > 0.5"])
+    expect("a cut, which has no shade", share(image, MOST) > 0.6)
+    image = view("joints", cube, options=["--from=0,0,-1"])
+    lit = 255 * np.array(SUPPORT) * (SHADE + (1 - SHADE) * LIGHT[2])
+    expect("its support from below", share(image, np.round(lit)) > 0.6)
+    expect_half_of_the_dome()
+    grains = "pictures/space_models_tessellation"
+    together, apart = (view("volume", grains, options=["--apart", factor])[:WIDTH]
+                       for factor in ("0", "1"))
+    expect("there is room between blocks that are apart",
+           share(apart, (255, 255, 255)) > share(together, (255, 255, 255)) + 0.1)
+    # The snake fills 0.23 of the rectangle around its side.
+    image, _ = above_legend("blocks", "pictures/space_models_snake", "--from=0,-1,0")
+    drawn = 1 - share(image, (255, 255, 255))
+    expect(f"what is not convex is not filled, {drawn}", 0.2 < drawn < 0.3)
+
+
+def expect_half_of_the_dome():
+    """Half of the volume, of blocks that are closed: the vector areas of their faces
+    add up to nothing."""
+    dome = Results("pictures/space_dome")
+    faces = cut(faces_of(dome.read("blocks.vtu")), *half_space("x < 0"))
+    first = faces.offsets[:-1]
+    x = faces.points - np.repeat(faces.points[first], np.diff(faces.offsets), 0)
+    products = np.cross(x, x[following(faces.offsets)])
+    areas = np.add.reduceat(products, first) / 2
+    sums = [np.bincount(faces.block, area) for area in areas.T]
+    expect("blocks that are cut are closed", np.abs(sums).max() < 1e-12)
+    volume = (faces.points[first] * areas).sum() / 3
+    expect(f"half of the dome, {volume}",
+           abs(volume / dome.summary["packing"]["volume"] - 0.5) < 1e-6)
+
+
 def check_refusals():
     arch, collapse, to = "pictures/arch", "pictures/collapse", "pictures/refused.png"
-    views, here = ", ".join(render.VIEWS), os.getcwd()
+    views, here = ", ".join(render.NAMES), os.getcwd()
+    dome = "pictures/space_dome"
     os.makedirs("pictures/empty")
     os.makedirs("pictures/folder.png")
     for arguments, message in (
@@ -346,6 +396,24 @@ def check_refusals():
              "The view 'eccentricity' needs interfaces.vtu, which 'pictures/hinges' "
              "does not have; its status is 'collapse'."),
             ([["sigma_xx", to, arch, "--limit", "0"]], "The limit must be positive."),
+            ([["sigma_xx", to, dome]],
+             "There is no view 'sigma_xx' of packings in space; choose one of "
+             "blocks, volume, joints, or all."),
+            ([["blocks", to, dome, arch]],
+             "Packings in the plane and in space have no view in common."),
+            ([["blocks", to, dome, "--cut=z < 2"]],
+             "Nothing is left of the packing by this --cut."),
+            ([["joints", to, "pictures/alone"]],
+             "The view 'joints' shows interfaces, and 'pictures/alone' has none but "
+             "rounding."),
+            ([["blocks", to, dome, "--cut=z = 2"]],
+             "Argument --cut: invalid half_space value: 'z = 2'; see --help."),
+            ([["blocks", to, dome, "--from=0,0,0"]],
+             "Argument --from: invalid direction value: '0,0,0'; see --help."),
+            ([["blocks", to, dome, "--apart=-1"]],
+             "The factor of --apart must not be negative."),
+            ([["blocks", to, arch, "--apart=1"]],
+             "There is no --cut and no --apart of packings in the plane."),
             ([["sigma_xx", to, arch, "--titles", "one;two"]],
              "Give as many titles as directories."),
             ([["sigma_xx", "refused.jpg", arch]],
@@ -434,14 +502,16 @@ def check_documentation():
                named == shown)
     with open(f"{SOURCE}/doc/gallery.md") as file:
         text = file.read()
-    missing = [scene for scene in os.listdir(f"{SOURCE}/prm")
-               if scene.endswith(".prm") and f"../prm/{scene}" not in text]
+    scenes = glob.glob(f"{SOURCE}/prm/**/*.prm", recursive=True)
+    missing = [scene for scene in scenes
+               if f"({os.path.relpath(scene, f'{SOURCE}/doc')})" not in text]
     expect(f"scenes that the gallery lacks, {missing}", not missing)
 
 
 shutil.rmtree("pictures", ignore_errors=True)
 os.makedirs("pictures")
 for check in (check_scenes, check_colours, check_thrust, check_forces, check_hinges,
-              check_extremes, check_refusals, check_macro, check_documentation):
+              check_extremes, check_space, check_refusals, check_macro,
+              check_documentation):
     check()
 print("The pictures are as they should be")
