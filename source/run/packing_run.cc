@@ -8,6 +8,7 @@
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
+#include <voussoir/output/vtu/defects_vtu.h>
 #include <voussoir/output/vtu/interfaces_vtu.h>
 #include <voussoir/output/vtu/packing_files.h>
 #include <voussoir/output/vtu/polyhedra_vtu.h>
@@ -17,6 +18,7 @@
 #include <voussoir/run/packing_run.h>
 
 #include <ostream>
+#include <utility>
 
 namespace Voussoir
 {
@@ -25,13 +27,20 @@ namespace
 /** The factors by which a tolerance is changed, to see whether it matters. */
 constexpr double smaller_tolerance = 0.1, larger_tolerance = 10.;
 
-/** Show what a file of blocks may hide: overlaps, and contacts in doubt. */
-void look_at_model(Terminal &terminal, const Packing<3> &packing)
+/** Warn of blocks of a file that penetrate each other; these as defects. */
+std::vector<CellDefect> look_at_overlaps(Terminal &terminal,
+                                         const CellFaces &cells)
 {
-  const CellFaces &cells = packing.polyhedra();
   const std::vector<CellOverlap> found = overlaps(cells, cells.tolerance);
   if (!found.empty())
     terminal.warning(describe_overlaps(cells, found));
+  return defects_of(cells, found);
+}
+
+/** Show how the contacts of a file of blocks depend on the tolerance. */
+void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
+{
+  const CellFaces &cells = packing.polyhedra();
   if (!(cells.tolerance > 0.))
     return;
   const auto pairs_with = [&](const double factor) {
@@ -90,7 +99,7 @@ std::string PackingRun::carry_out(const std::filesystem::path &directory)
   return {};
 }
 
-Packing<3>
+PackingRun::CheckedPacking
 PackingRun::read_packing(const std::filesystem::path &directory) const
 {
   terminal.begin("Packing");
@@ -99,32 +108,49 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   for (const std::string &notice : packing.notices())
     terminal.warning(notice);
   show_packing(terminal, packing);
-  if (!packing.polyhedra().file.empty())
-    look_at_model(terminal, packing);
-  return packing;
+  const CellFaces &cells = packing.polyhedra();
+  std::vector<CellDefect> defects = cells.defects;
+  if (!cells.file.empty())
+  {
+    const std::vector<CellDefect> more = look_at_overlaps(terminal, cells);
+    defects.insert(defects.end(), more.begin(), more.end());
+    look_at_contacts(terminal, packing);
+  }
+  return {std::move(packing), std::move(defects)};
 }
 
-void PackingRun::write(ResultDirectory &files, const Packing<3> &packing) const
+void PackingRun::write(ResultDirectory &files,
+                       const CheckedPacking &checked) const
 {
   terminal.begin("Output");
+  const auto &[packing, defects] = checked;
   using Writer = void (*)(std::ostream &, const Packing<3> &);
   const auto add = [&](const std::string &name, const Writer writer) {
-    files.write(name, [&](std::ostream &out) { writer(out, packing); });
+    files.write(name, [&](std::ostream &out) { writer(out, checked.packing); });
   };
   add(interfaces_csv, write_interfaces_csv);
   add(cells_csv, write_cells_csv);
   add(boundary_csv, write_boundary_csv);
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
-  write_collection(files, {blocks_vtu, interfaces_vtu});
+  std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
+  if (have_places(defects))
+  {
+    files.write(defects_vtu, [&](std::ostream &out) {
+      write_defects_vtu(out, checked.defects);
+    });
+    grids.push_back(defects_vtu);
+  }
+  write_collection(files, grids);
   write_packing(files, packing);
   if (reports)
     files.write(report_html, [&](std::ostream &out) {
-      write_packing_report(out, packing, output.title, terminal.warnings());
+      write_packing_report(out, checked.packing, output.title,
+                           terminal.warnings(), checked.defects);
     });
   write_parameters(files, prm);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set
-    write_summary_json(out, packing, output.title);
+    write_summary_json(out, checked.packing, output.title, checked.defects);
   });
   files.publish();
   terminal.stage("Output",

@@ -29,7 +29,8 @@ std::vector<SpaceField> numbers_of(const FieldTable<Packing<3>> &table,
 void write_packing_report(std::ostream &out,
                           const Packing<3> &packing,
                           const std::string &title,
-                          const std::vector<std::string> &warnings)
+                          const std::vector<std::string> &warnings,
+                          const std::vector<CellDefect> &defects)
 {
   const FaceContacts contacts = packing.contacts();
   const CellFaces &cells = packing.polyhedra();
@@ -52,7 +53,8 @@ void write_packing_report(std::ostream &out,
                       box.side_length(2))},
       {"Volume", text(packing.volume())},
       {"Blocks that are not convex", text(packing.not_convex().size())}};
-  report.defects = warnings;
+  report.warnings = warnings;
+  report.defects = defects;
   write_space_report(out, report);
 }
 } // namespace Voussoir

@@ -15,11 +15,13 @@ namespace Voussoir
  *
  * @param title of the page; may be empty.
  * @param warnings to be shown below the picture.
+ * @param defects of the blocks, below these.
  */
 void write_packing_report(std::ostream &out,
                           const Packing<3> &packing,
                           const std::string &title,
-                          const std::vector<std::string> &warnings);
+                          const std::vector<std::string> &warnings,
+                          const std::vector<CellDefect> &defects);
 } // namespace Voussoir
 
 #endif

@@ -13,10 +13,15 @@ namespace Voussoir
 /** Show what a packing in space consists of, and what it rests on. */
 void show_packing(Terminal &terminal, const Packing<3> &packing);
 
-/** Write what a packing in space consists of, as JSON. */
+/**
+ * Write what a packing in space consists of, as JSON.
+ *
+ * @param defects of its blocks, of which kinds and numbers are written.
+ */
 void write_summary_json(std::ostream &out,
                         const Packing<3> &packing,
-                        const std::string &title);
+                        const std::string &title,
+                        const std::vector<CellDefect> &defects);
 } // namespace Voussoir
 
 #endif

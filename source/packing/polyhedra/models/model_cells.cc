@@ -163,6 +163,13 @@ ModelCells cells_of_model(const BlockMeshes &meshes,
       model.defects.push_back(defect);
     }
   refuse_defects(model.defects, model.cells);
+  for (ModelDefect &defect : model.defects)
+  {
+    if (defect.kind == DefectKind::separate_parts ||
+        defect.kind == DefectKind::unusable_name)
+      defect.place = blocks[defect.cell].sums.centroid;
+    model.cells.defects.push_back(cell_defect(defect));
+  }
   for (const ModelBlock &block : blocks)
   {
     add_cell(block.mended.surface, model.cells);

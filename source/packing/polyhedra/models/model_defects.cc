@@ -66,6 +66,8 @@ std::string text_of(const DefectKind kind)
     return "vertices within straight edges, left out";
   case DefectKind::bent_face:
     return "faces with vertices off their plane, kept";
+  case DefectKind::overlap:
+    return "blocks that penetrate others, kept without an interface there";
   case DefectKind::repeated_key: return "keys that are there twice";
   case DefectKind::no_mesh: return "blocks without a mesh";
   case DefectKind::other_shape: return "shapes that are no meshes";
@@ -185,6 +187,21 @@ std::string text_of(const ModelDefect &defect)
                     "several without");
   default: return sentence("has ", text_of(defect.kind), ": ", defect.count);
   }
+}
+
+CellDefect cell_defect(const ModelDefect &defect)
+{
+  const std::string words = text_of(defect.kind);
+  const std::size_t comma = words.rfind(", ");
+  return {static_cast<unsigned int>(defect.kind),
+          words.substr(0, comma),
+          comma == words.npos ? "" : words.substr(comma + 2),
+          defect.cell,
+          defect.count,
+          defect.face,
+          defect.size,
+          defect.place,
+          defect.detail};
 }
 
 std::string describe_named(const CellRecords &records, const unsigned int cell)

@@ -3,6 +3,7 @@
 #define voussoir_packing_polyhedra_models_model_defects_h
 
 #include <voussoir/packing/cell_records.h>
+#include <voussoir/packing/polyhedra/cell_defects.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
@@ -46,6 +47,8 @@ struct ModelDefect
     straight_vertex,
     /** Faces whose vertices are off their plane; size: the distance. */
     bent_face,
+    /** Cells that penetrate another; size: how deeply. */
+    overlap,
 
     /** An object of the file has two values of one key. From here on the
      * model is refused. */
@@ -147,6 +150,9 @@ std::string text_of(ModelDefect::Kind kind);
  * surface." or "has 2 faces listed twice; they are left out.".
  */
 std::string text_of(const ModelDefect &defect);
+
+/** A defect that was mended, or is tolerated, for tables and files. */
+CellDefect cell_defect(const ModelDefect &defect);
 
 /** CellRecords::describe(), with the name of the cell's group in quotes. */
 std::string describe_named(const CellRecords &records, unsigned int cell);
