@@ -44,7 +44,7 @@ void run()
   const std::string page = content_of("output/report.html");
   for (const char *const words :
        {"Defects of blocks", "faces listed twice", "taken once",
-        "blocks that penetrate others", "&#39;in it&#39;", "face 6"})
+        "blocks that penetrate others", "'in it'", "face 6"})
     std::cout << words << ": " << (page.find(words) != page.npos) << std::endl;
   std::cout << content_of("output/results.pvd");
   check("a grid of points",

@@ -41,9 +41,9 @@ struct SpaceReport
   /** Labels and texts, for the table below the picture. */
   std::vector<std::pair<std::string, std::string>> summary;
   /** What the run warned of, a sentence each. */
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = {};
   /** What was wrong with the blocks, and was mended or is tolerated. */
-  std::vector<CellDefect> defects;
+  std::vector<CellDefect> defects = {};
 };
 
 /**
