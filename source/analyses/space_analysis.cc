@@ -51,8 +51,7 @@ void show_loads(Terminal &terminal,
                             "), of forces of the size ", size));
 }
 
-std::string words_of_error(const SpaceScene &scene,
-                           const LargestError &largest)
+std::string words_of_error(const SpaceScene &scene, const LargestError &largest)
 {
   const char *const what =
       largest.kind == LargestError::Kind::balance  ? "the balance of forces"
@@ -103,21 +102,20 @@ void judge_mechanism(SpaceAnswer &answer, const std::string &what)
              "what the packing can carry."));
   answer.is_mechanism = true;
   answer.status = {Status::Kind::collapse, 0.};
-  answer.message =
-      text(what, " in a mechanism in which joints close by ",
-           answer.proof.closing_violation,
-           " of the displacement, and the loads do ",
-           std::isfinite(answer.proof.work_over_dissipation)
-               ? text(answer.proof.work_over_dissipation,
-                      " times the work that strengths dissipate.")
-               : "work that no strength dissipates.");
+  answer.message = text(what, " in a mechanism in which joints close by ",
+                        answer.proof.closing_violation,
+                        " of the displacement, and the loads do ",
+                        std::isfinite(answer.proof.work_over_dissipation)
+                            ? text(answer.proof.work_over_dissipation,
+                                   " times the work that strengths dissipate.")
+                            : "work that no strength dissipates.");
 }
 
 nlohmann::ordered_json json_of(const double x)
 {
-  return std::isfinite(x) ? nlohmann::ordered_json(x)
-                          : nlohmann::ordered_json(x > 0. ? "infinite"
-                                                          : "-infinite");
+  return std::isfinite(x)
+             ? nlohmann::ordered_json(x)
+             : nlohmann::ordered_json(x > 0. ? "infinite" : "-infinite");
 }
 
 std::string words_of(const FactorOf<SpaceScene> &factor)
@@ -241,16 +239,16 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
       find_space_state(problem, controls, linear_solver, terminal);
   if (solution.mechanism)
   {
-    answer.motion = dimensional_motion(problem, answer.scene,
-                                       solution.mechanism->u, 1.);
+    answer.motion =
+        dimensional_motion(problem, answer.scene, solution.mechanism->u, 1.);
     judge_mechanism(answer, "The load is not carried: the packing collapses");
   }
   else
   {
     answer.forces = dimensional_forces(problem, answer.scene, solution);
-    answer.motion = dimensional_motion(
-        problem, answer.scene, solution.u,
-        problem.stress_scale() * problem.length_scale());
+    answer.motion =
+        dimensional_motion(problem, answer.scene, solution.u,
+                           problem.stress_scale() * problem.length_scale());
     judge_forces(answer);
   }
   answer.summary = {
@@ -259,9 +257,8 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
                         ? "the state of least energy of elastic joints"
                         : solution.selection},
       {"iterations", solution.n_iterations}};
-  terminal.stage("Statics",
-                 text(answer.status.description(), " after ",
-                      counted(solution.n_iterations, "iteration")));
+  terminal.stage("Statics", text(answer.status.description(), " after ",
+                                 counted(solution.n_iterations, "iteration")));
   return answer;
 }
 
@@ -298,11 +295,11 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
   answer.is_mechanism = !answer.motion.displacement.empty();
   judge_forces(answer);
   nlohmann::ordered_json &json = answer.summary["load_factor"];
-  json = {{"carried", json_of(factor.is_unbounded ? factor.bound
-                                                  : factor.carried)},
-          {"bound", json_of(factor.bound)},
-          {"width", json_of(factor.width())},
-          {"unbounded", factor.is_unbounded}};
+  json = {
+      {"carried", json_of(factor.is_unbounded ? factor.bound : factor.carried)},
+      {"bound", json_of(factor.bound)},
+      {"width", json_of(factor.width())},
+      {"unbounded", factor.is_unbounded}};
   if (factor.is_unbounded)
     json["forces_at"] = factor.carried;
   if (answer.is_mechanism)

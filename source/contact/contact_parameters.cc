@@ -21,17 +21,17 @@ void check_tension(const Packing<dim> &packing, const Strengths &strengths)
     const double cohesion = strengths.of_interface[e];
     const double least = strengths.coefficient[e] * strengths.tensile[e];
     if (least > cohesion)
-      throw InputError(text(
-          "The tensile strength of the interface of ",
-          packing.describe(i.cell_minus), " and ",
-          packing.describe(i.cell_plus), " at ", text_of_point(i.middle()),
-          " is ", strengths.tensile[e], ", but with the coefficient ",
-          strengths.coefficient[e], " and the cohesion ", cohesion,
-          " friction admits no more tension than ",
-          cohesion / strengths.coefficient[e],
-          ". Lower 'Contact/Tensile strength', or give a 'Friction/"
-          "Cohesion' of at least ",
-          least, "."));
+      throw InputError(
+          text("The tensile strength of the interface of ",
+               packing.describe(i.cell_minus), " and ",
+               packing.describe(i.cell_plus), " at ", text_of_point(i.middle()),
+               " is ", strengths.tensile[e], ", but with the coefficient ",
+               strengths.coefficient[e], " and the cohesion ", cohesion,
+               " friction admits no more tension than ",
+               cohesion / strengths.coefficient[e],
+               ". Lower 'Contact/Tensile strength', or give a 'Friction/"
+               "Cohesion' of at least ",
+               least, "."));
   }
 }
 } // namespace

@@ -36,11 +36,10 @@ void add_parts(const Quadrilateral &kite,
   const double h = 1. / n_cuts;
   for (unsigned int i = 0; i < n_cuts; ++i)
     for (unsigned int j = 0; j < n_cuts; ++j)
-      points.push_back(
-          centroid_of({{point_in(kite, i * h, j * h),
-                        point_in(kite, (i + 1) * h, j * h),
-                        point_in(kite, (i + 1) * h, (j + 1) * h),
-                        point_in(kite, i * h, (j + 1) * h)}}));
+      points.push_back(centroid_of(
+          {{point_in(kite, i * h, j * h), point_in(kite, (i + 1) * h, j * h),
+            point_in(kite, (i + 1) * h, (j + 1) * h),
+            point_in(kite, i * h, (j + 1) * h)}}));
 }
 
 void divide_by_sum(std::vector<FacePoint> &points)

@@ -30,10 +30,9 @@ public:
   QuantityFormula(const std::string &formula,
                   const std::string &parameter,
                   const JointQuantity &quantity)
-      : value(formula, variables(), parameter),
-        jumps(jumps_of(value)), formula(formula), parameter(parameter),
-        word(quantity.word), is_positive(quantity.is_positive),
-        inaccuracies(parameter)
+      : value(formula, variables(), parameter), jumps(jumps_of(value)),
+        formula(formula), parameter(parameter), word(quantity.word),
+        is_positive(quantity.is_positive), inaccuracies(parameter)
   {}
 
   /** The mean over interface @p e. */
@@ -168,9 +167,8 @@ std::vector<double> means(const Packing<dim> &packing,
        split_named_list(quantity.of_pairs, parameter))
   {
     const GroupPair pair = pair_of_names(packing, names, parameter);
-    OfPair<dim> prescribed = {names,
-                              QuantityFormula<dim>(formula, parameter, quantity),
-                         false};
+    OfPair<dim> prescribed = {
+        names, QuantityFormula<dim>(formula, parameter, quantity), false};
     const bool is_new = of_pair.emplace(pair, std::move(prescribed)).second;
     if (!is_new)
       throw InputError("The parameter '" + parameter + "' has the pair '" +
@@ -212,10 +210,8 @@ std::vector<double> means(const Packing<dim> &packing,
   return result;
 }
 
-template std::vector<double> means(const Packing<2> &,
-                                   const JointQuantity &,
-                                   std::vector<std::string> &);
-template std::vector<double> means(const Packing<3> &,
-                                   const JointQuantity &,
-                                   std::vector<std::string> &);
+template std::vector<double>
+means(const Packing<2> &, const JointQuantity &, std::vector<std::string> &);
+template std::vector<double>
+means(const Packing<3> &, const JointQuantity &, std::vector<std::string> &);
 } // namespace Voussoir

@@ -5,6 +5,7 @@
 #include <voussoir/output/report/report.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
+#include <voussoir/output/vtu/defects_vtu.h>
 #include <voussoir/output/vtu/drawing_check_vtu.h>
 #include <voussoir/output/vtu/interfaces_vtu.h>
 #include <voussoir/output/vtu/packing_files.h>
@@ -39,10 +40,10 @@ FilesOfRuns files_of_all_runs()
 {
   return {
       {interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
-       stress_vtu, stress_pvtu, drawing_check_vtu, mechanism_csv,
+       stress_vtu, stress_pvtu, drawing_check_vtu, defects_vtu, mechanism_csv,
        mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
-       interface_points_csv, results_pvd,
-       report_html, drawing_check_html, parameters_prm, summary_json},
+       interface_points_csv, results_pvd, report_html, drawing_check_html,
+       parameters_prm, summary_json},
       {packing_wkt, packing_off, packing_obj, packing_json, packing_centres},
       is_stress_piece};
 }

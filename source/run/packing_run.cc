@@ -8,6 +8,7 @@
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
+#include <voussoir/output/vtu/defects_vtu.h>
 #include <voussoir/output/vtu/interfaces_vtu.h>
 #include <voussoir/output/vtu/packing_files.h>
 #include <voussoir/output/vtu/polyhedra_vtu.h>
@@ -17,6 +18,7 @@
 #include <voussoir/run/packing_run.h>
 
 #include <ostream>
+#include <utility>
 
 namespace Voussoir
 {
@@ -25,13 +27,20 @@ namespace
 /** The factors by which a tolerance is changed, to see whether it matters. */
 constexpr double smaller_tolerance = 0.1, larger_tolerance = 10.;
 
-/** Show what a file of blocks may hide: overlaps, and contacts in doubt. */
-void look_at_model(Terminal &terminal, const Packing<3> &packing)
+/** Warn of blocks of a file that penetrate each other; these as defects. */
+std::vector<CellDefect> look_at_overlaps(Terminal &terminal,
+                                         const CellFaces &cells)
 {
-  const CellFaces &cells = packing.polyhedra();
   const std::vector<CellOverlap> found = overlaps(cells, cells.tolerance);
   if (!found.empty())
     terminal.warning(describe_overlaps(cells, found));
+  return defects_of(cells, found);
+}
+
+/** Show how the contacts of a file of blocks depend on the tolerance. */
+void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
+{
+  const CellFaces &cells = packing.polyhedra();
   if (!(cells.tolerance > 0.))
     return;
   const auto pairs_with = [&](const double factor) {
@@ -77,7 +86,8 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
 void PackingRun::validate(const std::filesystem::path &directory) const
 {
   warn_of_unused();
-  analysis.check(of_scene, of_scene.blocks(read_packing(directory), terminal),
+  analysis.check(of_scene,
+                 of_scene.blocks(read_packing(directory).packing, terminal),
                  terminal);
   terminal.stage("Valid", "nothing was solved, and nothing written");
 }
@@ -88,16 +98,19 @@ std::string PackingRun::carry_out(const std::filesystem::path &directory)
   ResultDirectory files(output.directory, files_of_all_runs(), terminal);
   for (const auto &file : of_scene.input_files(directory))
     files.protect(file);
+  CheckedPacking checked = read_packing(directory);
   const SpaceAnswer answer = analysis.answer(
-      of_scene, of_scene.blocks(read_packing(directory), terminal), terminal);
-  write(files, answer);
+      of_scene, of_scene.blocks(std::move(checked.packing), terminal),
+      terminal);
+  write(files, answer, checked.defects);
   return answer.message.empty()
              ? answer.message
-             : answer.message + " " + output.directory + '/' + report_html +
-                   " shows it in a browser, " + blocks_vtu + " in ParaView.";
+             : answer.message + " In " + output.directory + ", " +
+                   (reports ? report_html + " shows it in a browser, " : "") +
+                   blocks_vtu + " in ParaView.";
 }
 
-Packing<3>
+PackingRun::CheckedPacking
 PackingRun::read_packing(const std::filesystem::path &directory) const
 {
   terminal.begin("Packing");
@@ -105,12 +118,20 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   for (const std::string &notice : packing.notices())
     terminal.warning(notice);
   show_packing(terminal, packing);
-  if (!packing.polyhedra().file.empty())
-    look_at_model(terminal, packing);
-  return packing;
+  const CellFaces &cells = packing.polyhedra();
+  std::vector<CellDefect> defects = cells.defects;
+  if (!cells.file.empty())
+  {
+    const std::vector<CellDefect> more = look_at_overlaps(terminal, cells);
+    defects.insert(defects.end(), more.begin(), more.end());
+    look_at_contacts(terminal, packing);
+  }
+  return {std::move(packing), std::move(defects)};
 }
 
-void PackingRun::write(ResultDirectory &files, const SpaceAnswer &answer) const
+void PackingRun::write(ResultDirectory &files,
+                       const SpaceAnswer &answer,
+                       const std::vector<CellDefect> &defects) const
 {
   terminal.begin("Output");
   const Packing<3> &packing = answer.scene.packing();
@@ -120,22 +141,29 @@ void PackingRun::write(ResultDirectory &files, const SpaceAnswer &answer) const
   };
   add(interfaces_csv, write_interfaces_csv);
   add(cells_csv, write_cells_csv);
-  files.write(boundary_csv, [&](std::ostream &out) {
-    write_boundary_csv(out, packing);
-  });
+  files.write(boundary_csv,
+              [&](std::ostream &out) { write_boundary_csv(out, packing); });
   if (answer.is_analysed)
     add(interface_points_csv, write_interface_points_csv);
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
-  write_collection(files, {blocks_vtu, interfaces_vtu});
+  std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
+  if (have_places(defects))
+  {
+    files.write(defects_vtu,
+                [&](std::ostream &out) { write_defects_vtu(out, defects); });
+    grids.push_back(defects_vtu);
+  }
+  write_collection(files, grids);
   write_packing(files, packing);
   if (reports)
     files.write(report_html, [&](std::ostream &out) {
-      write_packing_report(out, answer, output.title, terminal.warnings());
+      write_packing_report(out, answer, output.title, terminal.warnings(),
+                           defects);
     });
   write_parameters(files, prm);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set
-    write_summary_json(out, answer, output.title);
+    write_summary_json(out, answer, output.title, defects);
   });
   files.publish();
   terminal.stage("Output",

@@ -281,8 +281,11 @@ def check_texts(page):
     page.expect("title", page.driver.find_element(By.TAG_NAME, "h1").text
                 == 'A <wall> & "more"')
     page.expect("summary", "27 & 1" in page.driver.find_element(By.ID, "summary").text)
-    page.expect("defects", "Brick 3 is <thin>." in
-                page.driver.find_element(By.ID, "defects").text)
+    page.expect("warnings", "Brick 3 is <thin>." in
+                page.driver.find_element(By.ID, "warnings").text)
+    defects = page.driver.find_element(By.ID, "defects").text
+    page.expect("defects", "faces listed <twice>" in defects and
+                "taken once" in defects and "and 3 more blocks" in defects)
     page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     page.expect("the picture in print", page.js(
         "return ['drawing', 'view', 'controls'].map(i => getComputedStyle("

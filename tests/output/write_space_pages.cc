@@ -43,13 +43,25 @@ void write_wall(std::ostream &out)
   for (unsigned int j = 0; j < contacts.faces.size(); ++j)
     force.values.push_back(j == 3 ? std::numeric_limits<double>::infinity()
                                   : -1. * j);
+  std::vector<CellDefect> defects;
+  for (unsigned int k = 0; k < 13; ++k)
+    defects.push_back({7,
+                       "faces listed <twice>",
+                       "taken once",
+                       k,
+                       1,
+                       k % 6,
+                       0.1 * k,
+                       {},
+                       ""});
   write_space_report(out, {"A <wall> & \"more\"",
                            &cells,
                            &contacts,
                            {numbers(cells), height},
                            {force},
                            {{"Blocks", "27 & 1"}, {"Tolerance", "1e-9 m"}},
-                           {"Brick 3 is <thin>."}});
+                           {"Brick 3 is <thin>."},
+                           defects});
 }
 
 /** Blocks that are not convex, one in the notch of the other. */

@@ -70,6 +70,80 @@ CellFaces mixed_blocks()
   return cells;
 }
 
+/** A place turned about another by @p turn, an angle about its direction. */
+Point<3> turned_about(const Point<3> &middle,
+                      const Tensor<1, 3> &turn,
+                      const Point<3> &place)
+{
+  // Cayley's formula: by the angle 2 atan(|turn| / 2).
+  const Tensor<1, 3> across = cross_product_3d(turn, place - middle);
+  return place + (across + 0.5 * cross_product_3d(turn, across)) /
+                     (1. + 0.25 * turn.norm_square());
+}
+
+/** Blocks on larger ones, on an edge, a corner, or a line within their bottom.
+ */
+CellFaces wedges(const unsigned int n, Random &random)
+{
+  CellFaces cells;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double x = 3. * (k % 7), y = 3. * (k / 7);
+    add_box(cells, {x, y, 0.}, {x + 2., y + 2., 1.});
+    const unsigned int first = cells.vertices.size();
+    add_box(cells, {x + 0.4, y + 0.5, 1.}, {x + 1.5, y + 1.4, 2.});
+    const double middle = 0.4 + 1.1 * random();
+    Tensor<1, 3> turn;
+    for (unsigned int d = 0; d < 3; ++d)
+      turn[d] = 0.1 * (random() - 0.5);
+    for (unsigned int v = first; v < cells.vertices.size(); ++v)
+      cells.vertices[v] =
+          turned_about({x + middle, y + 1., 1.}, turn, cells.vertices[v]);
+  }
+  return cells;
+}
+
+void check_wedges()
+{
+  std::cout << "Blocks with wedges between them, turned, scaled, shuffled"
+            << std::endl;
+  Random random(5);
+  const double d = 0.01;
+  const CellFaces cells = wedges(40, random);
+  std::vector<unsigned int> same(cells.n_cells());
+  std::iota(same.begin(), same.end(), 0);
+  const FaceContacts contacts = face_contacts(cells, {d});
+  const Pairs pairs = pairs_of(cells, contacts, same);
+  const double bottoms = 40. * 1.1 * 0.9, area = total_area(contacts.patches);
+  check("  most touch, in a part of their bottom",
+        pairs.size() > 30 && area > 0.2 * bottoms && area < 0.8 * bottoms);
+  double error = 0., off = 0.;
+  for (unsigned int k = 0; k < 40; ++k)
+  {
+    const Tensor<2, 3> R = random_rotation(random);
+    const double scale = std::pow(10., -3. + 9. * random());
+    const std::vector<unsigned int> order =
+        random_order(cells.n_cells(), random);
+    const CellFaces turned =
+        mapped(renumbered(cells, order, random), [&](const Point<3> &p) {
+          return Point<3>(scale * (R * Tensor<1, 3>(p)));
+        });
+    const FaceContacts found = face_contacts(turned, {scale * d});
+    error = std::max(error, difference(pairs, pairs_of(turned, found, order),
+                                       1. / (scale * scale)));
+  }
+  for (unsigned int k = 0; k < contacts.faces.size(); ++k)
+    for (const unsigned int face : contacts.faces[k])
+    {
+      const PolygonMoments plane = moments_of_face(cells, face);
+      for (const Point<3> &p : contacts.patches[k])
+        off = std::max(off, std::abs((p - plane.centroid) * plane.normal()));
+    }
+  check_error("  areas of patches", error, 1e-12);
+  check_error("  patches are within half the tolerance of both faces",
+              std::max(0., off / (0.5 * d) - 1.), 1e-10);
+}
+
 void check_invariance()
 {
   std::cout << "Blocks that are turned, scaled, shuffled, and moved"
@@ -360,6 +434,7 @@ void check_rough_blocks()
 void run()
 {
   check_invariance();
+  check_wedges();
   check_closed_cells();
   check_exact_areas();
   check_plate();

@@ -178,27 +178,45 @@ void check_tolerance()
         face_contacts(cubes({1. - 1.1 * d, 0., 1.}), {d}).faces.size() == 1);
 }
 
+/** A cube on another one, its bottom turned about x = @p axis. */
+CellFaces wedge(const double slope, const double axis)
+{
+  CellFaces cells;
+  add_box(cells, {0., 0., 0.}, {1., 1., 1.});
+  const unsigned int n = cells.vertices.size();
+  add_box(cells, {0., 0., 1.}, {1., 1., 2.});
+  for (unsigned int v = n; v < cells.vertices.size(); ++v)
+    cells.vertices[v][2] += slope * (cells.vertices[v][0] - axis);
+  return cells;
+}
+
 void check_angles()
 {
   std::cout << "A block that rises by some of the tolerance" << std::endl;
   const double d = 1e-3;
-  for (const double rise : {0.9, 1.1})
+  for (const double rise : {0.9, 1.1, 2., 5., 9., 11.})
   {
-    CellFaces cells;
-    add_box(cells, {0., 0., 0.}, {1., 1., 1.});
-    const unsigned int n = cells.vertices.size();
-    add_box(cells, {0., 0., 1.}, {1., 1., 2.});
-    for (unsigned int v = n; v < cells.vertices.size(); ++v)
-      cells.vertices[v][2] += rise * d * cells.vertices[v][0];
-    const FaceContacts found = face_contacts(cells, {d});
-    check(text("  ", rise, (rise < 1.) ? ": touches" : ": does not"),
-          found.faces.size() == (rise < 1. ? 1 : 0));
-    if (rise < 1.)
-      check_error("  on the plane between them",
-                  std::abs(moments_of(found.patches[0]).normal()[0] +
-                           std::sin(0.5 * std::atan(rise * d))),
-                  1e-15);
+    const FaceContacts found = face_contacts(wedge(rise * d, 0.), {d});
+    check(text("  ", rise, (rise < 10.) ? ": touches" : ": along an edge only"),
+          found.faces.size() == (rise < 10. ? 1 : 0));
+    if (found.faces.empty())
+      continue;
+    const PolygonMoments patch = moments_of(found.patches[0]);
+    const double half_angle = 0.5 * std::atan(rise * d);
+    check_error("  on the plane between them",
+                std::abs(patch.normal()[0] + std::sin(half_angle)), 1e-15);
+    if (rise > 1.) // up to the distance d
+      check_error("  area",
+                  std::abs(patch.area() - 0.5 * d / std::tan(half_angle)),
+                  1e-13);
   }
+  const FaceContacts found = face_contacts(wedge(8. * d, 0.5), {d});
+  check("  that is turned about its middle: touches", found.faces.size() == 1);
+  const PolygonMoments patch = moments_of(found.patches[0]);
+  check_error("  area",
+              std::abs(patch.area() - d / std::tan(0.5 * std::atan(8. * d))),
+              1e-13);
+  check_error("  centroid", patch.centroid.distance({0.5, 0.5, 1.}), 1e-13);
 }
 
 void check_joints()

@@ -143,6 +143,13 @@ void test_obj()
   refuse("a.obj", "v 0 0 0\nf 1 -2 1\n");
   refuse("a.obj", "v 0 0 0\nf 1 a 1\n");
   refuse("a.obj", "v 0 0 0\nf 1 99999999999999999999 1\n");
+  // One run names all lines, each with its block; vertex 9 is of no face.
+  std::string lines = obj_of("zero", cube(0.)) + "f 1 0 3\n" +
+                      obj_of("beyond", cube(10.)) + "f 1 2 99\n" +
+                      obj_of("letter", cube(20.)) + "f 1 b 3\n" +
+                      obj_of("sound", cube(30.)) + "v 1 2\n" +
+                      obj_of("comma", cube(40.)) + "v 1,5 2 3\nf -1 -2 -3\n";
+  refuse("lines.obj", lines);
   refuse("a.obj", std::string("o\0\0\0\0\0", 6));
 }
 

@@ -93,15 +93,19 @@ void compare_with_the_plane()
   double difference = 0.;
   for (unsigned int k = 0; k < 24; ++k)
   {
-    Packing<2> packing = k % 2 == 0 ? random_packing(8 + k, k + 1)
-                                    : wall(3 + k % 3, 3, 2., 1.);
+    Packing<2> packing =
+        k % 2 == 0 ? random_packing(8 + k, k + 1) : wall(3 + k % 3, 3, 2., 1.);
     std::vector<bool> at_foot;
     for (const auto &edge : packing.boundary_edges())
       at_foot.push_back(edge.midpoint()[1] < 1e-9);
     packing.support(at_foot);
     const bool is_dry = k % 3 == 0;
-    Laws laws = {is_dry ? 0. : random(0.1, 2.), k % 3 == 1 ? 0. : 0.6,
-                 k % 3 == 2 && k % 4 > 1 ? 0.1 : 0., k % 4 < 3, {}, {}};
+    Laws laws = {is_dry ? 0. : random(0.1, 2.),
+                 k % 3 == 1 ? 0. : 0.6,
+                 k % 3 == 2 && k % 4 > 1 ? 0.1 : 0.,
+                 k % 4 < 3,
+                 {},
+                 {}};
     laws.dead[1] = -1.;
     laws.live[0] = random(-1., 1.);
     laws.live[1] = random(-0.2, 0.5);
@@ -109,17 +113,17 @@ void compare_with_the_plane()
     const SpaceCase of = in_space(packing, laws);
     const auto answer = find_load_factor(
         SpaceScene(of.blocks(), body_force(of.packing, upright(laws.dead))),
-        SpaceScene(of.blocks(), body_force(of.packing, upright(laws.live))),
-        {}, Terminal::silent());
+        SpaceScene(of.blocks(), body_force(of.packing, upright(laws.live))), {},
+        Terminal::silent());
     const bool both = answer.factor.has_value() == !plane.forces.empty();
-    if (!both || (answer.factor &&
-                  answer.factor->is_unbounded != plane.is_unbounded))
+    if (!both ||
+        (answer.factor && answer.factor->is_unbounded != plane.is_unbounded))
       std::cout << "scene " << k << " FAILED" << std::endl;
     if (!answer.factor || plane.is_unbounded)
       continue;
     ++n_compared;
-    difference = std::max(
-        difference, std::abs(answer.factor->bound / plane.bound - 1.));
+    difference =
+        std::max(difference, std::abs(answer.factor->bound / plane.bound - 1.));
   }
   check("scenes with a factor", n_compared > 12);
   check_error("difference of factors", difference, 2e-8);
@@ -145,10 +149,9 @@ void invariance()
     const Vector3 down = direction(vector(0., 0., -1.)),
                   side = direction(vector(1., 0.3, 0.));
     for (const auto &face : packing.boundary_faces())
-      at_foot.push_back(
-          std::abs((face.centroid - map(dealii::Point<3>())) * down) <
-              1e-6 * unit &&
-          face.normal * down > 0.5);
+      at_foot.push_back(std::abs((face.centroid - map(dealii::Point<3>())) *
+                                 down) < 1e-6 * unit &&
+                        face.normal * down > 0.5);
     SpaceCase result(packing);
     result.packing = packing;
     result.packing.support(at_foot);

@@ -55,14 +55,12 @@ void torsion()
   square.mu = 0.;
   square.strength = 1.;
   // The moment of a square with the same friction everywhere, from both sides.
-  const double exact =
-      (std::sqrt(2.) + std::log(1. + std::sqrt(2.))) / 6.;
+  const double exact = (std::sqrt(2.) + std::log(1. + std::sqrt(2.))) / 6.;
   const double of_kites[] = {0.3536, 0.3744, 0.3804};
   for (unsigned int k = 0; k < 3; ++k)
   {
     square.n_cuts = 1 << k;
-    const auto found =
-        proven_factor("Torsion, Tresca", square, weight, torque);
+    const auto found = proven_factor("Torsion, Tresca", square, weight, torque);
     check_error("  kites", std::abs(found.bound - of_kites[k]), 6e-5);
     const auto blocks = square.blocks();
     const double above =
@@ -70,12 +68,12 @@ void torsion()
                                   SpaceScene(blocks, torque), found.mechanism)
             .factor;
     check("  below the true one", found.bound < exact);
-    check_error("  and that from above",
-                std::abs(above / exact - 1.), 1e-9);
+    check_error("  and that from above", std::abs(above / exact - 1.), 1e-9);
   }
 }
 
-/** A wall of Ferris and Tin-Loi, with half bricks at the ends of odd courses. */
+/** A wall of Ferris and Tin-Loi, with half bricks at the ends of odd courses.
+ */
 SpaceCase ferris_tin_loi(const unsigned int n_courses)
 {
   const double length = 0.4, height = 0.175, thickness = 0.2;
@@ -85,11 +83,9 @@ SpaceCase ferris_tin_loi(const unsigned int n_courses)
     double x = 0.;
     while (x < 5. * length - 1e-9)
     {
-      const bool is_half =
-          k % 2 == 0 && (x == 0. || x > 4.4 * length);
+      const bool is_half = k % 2 == 0 && (x == 0. || x > 4.4 * length);
       const double end = x + (is_half ? 0.5 * length : length);
-      add_box(cells, {x, 0., k * height},
-              {end, thickness, (k + 1) * height});
+      add_box(cells, {x, 0., k * height}, {end, thickness, (k + 1) * height});
       x = end;
     }
   }
@@ -113,10 +109,9 @@ void walls()
                  weight, body_force(wall.packing, vector(0., 10., 0.)));
     const double r = std::sqrt(0.5);
     if (k == 0)
-      check_factor("Ferris and Tin-Loi, at 45 degrees", 0.269374012, wall,
-                   weight,
-                   body_force(wall.packing, vector(10. * r, 10. * r, 0.)),
-                   4e-9);
+      check_factor(
+          "Ferris and Tin-Loi, at 45 degrees", 0.269374012, wall, weight,
+          body_force(wall.packing, vector(10. * r, 10. * r, 0.)), 4e-9);
     wall.mu = 0.;
     wall.strength = 10.;
     check_factor("Ferris and Tin-Loi, Tresca", of_tresca[k], wall, weight,
@@ -158,8 +153,7 @@ void domes()
     of.mu = 1.;
     std::cout << "Dome of the thickness " << digits(thickness) << ": "
               << proven_verdict(SpaceScene(
-                     of.blocks(),
-                     body_force(of.packing, vector(0., 0., -1.))))
+                     of.blocks(), body_force(of.packing, vector(0., 0., -1.))))
               << std::endl;
   }
 }

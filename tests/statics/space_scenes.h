@@ -117,8 +117,8 @@ proven_factor(const std::string &name,
   std::cout << name << std::endl;
   const auto blocks = of.blocks();
   const SpaceScene dead_scene(blocks, dead), live_scene(blocks, live);
-  const auto answer = find_load_factor(dead_scene, live_scene, {greatest},
-                                       Terminal::silent());
+  const auto answer =
+      find_load_factor(dead_scene, live_scene, {greatest}, Terminal::silent());
   check("  a factor is carried", answer.factor.has_value());
   if (!answer.factor)
     return {};

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -41,9 +42,18 @@ private:
     compas
   };
 
-  /** Make the packing with its supports, and show what was understood. */
-  Packing<3> read_packing(const std::filesystem::path &directory) const;
-  void write(ResultDirectory &files, const SpaceAnswer &answer) const;
+  /** A packing with its supports, and what is wrong with its blocks. */
+  struct CheckedPacking
+  {
+    Packing<3> packing;
+    std::vector<CellDefect> defects;
+  };
+
+  /** Make the packing, check it, and show what was understood. */
+  CheckedPacking read_packing(const std::filesystem::path &directory) const;
+  void write(ResultDirectory &files,
+             const SpaceAnswer &answer,
+             const std::vector<CellDefect> &defects) const;
   void write_packing(ResultDirectory &files, const Packing<3> &packing) const;
 
   OutputEntries output;

@@ -261,9 +261,8 @@ template <typename SceneOf>
 void LoadFactorSearch<SceneOf>::check_found(const ProvenFactor &factor)
 {
   // That the dead loads are carried is an answer only beside a bound.
-  if (found.forces.empty() ||
-      (factor.carried() && !factor.has_found_state() &&
-       !found.has_mechanism() && !found.is_unbounded))
+  if (found.forces.empty() || (factor.carried() && !factor.has_found_state() &&
+                               !found.has_mechanism() && !found.is_unbounded))
     throw SolverError(
         text("The load factor was not found: after ",
              counted(found.n_iterations, "iteration"),

@@ -30,9 +30,8 @@ Strengths MohrCoulomb::strengths(const JointMeans &means) const
     double &of_interface = result.coefficient[e];
     if (!(of_interface < 90.))
       throw InputError(
-          text("The angle of friction of the interface at ",
-               means.place(e), " is ",
-               of_interface,
+          text("The angle of friction of the interface at ", means.place(e),
+               " is ", of_interface,
                " degrees; it must be below 90. Lower 'Friction/Friction "
                "angle', or 'Friction/Pair friction angles'."));
     of_interface = std::tan(of_interface * dealii::numbers::PI / 180.);

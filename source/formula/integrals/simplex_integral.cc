@@ -62,7 +62,8 @@ double simplex_measure(const SimplexCorners &corners)
 }
 
 /** The numbers of the ends of the longest edge. */
-std::pair<unsigned int, unsigned int> longest_edge(const SimplexCorners &corners)
+std::pair<unsigned int, unsigned int>
+longest_edge(const SimplexCorners &corners)
 {
   std::pair<unsigned int, unsigned int> found(0, 1);
   double longest = 0.;
@@ -77,13 +78,14 @@ std::pair<unsigned int, unsigned int> longest_edge(const SimplexCorners &corners
   return found;
 }
 
-using SimplexIntegrand = std::function<void(const dealii::Point<3> &, IntegratedValues &)>;
+using SimplexIntegrand =
+    std::function<void(const dealii::Point<3> &, IntegratedValues &)>;
 
 void apply_rule(const BarycentricRule &rule,
-           const SimplexCorners &corners,
-           const SimplexIntegrand &f,
-           IntegratedValues &sum,
-           double &size)
+                const SimplexCorners &corners,
+                const SimplexIntegrand &f,
+                IntegratedValues &sum,
+                double &size)
 {
   const double measure = simplex_measure(corners);
   IntegratedValues values;
@@ -105,8 +107,8 @@ void apply_rule(const BarycentricRule &rule,
 }
 
 SimplexIntegral integrate_halves(const SimplexCorners &corners,
-                          const SimplexIntegrand &f,
-                          const unsigned int n_halvings)
+                                 const SimplexIntegrand &f,
+                                 const unsigned int n_halvings)
 {
   static const BarycentricRule fine_of_triangle = rule_of<2>(5),
                                coarse_of_triangle = rule_of<2>(3),
@@ -117,9 +119,9 @@ SimplexIntegral integrate_halves(const SimplexCorners &corners,
   IntegratedValues coarse;
   double size_of_coarse = 0.;
   apply_rule(is_triangle ? fine_of_triangle : fine_of_tetrahedron, corners, f,
-        fine.values, fine.size);
-  apply_rule(is_triangle ? coarse_of_triangle : coarse_of_tetrahedron, corners, f,
-        coarse, size_of_coarse);
+             fine.values, fine.size);
+  apply_rule(is_triangle ? coarse_of_triangle : coarse_of_tetrahedron, corners,
+             f, coarse, size_of_coarse);
   for (std::size_t k = 0; k < coarse.size(); ++k)
     fine.error = std::max(fine.error, std::abs(fine.values[k] - coarse[k]));
   if (!(fine.error > rounding_of_rules * fine.size) ||

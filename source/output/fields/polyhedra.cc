@@ -88,7 +88,8 @@ const FieldTable<SpaceAnswer> &polyhedron_fields()
               .saying_in_grid(
                   "its number in the list in `summary.json`, from 0; that of "
                   "the ground is the next")
-},
+} // namespace Voussoir
+,
 polyhedron_loads(), polyhedron_motion());
 return table;
 }

@@ -91,8 +91,7 @@ Fields<SpaceAnswer> face_forces()
                           [](const SpaceAnswer &a, const unsigned int e) {
                             return FaceForce(a, e).normal;
                           }),
-       vector_field("shear_force", "S L^2",
-                    "the force on c- across n_e",
+       vector_field("shear_force", "S L^2", "the force on c- across n_e",
                     [](const SpaceAnswer &a, const unsigned int e) {
                       return FaceForce(a, e).shear;
                     }),

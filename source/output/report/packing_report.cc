@@ -31,8 +31,8 @@ std::vector<SpaceField> numbers_of(const FieldTable<SpaceAnswer> &table,
     field.bind(answer).values(0, n, values.data());
     if (is_vector)
       for (std::size_t k = 0; k < n; ++k)
-        values[k] = std::hypot(values[3 * k], values[3 * k + 1],
-                               values[3 * k + 2]);
+        values[k] =
+            std::hypot(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
     values.resize(n);
     fields.push_back({field.name, field.unit, std::move(values)});
   }
@@ -52,11 +52,11 @@ void add_answer(const SpaceAnswer &answer, SpaceReport &report)
     add("Load factor", answer.summary["load_factor"]["meaning"]);
   if (answer.forces.empty())
     return;
-  add("Balance of forces", text(answer.certificate.equilibrium_residual,
-                                " of the largest load"));
+  add("Balance of forces",
+      text(answer.certificate.equilibrium_residual, " of the largest load"));
   if (answer.scene.blocks->turns())
-    add("Balance of moments", text(answer.certificate.moment_residual,
-                                   " of the largest load"));
+    add("Balance of moments",
+        text(answer.certificate.moment_residual, " of the largest load"));
   add("Beyond limits",
       text(answer.certificate.admissibility_violation, " of the largest load"));
 }
@@ -65,7 +65,8 @@ void add_answer(const SpaceAnswer &answer, SpaceReport &report)
 void write_packing_report(std::ostream &out,
                           const SpaceAnswer &answer,
                           const std::string &title,
-                          const std::vector<std::string> &warnings)
+                          const std::vector<std::string> &warnings,
+                          const std::vector<CellDefect> &defects)
 {
   const Packing<3> &packing = answer.scene.packing();
   const FaceContacts contacts = packing.contacts();
@@ -91,7 +92,8 @@ void write_packing_report(std::ostream &out,
       {"Blocks that are not convex", text(packing.not_convex().size())}};
   if (answer.is_analysed)
     add_answer(answer, report);
-  report.defects = warnings;
+  report.warnings = warnings;
+  report.defects = defects;
   write_space_report(out, report);
 }
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 #include <voussoir/output/report/details.h>
 #include <voussoir/output/report/html_table.h>
 #include <voussoir/output/report/page_parts.h>
+#include <voussoir/output/report/space/defect_table.h>
 #include <voussoir/output/report/space/space_data.h>
 #include <voussoir/output/report/space/space_picture.h>
 #include <voussoir/output/report/space_report.h>
@@ -112,14 +113,14 @@ std::string html_of_sections(const SpaceReport &report)
       table.row({html_text(label), html_text(value)});
     html += table.close();
   }
-  if (!report.defects.empty())
+  if (!report.warnings.empty())
   {
-    HtmlTable table("defects", "Defects of the geometry");
-    for (std::size_t k = 0; k < report.defects.size(); ++k)
-      table.row({text(k + 1), html_text(report.defects[k])});
+    HtmlTable table("warnings", "Warnings");
+    for (std::size_t k = 0; k < report.warnings.size(); ++k)
+      table.row({text(k + 1), html_text(report.warnings[k])});
     html += table.close();
   }
-  return html;
+  return html + html_of_defects(*report.cells, report.defects);
 }
 } // namespace
 

@@ -6,15 +6,44 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <ostream>
 #include <set>
 #include <utility>
 
 namespace Voussoir
 {
+using Json = nlohmann::ordered_json;
+
 namespace
 {
+/** The kinds of defects: of how many blocks, how many, and the largest size. */
+Json json_of_kinds(const std::vector<CellDefect> &defects)
+{
+  std::map<unsigned int, Json> kinds;
+  for (const CellDefect &defect : defects)
+  {
+    Json &kind = kinds[defect.kind];
+    if (kind.is_null())
+      kind = {{"kind", defect.kind},
+              {"what", defect.what},
+              {"action", defect.action},
+              {"blocks", 0},
+              {"count", 0},
+              {"largest_size", 0.}};
+    kind["blocks"] = kind["blocks"].get<unsigned int>() + 1;
+    kind["count"] = kind["count"].get<unsigned int>() + defect.count;
+    kind["largest_size"] =
+        std::max(kind["largest_size"].get<double>(), defect.size);
+  }
+  Json list = Json::array();
+  for (const auto &[number, kind] : kinds)
+    list.push_back(kind);
+  return list;
+}
+
 /** The number of pairs of cells, or of a cell and the ground, that touch. */
 std::size_t n_touching_pairs(const Packing<3> &packing)
 {
@@ -77,7 +106,6 @@ void show_packing(Terminal &terminal, const Packing<3> &packing)
 
 namespace
 {
-using Json = nlohmann::ordered_json;
 
 Json json_of_vector(const dealii::Tensor<1, 3> &v)
 {
@@ -132,7 +160,8 @@ void add_answer(const SpaceAnswer &answer, Json &summary)
 
 void write_summary_json(std::ostream &out,
                         const SpaceAnswer &answer,
-                        const std::string &title)
+                        const std::string &title,
+                        const std::vector<CellDefect> &defects)
 {
   const Packing<3> &packing = answer.scene.packing();
   std::vector<unsigned int> sizes(packing.group_names().size(), 0);
@@ -159,7 +188,8 @@ void write_summary_json(std::ostream &out,
       {"not_convex", packing.not_convex().size()},
       {"groups_without_support", n_without_ground(packing)},
       {"groups", groups},
-      {"notices", packing.notices()}};
+      {"notices", packing.notices()},
+      {"defects", json_of_kinds(defects)}};
   if (answer.is_analysed)
     add_answer(answer, summary);
   summary["versions"] = library_versions();

@@ -63,9 +63,8 @@ void append_faces(const CellFaces &cells,
 }
 
 /** A grid of one polyhedron for each cell. */
-VtuFile
-grid_of_polyhedra(const CellFaces &cells,
-                  const std::shared_ptr<const PolyhedronPoints> &points)
+VtuFile grid_of_polyhedra(const CellFaces &cells,
+                          const std::shared_ptr<const PolyhedronPoints> &points)
 {
   const auto places = [&cells, points](std::size_t i, std::size_t end,
                                        double *place) {
@@ -108,23 +107,23 @@ VtuFile::Fill<double>
 displacement_of(const SpaceAnswer &answer,
                 const std::shared_ptr<const PolyhedronPoints> &points)
 {
-  return [&answer, points](std::size_t i, const std::size_t end,
-                           double *values) {
-    const Packing<3> &packing = answer.scene.packing();
-    const CellFaces &cells = packing.polyhedra();
-    for (unsigned int c = VtuValues::cell_of(
-             i, cells.n_cells(),
-             [&](const unsigned int k) { return points->first[k]; });
-         i < end; ++c)
-      for (; i < std::min(end, points->first[c + 1]); ++i)
-      {
-        dealii::Tensor<1, 3> u;
-        if (c < packing.n_cells())
-          u = answer.motion.at(c, cells.vertices[points->vertices[i]] -
-                                      packing.centre(c));
-        values = std::copy(u.begin_raw(), u.end_raw(), values);
-      }
-  };
+  return
+      [&answer, points](std::size_t i, const std::size_t end, double *values) {
+        const Packing<3> &packing = answer.scene.packing();
+        const CellFaces &cells = packing.polyhedra();
+        for (unsigned int c = VtuValues::cell_of(
+                 i, cells.n_cells(),
+                 [&](const unsigned int k) { return points->first[k]; });
+             i < end; ++c)
+          for (; i < std::min(end, points->first[c + 1]); ++i)
+          {
+            dealii::Tensor<1, 3> u;
+            if (c < packing.n_cells())
+              u = answer.motion.at(c, cells.vertices[points->vertices[i]] -
+                                          packing.centre(c));
+            values = std::copy(u.begin_raw(), u.end_raw(), values);
+          }
+      };
 }
 } // namespace
 

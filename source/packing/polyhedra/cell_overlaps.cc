@@ -5,6 +5,7 @@
 #include <voussoir/packing/polyhedra/contacts/cell_chunks.h>
 #include <voussoir/packing/polyhedra/contacts/cell_probes.h>
 #include <voussoir/packing/polyhedra/contacts/convex_cells.h>
+#include <voussoir/packing/polyhedra/models/model_defects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,21 @@ std::vector<CellOverlap> overlaps(const CellFaces &cells,
                  }))
     all.insert(all.end(), found.begin(), found.end());
   return all;
+}
+
+std::vector<CellDefect> defects_of(const CellFaces &cells,
+                                   const std::vector<CellOverlap> &overlaps)
+{
+  std::vector<CellDefect> defects;
+  for (const CellOverlap &overlap : overlaps)
+  {
+    ModelDefect defect = {ModelDefect::Kind::overlap, overlap.cells[0]};
+    defect.size = overlap.depth;
+    defect.place = overlap.place;
+    defect.detail = describe_named(cells, overlap.cells[1]);
+    defects.push_back(cell_defect(defect));
+  }
+  return defects;
 }
 
 std::string describe_overlaps(const CellFaces &cells,

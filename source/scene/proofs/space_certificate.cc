@@ -61,9 +61,9 @@ std::vector<double> reference_forces(const SpaceScene &scene,
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     double &largest = of_group[group[c]];
-    largest = std::max({largest, scene.loads.force[c].norm(),
-                        scene.loads.torque[c].norm() /
-                            std::cbrt(packing.volume(c))});
+    largest =
+        std::max({largest, scene.loads.force[c].norm(),
+                  scene.loads.torque[c].norm() / std::cbrt(packing.volume(c))});
     largest_load = std::max(largest_load, largest);
   }
   for (const PointForce &force : forces.list)
@@ -73,7 +73,7 @@ std::vector<double> reference_forces(const SpaceScene &scene,
   {
     const double largest = of_group[group[c]];
     reference.push_back(largest > rounding_of_load * largest_load ? largest
-                        : largest_load > 0. ? largest_load
+                        : largest_load > 0.                       ? largest_load
                                             : largest_force);
   }
   return reference;
@@ -123,8 +123,8 @@ double largest_excess(const SpaceBlocks &blocks,
   double excess = 0.;
   unsigned int k = forces.first[e];
   for (const FacePoint &point : blocks.points[e].pressure)
-    excess = std::max(excess, limits.excess_of_pressure(
-                                  forces.list[k++].force, normal, point.share));
+    excess = std::max(excess, limits.excess_of_pressure(forces.list[k++].force,
+                                                        normal, point.share));
   if (k < forces.first[e + 1])
     for (const FacePoint &point : blocks.points[e].friction)
       excess =
@@ -135,11 +135,10 @@ double largest_excess(const SpaceBlocks &blocks,
 
 bool are_finite(const FaceForces &forces)
 {
-  return std::all_of(forces.list.begin(), forces.list.end(),
-                     [](const PointForce &of) {
-                       return std::isfinite(of.force[0] + of.force[1] +
-                                            of.force[2]);
-                     });
+  return std::all_of(
+      forces.list.begin(), forces.list.end(), [](const PointForce &of) {
+        return std::isfinite(of.force[0] + of.force[1] + of.force[2]);
+      });
 }
 } // namespace
 
@@ -319,9 +318,8 @@ WorkInFaces work_in_faces(const SpaceScene &scene,
           motion.at(i.cell_minus, point.place - packing.centre(i.cell_minus))
               .norm());
       const double opening = jump * i.normal;
-      const double resisted =
-          std::max(limits.coefficient * across(jump, i.normal).norm() - opening,
-                   0.);
+      const double resisted = std::max(
+          limits.coefficient * across(jump, i.normal).norm() - opening, 0.);
       of.dissipation += limits.tension * point.share * opening;
       if (std::isfinite(limits.crushing))
         of.dissipation +=
@@ -334,8 +332,8 @@ WorkInFaces work_in_faces(const SpaceScene &scene,
     if (!(limits.strength > 0.))
       continue;
     if (are_continuous)
-      of.dissipation += limits.strength / i.area *
-                        integral_of_slip(packing, motion, e);
+      of.dissipation +=
+          limits.strength / i.area * integral_of_slip(packing, motion, e);
     else
       for (const FacePoint &point : blocks.points[e].friction)
         of.dissipation +=

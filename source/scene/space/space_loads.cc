@@ -29,7 +29,7 @@ namespace
 constexpr double largest_distance_from_block = 1e-6;
 
 const std::vector<std::string> places = {"x", "y", "z"},
-                               places_on_faces = {"x", "y", "z",
+                               places_on_faces = {"x",  "y",  "z",
                                                   "nx", "ny", "nz"};
 
 /** Three numbers with commas between; none if they are not that. */
@@ -138,15 +138,16 @@ void add_body_force(const Packing<3> &packing,
   {
     const Point<3> &centre = packing.centre(c);
     const Point<3> &centroid = packing.moments(c).centroid;
-    const std::string where = text(", in cell ", c, "; a force must be finite.");
+    const std::string where =
+        text(", in cell ", c, "; a force must be finite.");
     const ForceDensity density(b, centre, {}, where);
     if (b.is_constant())
     {
       IntegratedValues values;
       density(centroid, values);
       loads.add(c,
-                packing.volume(c) * Tensor<1, 3>({values[0], values[1],
-                                                  values[2]}),
+                packing.volume(c) *
+                    Tensor<1, 3>({values[0], values[1], values[2]}),
                 centroid - centre);
       continue;
     }
@@ -259,7 +260,8 @@ void SpaceLoadParameters::add_tractions(
   Tensor<2, 3> S;
   dealii::Patterns::Tools::to_value(stress, S);
   const bool is_uniform = kind == Kind::uniform_stress;
-  if (is_uniform && ((S - transpose(S)).norm() > 0. || !std::isfinite(S.norm())))
+  if (is_uniform &&
+      ((S - transpose(S)).norm() > 0. || !std::isfinite(S.norm())))
     throw InputError("'" + name + "/Stress' = '" + stress +
                      "' must be finite and symmetric: S_xy = S_yx, S_xz = "
                      "S_zx and S_yz = S_zy.");
@@ -281,10 +283,9 @@ void SpaceLoadParameters::add_tractions(
       loads.add(face.cell, face.area * (S * n), x - centre);
       continue;
     }
-    const ForceDensity density(
-        g, centre, {n[0], n[1], n[2]},
-        text(", on a boundary face of cell ", face.cell,
-             "; a traction must be finite."));
+    const ForceDensity density(g, centre, {n[0], n[1], n[2]},
+                               text(", on a boundary face of cell ", face.cell,
+                                    "; a traction must be finite."));
     SimplexIntegral sum;
     for (unsigned int p = face.first_part; p < face.first_part + face.n_parts;
          ++p)
@@ -327,10 +328,9 @@ void SpaceLoadParameters::add_body_forces(
                          "' gives a body force to '" + group +
                          "', which does not move; name another group.");
       if (has_own[c])
-        throw InputError(text("The parameter '", of_groups,
-                              "' gives a body force to cell ", c,
-                              " twice, the second time as '", group,
-                              "'; give it once."));
+        throw InputError(
+            text("The parameter '", of_groups, "' gives a body force to cell ",
+                 c, " twice, the second time as '", group, "'; give it once."));
       has_own[c] = true;
     }
     add_body_force(packing, cells, vector_in_space(value, places, of_groups),

@@ -119,13 +119,11 @@ void SpaceScene::check_balance() const
   for (unsigned int c = 0; c < packing().n_cells(); ++c)
   {
     LoadOfGroup &sum = of[group[c]];
-    const Tensor<1, 3> arm =
-        packing().centre(c) - packing().centre(group[c]);
+    const Tensor<1, 3> arm = packing().centre(c) - packing().centre(group[c]);
     sum.force += loads.force[c];
     sum.moment += loads.torque[c] + cross_product_3d(arm, loads.force[c]);
     sum.size += loads.size[c];
-    sum.size_of_moment +=
-        loads.size[c] * (arm.norm() + reach_of(packing(), c));
+    sum.size_of_moment += loads.size[c] * (arm.norm() + reach_of(packing(), c));
     ++sum.n_cells;
   }
   for (unsigned int g = 0; g < packing().n_cells(); ++g)

@@ -79,9 +79,8 @@ SpaceSceneParameters::blocks(Packing<3> of, Terminal &terminal) const
       friction_cells);
 }
 
-SpaceScene
-SpaceSceneParameters::scene_of(std::shared_ptr<const SpaceBlocks> of,
-                               Terminal &terminal) const
+SpaceScene SpaceSceneParameters::scene_of(std::shared_ptr<const SpaceBlocks> of,
+                                          Terminal &terminal) const
 {
   return scene_with(std::move(of), loads, terminal);
 }

@@ -104,8 +104,8 @@ public:
       for (std::size_t j = 0; j < i; ++j)
       {
         const Vector3 &other = squares[j].g;
-        const double volume = normal[0] * other[0] + normal[1] * other[1] +
-                              normal[2] * other[2];
+        const double volume =
+            normal[0] * other[0] + normal[1] * other[1] + normal[2] * other[2];
         det += weight * squares[j].c * (volume * volume);
       }
       for (unsigned int k = 0; k < 3; ++k)
@@ -300,11 +300,10 @@ std::vector<double> ConicForces::at_slacks(const std::vector<double> &x) const
     result.push_back(bound.sign * x[bound.row]);
   for (const Cone &cone : all_cones)
     for (const std::array<double, 3> &b : cone.b)
-      result.push_back(
-          cone.n_rows == 2
-              ? b[0] * x[cone.row] + b[1] * x[cone.row + 1]
-              : b[0] * x[cone.row] + b[1] * x[cone.row + 1] +
-                    b[2] * x[cone.row + 2]);
+      result.push_back(cone.n_rows == 2
+                           ? b[0] * x[cone.row] + b[1] * x[cone.row + 1]
+                           : b[0] * x[cone.row] + b[1] * x[cone.row + 1] +
+                                 b[2] * x[cone.row + 2]);
   return result;
 }
 
@@ -441,9 +440,9 @@ void ConicForces::multiply_by_scalings(const std::vector<double> &d,
     double *const to = &x[cone.row];
     if (cone.n_rows == 3)
     {
-      const QuadraticCone::Vector v = W.times(W.times(
-          {{from[0] / cone.b[0][0], from[1] / cone.b[1][1],
-            from[2] / cone.b[2][2]}}));
+      const QuadraticCone::Vector v =
+          W.times(W.times({{from[0] / cone.b[0][0], from[1] / cone.b[1][1],
+                            from[2] / cone.b[2][2]}}));
       for (unsigned int i = 0; i < 3; ++i)
         to[i] = v[i] / cone.b[i][i];
       continue;

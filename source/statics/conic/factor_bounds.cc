@@ -95,10 +95,10 @@ double closing_of(const ConicForces &forces,
       closing = std::max(closing, bounds[b].sign * jumps[bounds[b].row]);
   for (const ForceRows::FrictionCone &cone : forces.of().friction_cones())
     if (!std::isfinite(cone.strength))
-      closing = std::max(
-          closing, jumps[cone.row] +
-                       cone.coefficient * std::hypot(jumps[cone.row + 1],
-                                                     jumps[cone.row + 2]));
+      closing = std::max(closing,
+                         jumps[cone.row] + cone.coefficient *
+                                               std::hypot(jumps[cone.row + 1],
+                                                          jumps[cone.row + 2]));
   return closing /
          std::max(largest_component(u), largest_component(program.cost));
 }

@@ -68,8 +68,7 @@ Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
   const DiscreteProblem &of = problem.of();
   double dissipation = 0.;
   if (!of.is_plane())
-    dissipation =
-        problem.rows().dissipation_of_jumps(problem.rows().jumps(u));
+    dissipation = problem.rows().dissipation_of_jumps(problem.rows().jumps(u));
   else
     for (unsigned int e = 0; e < of.joints().size(); ++e)
       dissipation += of.limit(e) * std::abs(of.sliding(e, u.data()));

@@ -144,19 +144,19 @@ void ForceRows::add_sets(const unsigned int e)
       problem.normal_limits().empty()
           ? infinity
           : problem.tension(e) + problem.normal_limits()[e].crushing;
-  problem.for_each_set(e, [&](const unsigned int size, unsigned int,
-                              unsigned int) {
-    const unsigned int row = of_rows.size();
-    if (size == 1)
-      of_rows.push_back({-strength * *share, 0.});
-    else
-      of_rows.insert(of_rows.end(), size, {-infinity, infinity});
-    if (size == 2)
-      all_discs.push_back({row, joint.strength * *share});
-    else if (size == 3)
-      all_cones.push_back({row, joint.coefficient, strength * *share});
-    ++share;
-  });
+  problem.for_each_set(
+      e, [&](const unsigned int size, unsigned int, unsigned int) {
+        const unsigned int row = of_rows.size();
+        if (size == 1)
+          of_rows.push_back({-strength * *share, 0.});
+        else
+          of_rows.insert(of_rows.end(), size, {-infinity, infinity});
+        if (size == 2)
+          all_discs.push_back({row, joint.strength * *share});
+        else if (size == 3)
+          all_cones.push_back({row, joint.coefficient, strength * *share});
+        ++share;
+      });
   own.joints.add(joint, problem.rows(e), kinematics(), problem.sets(e));
 }
 

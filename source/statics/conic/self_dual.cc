@@ -146,9 +146,8 @@ void SelfDual::take_start_of_slacks()
   {
     const double root =
         std::sqrt(rows.joints()[rows.joint_of_row(cone.row)].stiffness());
-    now.x[cone.row] =
-        -std::min(program.has_curvature ? root : first_slack * root,
-                  0.5 * cone.strength);
+    now.x[cone.row] = -std::min(
+        program.has_curvature ? root : first_slack * root, 0.5 * cone.strength);
   }
   now.s = slacks_of_forces();
   now.z.resize(now.s.size());

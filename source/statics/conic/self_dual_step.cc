@@ -306,8 +306,7 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
     if (forces.of().is_plane())
       continue;
     // What the equation of the products says has more digits.
-    scaled.s =
-        QuadraticCone::quotient(lambda[k], forces.of_cone(products, k));
+    scaled.s = QuadraticCone::quotient(lambda[k], forces.of_cone(products, k));
     for (unsigned int i = 0; i < 3; ++i)
       scaled.s[i] = -scaled.s[i] - scaled.z[i];
   }

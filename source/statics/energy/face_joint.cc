@@ -101,8 +101,7 @@ struct ElasticCone
     }
     const double size = std::hypot(jump[1], jump[2]);
     const double t[] = {jump[1] / size, jump[2] / size};
-    const double normal =
-        stiffness / (1. + coefficient * coefficient / part);
+    const double normal = stiffness / (1. + coefficient * coefficient / part);
     const double along = coefficient * coefficient * normal,
                  across = coefficient * of.sliding_pressure / size;
     second[0] = normal;
@@ -130,20 +129,20 @@ void FaceJoint::find_forces(const unsigned int e,
   const Joint &joint = problem.joints()[e];
   const double *share = problem.shares(e);
   const double part = tangential_part(problem, e);
-  problem.for_each_set(e, [&](const unsigned int size, const unsigned int row,
-                              unsigned int) {
-    const double stiffness = joint.stiffness() * *share;
-    const double tension = problem.tension(e) * *share;
-    if (size == 1)
-      forces[row] = std::min(stiffness * jumps[row], tension);
-    else if (size == 2)
-      ElasticDisc{part * stiffness, joint.strength * *share}.find_forces(
-          jumps + row, forces + row);
-    else
-      ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
-          jumps + row, forces + row);
-    ++share;
-  });
+  problem.for_each_set(
+      e, [&](const unsigned int size, const unsigned int row, unsigned int) {
+        const double stiffness = joint.stiffness() * *share;
+        const double tension = problem.tension(e) * *share;
+        if (size == 1)
+          forces[row] = std::min(stiffness * jumps[row], tension);
+        else if (size == 2)
+          ElasticDisc{part * stiffness, joint.strength * *share}.find_forces(
+              jumps + row, forces + row);
+        else
+          ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
+              jumps + row, forces + row);
+        ++share;
+      });
 }
 
 bool FaceJoint::find_second_derivatives(const unsigned int e,

@@ -93,8 +93,9 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   found.u = newton.u();
   double least = newton.imbalance();
   // Near its end each step doubles the digits.
-  for (unsigned int n = 0; n < n_steps_to_rounding && least > rounding_of_steps &&
-                           least <= controls.tolerance;
+  for (unsigned int n = 0;
+       n < n_steps_to_rounding && least > rounding_of_steps &&
+       least <= controls.tolerance;
        ++n)
   {
     try

@@ -102,9 +102,8 @@ void SpaceDiscretisation::choose_scales()
   data.is_loaded = total > 0.;
   // As in the plane: the pressure at the foot of a wall under its own weight.
   if (data.is_loaded)
-    data.stress_unit =
-        total / (std::sqrt(double(packing.n_cells())) * data.length_unit *
-                 data.length_unit);
+    data.stress_unit = total / (std::sqrt(double(packing.n_cells())) *
+                                data.length_unit * data.length_unit);
 }
 
 ContactRow SpaceDiscretisation::row(const Packing<3>::Interface &i,

@@ -11,15 +11,18 @@
 namespace Voussoir
 {
 /**
- * Write blocks in space, and what was found of them, as a page; see write_space_report().
+ * Write blocks in space, and what was found of them, as a page; see
+ * write_space_report().
  *
  * @param title of the page; may be empty.
  * @param warnings to be shown below the picture.
+ * @param defects of the blocks, below these.
  */
 void write_packing_report(std::ostream &out,
                           const SpaceAnswer &answer,
                           const std::string &title,
-                          const std::vector<std::string> &warnings);
+                          const std::vector<std::string> &warnings,
+                          const std::vector<CellDefect> &defects);
 } // namespace Voussoir
 
 #endif

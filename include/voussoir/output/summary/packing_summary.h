@@ -14,10 +14,15 @@ namespace Voussoir
 /** Show what a packing in space consists of, and what it rests on. */
 void show_packing(Terminal &terminal, const Packing<3> &packing);
 
-/** Write what blocks in space consist of, and what was found, as JSON. */
+/**
+ * Write what blocks in space consist of, and what was found, as JSON.
+ *
+ * @param defects of the blocks, of which kinds and numbers are written.
+ */
 void write_summary_json(std::ostream &out,
                         const SpaceAnswer &answer,
-                        const std::string &title);
+                        const std::string &title,
+                        const std::vector<CellDefect> &defects);
 } // namespace Voussoir
 
 #endif

@@ -28,6 +28,7 @@ public:
   /** VTK's number for the shape of the cells. */
   enum class Shape : std::uint8_t
   {
+    vertex = 1,        /**< a point */
     line = 3,          /**< two points */
     polygon = 7,       /**< any number of points, around it */
     quadrilateral = 9, /**< four points, around it */

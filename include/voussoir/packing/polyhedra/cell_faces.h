@@ -3,6 +3,7 @@
 #define voussoir_packing_polyhedra_cell_faces_h
 
 #include <voussoir/packing/cell_records.h>
+#include <voussoir/packing/polyhedra/cell_defects.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/point.h>
@@ -44,6 +45,9 @@ struct CellFaces : CellRecords
    * else; if there are none, they are matched by their places.
    */
   std::vector<std::array<unsigned int, 2>> shared;
+
+  /** What was wrong with the cells as a file has them. */
+  std::vector<CellDefect> defects;
 
   /** The distance between faces that touch, at most; a length. */
   double tolerance = 0.;

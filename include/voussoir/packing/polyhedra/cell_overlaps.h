@@ -43,6 +43,10 @@ struct CellOverlap
  */
 std::vector<CellOverlap> overlaps(const CellFaces &cells, double tolerance);
 
+/** Overlaps for tables and files, each as a defect of its first cell. */
+std::vector<CellDefect> defects_of(const CellFaces &cells,
+                                   const std::vector<CellOverlap> &overlaps);
+
 /**
  * A sentence on some overlaps: how many there are, which is the deepest, and
  * what to do; empty if there are none.

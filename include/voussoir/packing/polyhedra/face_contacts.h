@@ -35,10 +35,10 @@ struct FaceContacts
 struct ContactTolerance
 {
   /**
-   * The distance of faces that touch, at most, at every corner of the patch; a
-   * length. That limits the angle between them too, the more the larger the
-   * patch is. What is less than 16 units of rounding of the largest coordinate
-   * counts as that.
+   * The distance of faces that touch, at most, everywhere in the patch; a
+   * length. Where faces are at an angle, the patch is the part of what they
+   * have in common that is within it, if that is at least a tenth. What is less
+   * than 16 units of rounding of the largest coordinate counts as that.
    */
   double distance;
   /**
@@ -51,7 +51,8 @@ struct ContactTolerance
 /**
  * Find the contacts of all cells. Faces touch where two of different cells with
  * opposite normals lie in one plane within the tolerance: in the convex
- * polygons that their convex pieces have in common. Patches and free parts
+ * polygons that their convex pieces have in common, as far as these are within
+ * the tolerance of each other. Patches and free parts
  * narrower than the tolerance are dropped, and so are faces. Corners as near to
  * a vertex or side of the other face lie on that; one that is a vertex of a
  * face in the plane of the patch is that to the last bit. Two fixed cells touch

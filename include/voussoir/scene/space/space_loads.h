@@ -30,8 +30,8 @@ public:
    * @param warnings on integrals that are not exact are added.
    * @throws InputError naming the place if a value is not a finite number or
    *   varies too fast; if a formula cannot be parsed or a vector has not three
-   *   components, the uniform stress is not symmetric, a place is in no cell, or
-   *   a name is that of no cell.
+   *   components, the uniform stress is not symmetric, a place is in no cell,
+   * or a name is that of no cell.
    */
   SpaceLoads loads(const Packing<3> &packing,
                    std::vector<std::string> &warnings) const;

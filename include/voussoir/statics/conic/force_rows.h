@@ -28,8 +28,9 @@ namespace Voussoir
  *
  * Smoothed friction of Tresca has an Arc.
  *
- * In space the rows are those of the problem: each pressure has a bound or, with
- * friction that grows with it, a FrictionCone, and each cell of friction a Disc.
+ * In space the rows are those of the problem: each pressure has a bound or,
+ * with friction that grows with it, a FrictionCone, and each cell of friction a
+ * Disc.
  */
 class ForceRows : public Structure
 {

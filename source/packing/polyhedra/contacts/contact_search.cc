@@ -6,6 +6,16 @@
 
 namespace Voussoir
 {
+namespace
+{
+/**
+ * The share of what two faces have in common that lies within the tolerance, at
+ * least, of a contact between them. With less they meet along an edge: near
+ * that all faces are within any tolerance of each other.
+ */
+constexpr double least_share_of_wedge = 0.1;
+} // namespace
+
 void PatchList::append(const PatchList &other)
 {
   faces.insert(faces.end(), other.faces.begin(), other.faces.end());
@@ -57,6 +67,29 @@ ContactSearch::candidates(const unsigned int cell) const
   return pairs;
 }
 
+ConvexRings ContactSearch::touching_parts(const FacePair &pair) const
+{
+  const auto [f, g] = pair.numbers();
+  const FacePieces &pieces = geometry.pieces;
+  ConvexRings parts;
+  double in_common = 0., touching = 0.;
+  for (unsigned int p = pieces.first_of_face(f);
+       p < pieces.first_of_face(f + 1); ++p)
+    for (unsigned int q = pieces.first_of_face(g);
+         q < pieces.first_of_face(g + 1); ++q)
+    {
+      const ConvexRing common = pair.common_part({{p, q}});
+      const ConvexRing part = pair.part_within(common, range);
+      in_common += area(common);
+      touching += area(part);
+      if (width(part) > geometry.tolerance)
+        parts.push_back(part);
+    }
+  if (!(touching >= least_share_of_wedge * in_common))
+    parts.clear();
+  return parts;
+}
+
 void ContactSearch::add_patches(PatchList &list, const Pair &faces) const
 {
   const FacePair pair(geometry, faces);
@@ -66,22 +99,17 @@ void ContactSearch::add_patches(PatchList &list, const Pair &faces) const
       list.patches.vertices.push_back(pair.place(corner));
     list.patches.first.push_back(list.patches.vertices.size());
   };
-  const FacePieces &pieces = geometry.pieces;
-  for (unsigned int p = pieces.first_of_face(faces[0]);
-       p < pieces.first_of_face(faces[0] + 1); ++p)
-    for (unsigned int q = pieces.first_of_face(faces[1]);
-         q < pieces.first_of_face(faces[1] + 1); ++q)
-    {
-      const ConvexRing ring = pair.common_part({{p, q}}, range);
-      const bool is_open =
-          std::any_of(ring.begin(), ring.end(), [&](const RingCorner &corner) {
-            return pair.gap(corner.at) > geometry.tolerance;
-          });
-      if (!is_open && !ring.empty())
-        add(ring);
-      else if (is_open)
-        for (const ConvexRing &part : parts_in_sight(geometry, pair, ring))
-          add(part);
-    }
+  for (const ConvexRing &ring : touching_parts(pair))
+  {
+    const bool is_open =
+        std::any_of(ring.begin(), ring.end(), [&](const RingCorner &corner) {
+          return pair.gap(corner.at) > geometry.tolerance;
+        });
+    if (!is_open)
+      add(ring);
+    else
+      for (const ConvexRing &part : parts_in_sight(geometry, pair, ring))
+        add(part);
+  }
 }
 } // namespace Voussoir

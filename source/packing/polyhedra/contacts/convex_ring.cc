@@ -155,6 +155,14 @@ ConvexRings without(const ConvexRings &rings,
   return rests;
 }
 
+double area(const ConvexRing &ring)
+{
+  double twice = 0.;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    twice += cross(ring[i].at - ring[0].at, ring[i + 1].at - ring[0].at);
+  return 0.5 * twice;
+}
+
 double width(const ConvexRing &ring)
 {
   // The least is attained with one of the lines along a side.

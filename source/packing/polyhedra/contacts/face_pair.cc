@@ -63,6 +63,23 @@ ConvexRing distinct_corners(const ConvexRing &ring, const double distance)
   }
   return kept;
 }
+/** The part of a polygon in which a linear function is not negative. */
+template <typename Function>
+ConvexRing part_above(const ConvexRing &ring, const Function &function)
+{
+  ConvexRing part;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const RingCorner &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const double at_p = function(p.at), at_q = function(q.at);
+    if (at_p >= 0.)
+      part.push_back(p);
+    if ((at_p < 0. && at_q > 0.) || (at_p > 0. && at_q < 0.))
+      part.push_back(
+          {p.at + at_p / (at_p - at_q) * (q.at - p.at), invalid_index});
+  }
+  return part;
+}
 } // namespace
 
 bool may_touch(const FacePlane &one,
@@ -122,8 +139,8 @@ void FacePair::snap(ConvexRing &ring, const ConvexRing &other) const
     }
 }
 
-ConvexRing FacePair::common_part(const std::array<unsigned int, 2> &pieces,
-                                 const GapRange &range) const
+ConvexRing
+FacePair::common_part(const std::array<unsigned int, 2> &pieces) const
 {
   const double tolerance = geometry.tolerance;
   ConvexRing ring = geometry.pieces.ring(pieces[0], frame);
@@ -131,18 +148,28 @@ ConvexRing FacePair::common_part(const std::array<unsigned int, 2> &pieces,
   if (!first_is_cut())
     ring.swap(other);
   ring = Voussoir::common_part(std::move(ring), other, tolerance);
-  if (ring.empty())
-    return ring;
-  snap(ring, other);
-  ring = distinct_corners(ring, tolerance);
-  const bool touches =
-      std::all_of(ring.begin(), ring.end(), [&](const RingCorner &corner) {
+  if (!ring.empty())
+  {
+    snap(ring, other);
+    ring = distinct_corners(ring, tolerance);
+  }
+  return ring;
+}
+
+ConvexRing FacePair::part_within(const ConvexRing &ring,
+                                 const GapRange &range) const
+{
+  if (std::all_of(ring.begin(), ring.end(), [&](const RingCorner &corner) {
         const double distance = gap(corner.at);
         return distance >= range.least && distance <= range.greatest;
-      });
-  if (!touches || !(width(ring) > tolerance))
-    ring.clear();
-  return ring;
+      }))
+    return ring;
+  const ConvexRing near = part_above(
+      ring, [&](const Point<2> &at) { return range.greatest - gap(at); });
+  return distinct_corners(
+      part_above(near,
+                 [&](const Point<2> &at) { return gap(at) - range.least; }),
+      geometry.rounding);
 }
 
 Point<3> FacePair::place(const RingCorner &corner) const

@@ -88,14 +88,13 @@ std::vector<ModelDefect> defects_of_face(const Surface &surface,
     return defect(DefectKind::bent_face, plane.deviation);
   return {};
 }
-} // namespace
-
-void check_faces(MendedSurface &mended, const double distance)
+/** The defects of all faces, one of each kind with its number and the worst. */
+std::vector<ModelDefect> defects_of_faces(const Surface &surface,
+                                          const double distance)
 {
-  std::vector<ModelDefect> found; // one of each kind
-  for (unsigned int f = 0; f < mended.surface.faces.size(); ++f)
-    for (const ModelDefect &defect :
-         defects_of_face(mended.surface, f, distance))
+  std::vector<ModelDefect> found;
+  for (unsigned int f = 0; f < surface.faces.size(); ++f)
+    for (const ModelDefect &defect : defects_of_face(surface, f, distance))
     {
       const auto same =
           std::find_if(found.begin(), found.end(), [&](const ModelDefect &d) {
@@ -111,6 +110,26 @@ void check_faces(MendedSurface &mended, const double distance)
         *same = defect;
       same->count = count;
     }
+  return found;
+}
+} // namespace
+
+void check_faces(MendedSurface &mended, const double distance)
+{
+  const std::vector<ModelDefect> found =
+      defects_of_faces(mended.surface, distance);
   mended.defects.insert(mended.defects.end(), found.begin(), found.end());
+}
+
+void check_shapes_of_faces(MendedSurface &mended)
+{
+  // Such a face touches itself, too.
+  const bool has_bridge = std::any_of(
+      mended.defects.begin(), mended.defects.end(),
+      [](const ModelDefect &d) { return d.kind == DefectKind::bridged_face; });
+  for (const ModelDefect &defect : defects_of_faces(mended.surface, 0.))
+    if (defect.kind == DefectKind::warped_face ||
+        (defect.kind == DefectKind::crossing_face && !has_bridge))
+      mended.defects.push_back(defect);
 }
 } // namespace Voussoir

@@ -11,6 +11,7 @@
 namespace Voussoir
 {
 using Json = nlohmann::ordered_json;
+using DefectKind = ModelDefect::Kind;
 
 const Json *value_of(const Json &tree, const std::string &key)
 {
@@ -22,10 +23,15 @@ const Json *value_of(const Json &tree, const std::string &key)
 
 bool is_true(const Json *const value)
 {
-  if (value == nullptr)
+  if (value == nullptr || value->is_null())
     return false;
-  return value->is_boolean() ? value->get<bool>()
-                             : value->is_number() && value->get<double>() != 0.;
+  if (value->is_boolean())
+    return value->get<bool>();
+  if (value->is_number())
+    return value->get<double>() != 0.;
+  throw CompasFault(DefectKind::bad_flag,
+                    "has 'is_support' = " + value->dump() +
+                        ", which is neither true nor false; write one of them");
 }
 
 namespace
@@ -53,8 +59,9 @@ double coordinate_of(const Json &value, const std::string &key)
   if (value.is_string() &&
       boost::conversion::try_lexical_convert(value.get<std::string>(), x))
     return x;
-  throw CompasFault("has the coordinate " + value.dump() + " of vertex '" +
-                    key + "', which is no number");
+  throw CompasFault(DefectKind::bad_coordinate,
+                    "has the coordinate " + value.dump() + " of vertex '" +
+                        key + "', which is no number; write one");
 }
 
 dealii::Point<3> compas_place(const Json &vertex,
@@ -72,8 +79,9 @@ dealii::Point<3> compas_place(const Json &vertex,
                  defaults ? value_of(*defaults, axes[d]) : nullptr)
       place[d] = coordinate_of(*x, key);
     else
-      throw CompasFault("has no " + axes[d] + " of vertex '" + key +
-                        "', and no default for it");
+      throw CompasFault(DefectKind::missing_coordinate,
+                        "has no " + axes[d] + " of vertex '" + key +
+                            "', and no default for it; add it");
   return place;
 }
 
@@ -83,8 +91,10 @@ unsigned int compas_vertex(const VertexKeys &keys,
 {
   const auto found = keys.find(key);
   if (found == keys.end())
-    throw CompasFault("has face '" + face + "' with the vertex '" + key +
-                      "', which is not there");
+    throw CompasFault(DefectKind::unknown_vertex,
+                      "has face '" + face + "' with the vertex '" + key +
+                          "', which is not there; change it, or add the "
+                          "vertex");
   return found->second;
 }
 
@@ -107,11 +117,16 @@ loop_of_next(const std::vector<std::array<unsigned int, 2>> &half_edges,
     if (found == next.end())
       break;
     v = found->second;
-    if (v == start && loop.size() == half_edges.size())
-      return loop;
+    if (v == start)
+    {
+      if (loop.size() == half_edges.size())
+        return loop;
+      break;
+    }
   }
-  throw CompasFault("has half-edges of face '" + face +
-                    "' that are not one closed loop");
+  throw CompasFault(DefectKind::bad_half_edges,
+                    "has half-edges of face '" + face +
+                        "' that are not one closed loop; export it again");
 }
 
 void add_compas_face(const Json &loop,
@@ -130,17 +145,34 @@ void add_compas_face(const Json &loop,
     return;
   }
   if (!loop.is_array())
-    throw CompasFault("has face '" + face + "' that is no list of vertices");
+    throw CompasFault(DefectKind::bad_face,
+                      "has face '" + face +
+                          "' that is no list of vertices, but " + loop.dump() +
+                          "; write their keys as [0, 1, 2]");
   std::vector<unsigned int> corners;
   for (const Json &key : loop)
     corners.push_back(compas_vertex(keys, text_of_key(key), face));
   block.faces.add(corners);
 }
 
+/** Do what may find a fault, and keep that. */
+template <typename Action>
+void keep_fault(std::vector<CompasFault> &faults, const Action &action)
+{
+  try
+  {
+    action();
+  }
+  catch (const CompasFault &fault)
+  {
+    faults.push_back(fault);
+  }
+}
+
 /** The faces of a mesh that has only half-edges {from: {to: face}}. */
 void add_faces_of_half_edges(const Json &tree,
                              const VertexKeys &keys,
-                             BlockMesh &block)
+                             CompasBlock &block)
 {
   std::vector<std::string> names;
   std::unordered_map<std::string, std::vector<std::array<unsigned int, 2>>>
@@ -149,16 +181,18 @@ void add_faces_of_half_edges(const Json &tree,
     if (from.value().is_object())
       for (const auto &to : from.value().items())
         if (!to.value().is_null())
-        {
-          const std::string face = text_of_key(to.value());
-          auto &of_face = half_edges[face];
-          if (of_face.empty())
-            names.push_back(face);
-          of_face.push_back({{compas_vertex(keys, from.key(), face),
-                              compas_vertex(keys, to.key(), face)}});
-        }
+          keep_fault(block.faults, [&] {
+            const std::string face = text_of_key(to.value());
+            auto &of_face = half_edges[face];
+            if (of_face.empty())
+              names.push_back(face);
+            of_face.push_back({{compas_vertex(keys, from.key(), face),
+                                compas_vertex(keys, to.key(), face)}});
+          });
   for (const std::string &face : names)
-    block.faces.add(loop_of_next(half_edges.at(face), face));
+    keep_fault(block.faults, [&] {
+      block.mesh.faces.add(loop_of_next(half_edges.at(face), face));
+    });
 }
 
 /** A list of things by their keys, whether these are written or not. */
@@ -217,31 +251,42 @@ bool is_compas_mesh(const Json &tree)
           value_of(mesh, "halfedge") != nullptr);
 }
 
-BlockMesh compas_mesh(const Json &tree)
+CompasBlock compas_mesh(const Json &tree)
 {
   const auto [content, name] = unwrapped(tree);
+  CompasBlock block;
+  BlockMesh &mesh = block.mesh;
   if (!is_compas_mesh(*content))
-    throw CompasFault("is no mesh with 'vertex' and 'face'");
-  BlockMesh block;
-  block.name = name;
+  {
+    block.faults.emplace_back(
+        DefectKind::other_shape,
+        "is no mesh with 'vertex' and 'face'; export it as one");
+    return block;
+  }
+  mesh.name = name;
   if (const Json *const attributes = value_of(*content, "attributes"))
   {
     if (const std::string name = own_name(*attributes); !name.empty())
-      block.name = name;
-    block.is_support = is_true(value_of(*attributes, "is_support"));
+      mesh.name = name;
+    keep_fault(block.faults, [&] {
+      mesh.is_support = is_true(value_of(*attributes, "is_support"));
+    });
   }
   const Json *defaults = value_of(*content, "default_vertex_attributes");
   if (defaults == nullptr)
     defaults = value_of(*content, "dva");
   VertexKeys keys;
-  for_each_entry(*value_of(*content, "vertex"), [&](const std::string &key,
-                                                    const Json &vertex) {
-    keys[key] = block.vertices.size();
-    block.vertices.push_back(compas_place(vertex, key, defaults));
-  });
+  for_each_entry(*value_of(*content, "vertex"),
+                 [&](const std::string &key, const Json &vertex) {
+                   keys[key] = mesh.vertices.size();
+                   mesh.vertices.emplace_back();
+                   keep_fault(block.faults, [&] {
+                     mesh.vertices.back() = compas_place(vertex, key, defaults);
+                   });
+                 });
   if (const Json *const faces = value_of(*content, "face"))
     for_each_entry(*faces, [&](const std::string &key, const Json &loop) {
-      add_compas_face(loop, key, keys, block);
+      keep_fault(block.faults, [&] { add_compas_face(loop, key, keys, mesh); });
     });
   else
     add_faces_of_half_edges(*value_of(*content, "halfedge"), keys, block);

@@ -14,10 +14,13 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
+#include <unordered_set>
 
 namespace Voussoir
 {
 using Json = nlohmann::ordered_json;
+using DefectKind = ModelDefect::Kind;
 
 namespace
 {
@@ -26,6 +29,41 @@ constexpr unsigned int deepest_list = 16;
 
 /** The bytes before a fault of the notation that its message shows. */
 constexpr std::size_t shown_before_fault = 20;
+
+/** Finds keys that an object has twice, of which the tree keeps one. */
+class KeysOfObjects
+{
+public:
+  /** See what is parsed, one event after the other. */
+  void see(const Json::parse_event_t event, const Json &parsed)
+  {
+    if (event == Json::parse_event_t::object_start)
+      open.emplace_back();
+    else if (event == Json::parse_event_t::object_end)
+      open.pop_back();
+    else if (event == Json::parse_event_t::key)
+    {
+      Keys &keys = open.back();
+      keys.last = parsed.get<std::string>();
+      if (!keys.all.insert(keys.last).second)
+        found.push_back("the key '" + keys.last + "'" +
+                        (open.size() > 1
+                             ? " of '" + open[open.size() - 2].last + "'"
+                             : ""));
+    }
+  }
+  /** Each with what has it, such as "the key '3' of 'node'". */
+  const std::vector<std::string> &repeated() const { return found; }
+
+private:
+  struct Keys
+  {
+    std::unordered_set<std::string> all;
+    std::string last;
+  };
+  std::vector<Keys> open;
+  std::vector<std::string> found;
+};
 
 /** Reads one file; one object, used once. */
 class CompasReader
@@ -39,8 +77,11 @@ public:
   BlockMeshes read()
   {
     const Json tree = parse();
-    collect(tree, 0);
-    if (model.blocks.empty())
+    collect(tree, 0, "");
+    const bool has_faults =
+        std::any_of(model.faults.begin(), model.faults.end(),
+                    [](const ModelDefect &d) { return d.is_refusal(); });
+    if (model.blocks.empty() && !has_faults)
       refuse("is JSON, but no model that is known: an Assembly, a BlockModel, "
              "a mesh or a list of meshes of COMPAS.");
     return std::move(model);
@@ -52,12 +93,23 @@ private:
     throw InputError("The COMPAS file '" + model.file.string() + "' " + fault);
   }
 
-  Json parse() const
+  Json parse()
   {
     const std::string bytes = read_model_bytes(model.file);
+    KeysOfObjects keys;
     try
     {
-      return Json::parse(bytes);
+      Json tree = Json::parse(
+          bytes, [&](int, const Json::parse_event_t event, const Json &parsed) {
+            keys.see(event, parsed);
+            return true;
+          });
+      for (const std::string &repeated : keys.repeated())
+        model.faults.push_back(fault_of_file(
+            DefectKind::repeated_key,
+            "'" + model.file.string() + "' has " + repeated +
+                " twice, of which one is lost; rename or delete it"));
+      return tree;
     }
     catch (const Json::parse_error &error)
     {
@@ -79,35 +131,66 @@ private:
     }
   }
 
-  /** Add the block that @p action reads, or say where it is faulty. */
+  static ModelDefect fault_of_file(const DefectKind kind,
+                                   const std::string &sentence)
+  {
+    ModelDefect fault = {kind, dealii::numbers::invalid_unsigned_int};
+    fault.detail = sentence + '.';
+    return fault;
+  }
+
+  /** What faults of one thing are for the file: the first of each kind. */
+  std::vector<ModelDefect>
+  faults_of(const std::string &thing,
+            const std::vector<CompasFault> &found) const
+  {
+    std::map<DefectKind, std::vector<const CompasFault *>> kinds;
+    for (const CompasFault &fault : found)
+      kinds[fault.kind].push_back(&fault);
+    std::vector<ModelDefect> faults;
+    for (const auto &[kind, of_kind] : kinds)
+      faults.push_back(fault_of_file(
+          kind,
+          text("The ", thing, " of '", model.file.string(), "' ",
+               of_kind.front()->what(),
+               of_kind.size() > 1 ? text(" (and ", of_kind.size() - 1, " more)")
+                                  : "")));
+    return faults;
+  }
+
+  /** Add the block that @p action reads, with what is faulty. */
   template <typename Action>
   void add(const std::string &record_name,
            const std::string &key,
            const Action &action)
   {
+    model.record_name = model.blocks.empty() || model.record_name == record_name
+                            ? record_name
+                            : "block";
+    CompasBlock block;
     try
     {
-      model.record_name = record_name;
-      BlockMesh block = action();
-      block.record = model.blocks.size();
-      model.blocks.push_back(std::move(block));
+      block = action();
     }
     catch (const CompasFault &fault)
     {
-      refuse("has the " + record_name + " '" + key + "', which " +
-             fault.what() + ".");
+      block.faults.push_back(fault);
     }
+    block.mesh.faults = faults_of(record_name + " '" + key + "'", block.faults);
+    block.mesh.record = model.blocks.size();
+    model.blocks.push_back(std::move(block.mesh));
   }
 
-  void collect(const Json &tree, const unsigned int depth)
+  void
+  collect(const Json &tree, const unsigned int depth, const std::string &entry)
   {
     const Json &inside = *unwrapped(tree).tree;
     if (inside.is_array())
     {
       if (depth == deepest_list)
         refuse("has lists within lists that are no model.");
-      for (const Json &entry : inside)
-        collect(entry, depth + 1);
+      for (std::size_t k = 0; k < inside.size(); ++k)
+        collect(inside[k], depth + 1, text(entry, '[', k, ']'));
     }
     else if (is_compas_mesh(tree))
       add("mesh", std::to_string(model.blocks.size()),
@@ -120,6 +203,27 @@ private:
       collect_nodes(*unwrapped(*graph).tree);
     else if (value_of(inside, "node") != nullptr)
       collect_nodes(inside);
+    else if (!entry.empty())
+    {
+      model.faults.push_back(
+          {DefectKind::skipped_entry, dealii::numbers::invalid_unsigned_int});
+      model.faults.back().detail = entry;
+    }
+  }
+
+  /** A block that is also a support if @p is_one finds it to be one. */
+  template <typename Question>
+  static CompasBlock with_support(CompasBlock block, const Question &is_one)
+  {
+    try
+    {
+      block.mesh.is_support |= is_one();
+    }
+    catch (const CompasFault &fault)
+    {
+      block.faults.push_back(fault);
+    }
+    return block;
   }
 
   /** Whether a node of a graph is a support. */
@@ -144,12 +248,12 @@ private:
     for (const auto &node : nodes->items())
     {
       const Json *const mesh = value_of(node.value(), "block");
-      if (mesh == nullptr || mesh->is_null())
-        refuse("has the node '" + node.key() + "', which has no 'block'.");
       add("node", node.key(), [&] {
-        BlockMesh block = compas_mesh(*mesh);
-        block.is_support |= is_support(graph, &node.value());
-        return block;
+        if (mesh == nullptr || mesh->is_null())
+          throw CompasFault(DefectKind::no_mesh,
+                            "has no 'block'; add its mesh, or delete it");
+        return with_support(compas_mesh(*mesh),
+                            [&] { return is_support(graph, &node.value()); });
       });
       keys.push_back(node.key());
     }
@@ -160,7 +264,7 @@ private:
   void collect_blocks(const Json &blocks, const Json *const assembly)
   {
     if (!blocks.is_object())
-      return collect(blocks, 0);
+      return collect(blocks, 0, "");
     const Json empty = Json::object();
     const Json &graph = assembly ? *unwrapped(*assembly).tree : empty;
     const Json *nodes = value_of(graph, "node");
@@ -171,10 +275,10 @@ private:
     for (const auto &entry : blocks.items())
     {
       add("node", entry.key(), [&] {
-        BlockMesh block = compas_mesh(entry.value());
-        block.is_support |=
-            is_support(graph, nodes ? value_of(*nodes, entry.key()) : nullptr);
-        return block;
+        return with_support(compas_mesh(entry.value()), [&] {
+          return is_support(graph,
+                            nodes ? value_of(*nodes, entry.key()) : nullptr);
+        });
       });
       keys.push_back(entry.key());
     }
@@ -196,50 +300,66 @@ private:
 
   void collect_elements(const Json &tree, const Json &elements)
   {
-    std::map<std::string, AffineMap> maps; // of what contains an element
-    AffineMap outer;
-    if (const auto map = checked_map(value_of(tree, "transformation"), "model"))
-      outer = *map;
+    ElementPlaces places;
+    places.outer = map_of(value_of(tree, "transformation"), "model");
     if (const Json *const hierarchy = value_of(tree, "tree"))
       if (const Json *const root =
               value_of(*unwrapped(*hierarchy).tree, "root"))
-        map_children(*root, elements, outer, maps);
+        map_children(*root, elements, places.outer, places);
     for (const auto &element : elements.items())
     {
       const Json &inside = *unwrapped(element.value()).tree;
       const Json *geometry = value_of(inside, "geometry");
       if (geometry == nullptr)
         geometry = value_of(inside, "shape"); // in the first form of it
-      if (geometry == nullptr || geometry->is_null())
-        continue; // a group of others
+      const bool has_shape = geometry != nullptr && !geometry->is_null();
+      if (!has_shape && places.groups.count(element.key()) > 0)
+        continue;
       add("element", element.key(), [&] {
+        if (!has_shape)
+          throw CompasFault(DefectKind::no_mesh,
+                            "has no geometry, nor elements below it; add its "
+                            "mesh, or delete it");
         if (!is_compas_mesh(*geometry))
-          throw CompasFault("has a geometry that is no mesh");
-        const auto found = maps.find(element.key());
+          throw CompasFault(
+              DefectKind::other_shape,
+              "has a geometry that is no mesh; export it as a mesh");
+        const auto found = places.maps.find(element.key());
         return placed_element(inside, *geometry,
-                              found == maps.end() ? outer : found->second);
+                              found == places.maps.end() ? places.outer
+                                                         : found->second);
       });
     }
   }
 
-  std::optional<AffineMap> checked_map(const Json *const tree,
-                                       const std::string &owner) const
+  /** Where elements are put by what contains them. */
+  struct ElementPlaces
+  {
+    AffineMap outer; // of the model
+    std::map<std::string, AffineMap> maps;
+    std::set<std::string> groups; // elements that contain others
+  };
+
+  /** The map of a model or a group; none if it is faulty. */
+  AffineMap map_of(const Json *const tree, const std::string &owner)
   {
     try
     {
-      return compas_map(tree);
+      return compas_map(tree).value_or(AffineMap());
     }
     catch (const CompasFault &fault)
     {
-      refuse("has the " + owner + ", which " + fault.what() + ".");
+      const std::vector<ModelDefect> faults = faults_of(owner, {fault});
+      model.faults.insert(model.faults.end(), faults.begin(), faults.end());
+      return {};
     }
   }
 
-  /** Maps of elements by what contains them: the model, and groups. */
+  /** Find the places of elements below one in the hierarchy. */
   void map_children(const Json &parent,
                     const Json &elements,
                     const AffineMap &outer,
-                    std::map<std::string, AffineMap> &maps) const
+                    ElementPlaces &places)
   {
     const Json *const children = value_of(parent, "children");
     if (children == nullptr || !children->is_array())
@@ -251,33 +371,65 @@ private:
       if (key != nullptr && key->is_string())
       {
         const std::string name = key->get<std::string>();
-        maps[name] = outer;
-        if (value_of(child, "children") != nullptr)
-          if (const Json *const group = value_of(elements, name))
-            if (const auto map = checked_map(
-                    value_of(*unwrapped(*group).tree, "transformation"),
-                    "element '" + name + "'"))
-              inner = outer.after(*map);
+        check_place(name, elements, places);
+        places.maps[name] = outer;
+        const Json *const below = value_of(child, "children");
+        const Json *const group = value_of(elements, name);
+        if (below != nullptr && !below->empty() && group != nullptr)
+        {
+          places.groups.insert(name);
+          inner = outer.after(
+              map_of(value_of(*unwrapped(*group).tree, "transformation"),
+                     "element '" + name + "'"));
+        }
       }
-      map_children(child, elements, inner, maps);
+      map_children(child, elements, inner, places);
     }
   }
 
-  static BlockMesh placed_element(const Json &element,
-                                  const Json &geometry,
-                                  const AffineMap &outer)
+  /** Find elements that are twice in the hierarchy, or are not there. */
+  void check_place(const std::string &name,
+                   const Json &elements,
+                   const ElementPlaces &places)
   {
-    BlockMesh block = compas_mesh(geometry);
-    const auto own = compas_map(value_of(element, "transformation"));
-    const AffineMap map = own ? outer.after(*own) : outer;
-    if (map.A != AffineMap().A || map.b != AffineMap().b)
-      for (dealii::Point<3> &vertex : block.vertices)
-        if (std::isfinite(vertex.norm_square())) // else it is refused later
-          vertex = map(vertex);
-    block.is_support |= is_true(value_of(element, "is_support"));
+    const std::string thing = "The hierarchy of '" + model.file.string() +
+                              "' has the element '" + name + "'";
+    if (value_of(elements, name) == nullptr)
+      model.faults.push_back(
+          fault_of_file(DefectKind::unknown_element,
+                        thing + ", which is not among 'elements'; add it, or "
+                                "delete it there"));
+    else if (places.maps.count(name) > 0)
+      model.faults.push_back(
+          fault_of_file(DefectKind::repeated_element,
+                        thing + " twice, so that it is not known which group "
+                                "moves it; delete one of them"));
+  }
+
+  static CompasBlock placed_element(const Json &element,
+                                    const Json &geometry,
+                                    const AffineMap &outer)
+  {
+    CompasBlock block = compas_mesh(geometry);
+    BlockMesh &mesh = block.mesh;
+    try
+    {
+      const auto own = compas_map(value_of(element, "transformation"));
+      const AffineMap map = own ? outer.after(*own) : outer;
+      if (map.A != AffineMap().A || map.b != AffineMap().b)
+        for (dealii::Point<3> &vertex : mesh.vertices)
+          if (std::isfinite(vertex.norm_square())) // else it is refused later
+            vertex = map(vertex);
+    }
+    catch (const CompasFault &fault)
+    {
+      block.faults.push_back(fault);
+    }
     if (const std::string name = own_name(element); !name.empty())
-      block.name = name;
-    return block;
+      mesh.name = name;
+    return with_support(std::move(block), [&] {
+      return is_true(value_of(element, "is_support"));
+    });
   }
 
   BlockMeshes model;

@@ -26,12 +26,14 @@ void ModelGenerator::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter(
       "Tolerance", tolerance,
       "The distance of faces that touch, at most, over the size of a block, "
-      "which is the cube root of the mean volume of blocks. Faces of one block "
-      "within a tenth of it of one plane are joined, and vertices within it "
-      "are welded where a block is open otherwise; a block less than twice as "
-      "thick is an error. 0: 1e-2, for models of meshes with a few decimals or "
-      "faces that do not quite meet; 1e-9 for tessellations of Neper. A mesh "
-      "that was computed to all digits may have less.",
+      "which is the cube root of the mean volume of blocks. Faces at an angle "
+      "touch in the part that is as near, if it is a tenth of what they have "
+      "in common. Faces of one block within a tenth of the tolerance of one "
+      "plane are joined, and vertices within it are welded where a block is "
+      "open otherwise; a block less than twice as thick is an error. 0: 1e-2, "
+      "for models of meshes with a few decimals or faces that do not quite "
+      "meet; 1e-9 for tessellations of Neper. A mesh that was computed to all "
+      "digits may have less.",
       Double(0.));
   prm.add_parameter(
       "Supports from file", uses_supports,

@@ -27,27 +27,63 @@ constexpr double share_for_planes = 0.1;
  */
 constexpr double least_thickness_over_tolerance = 2.;
 
-/** Weld within a distance, or that of seven digits if it is zero; orient. */
-MendedSurface closed_surface(const BlockMesh &mesh, const double distance)
+/** How far one goes to close a surface. */
+enum class Closing
 {
-  MendedSurface mended = surface_of(mesh);
+  weld,              /**< vertices at one place are one */
+  weld_and_subdivide /**< and edges have the vertices that lie within them */
+};
+
+/** Weld within a distance, or that of seven digits if it is zero; orient. */
+MendedSurface closed_surface(const BlockMesh &mesh,
+                             const double distance,
+                             const Closing closing)
+{
+  MendedSurface mended;
+  mended.defects = mesh.faults;
+  if (!mended.is_usable())
+    return mended;
+  mended = surface_of(mesh);
   if (mended.is_usable())
     weld(mended,
          distance > 0. ? distance : distance_of_seven_digits(mesh.vertices));
+  if (mended.is_usable() && closing == Closing::weld_and_subdivide)
+    add_hanging_vertices(mended, distance);
   if (mended.is_usable())
     orient(mended);
   return mended;
 }
 
 /** Close the surface, behind the defects that were found before. */
-void close_block(ModelBlock &block, const double distance)
+void close_block(ModelBlock &block,
+                 const double distance,
+                 const Closing closing)
 {
-  MendedSurface closed = closed_surface(block.mesh, distance);
+  MendedSurface closed = closed_surface(block.mesh, distance, closing);
   std::vector<ModelDefect> &defects = block.mended.defects;
   closed.defects.insert(closed.defects.begin(), defects.begin(), defects.end());
   block.mended = std::move(closed);
   if (block.mended.is_usable())
     block.sums = sums_of(block.mended.surface);
+}
+
+/** Close an open block within a tolerance, if that can be done. */
+void close_within(ModelBlock &block, const double tolerance)
+{
+  for (const Closing closing : {Closing::weld, Closing::weld_and_subdivide})
+  {
+    ModelBlock other = {block.mesh, {}, {}};
+    for (const ModelDefect &defect : block.mended.defects)
+      if (defect.kind <= DefectKind::unusable_name)
+        other.mended.defects.push_back(defect);
+    close_block(other, tolerance, closing);
+    if (other.mended.is_usable() && is_connected(other.mended.surface.faces))
+    {
+      block = std::move(other);
+      return;
+    }
+  }
+  tell_gaps(block.mended, tolerance);
 }
 
 /** Find whether a block is as thin as the tolerance. */
@@ -72,7 +108,8 @@ bool ModelBlock::has(const ModelDefect::Kind kind) const
 
 bool ModelBlock::has_numbers() const
 {
-  return !has(DefectKind::bad_number) && !has(DefectKind::bad_scale);
+  return !has(DefectKind::bad_number) && !has(DefectKind::bad_scale) &&
+         mesh.faults.empty();
 }
 
 std::vector<ModelBlock> model_blocks(BlockMeshes meshes,
@@ -86,7 +123,9 @@ std::vector<ModelBlock> model_blocks(BlockMeshes meshes,
       for (unsigned int d = 0; d < 3; ++d)
         if (options.scale != 1. && std::isfinite(p[d]))
           p[d] *= options.scale;
-    const std::vector<std::vector<unsigned int>> parts = parts_of(mesh);
+    const std::vector<std::vector<unsigned int>> parts =
+        mesh.faults.empty() ? parts_of(mesh)
+                            : std::vector<std::vector<unsigned int>>();
     if (parts.size() <= 1)
       blocks.push_back({std::move(mesh), {}, {}});
     else
@@ -104,25 +143,21 @@ std::vector<ModelBlock> model_blocks(BlockMeshes meshes,
 
 void mend_block(ModelBlock &block)
 {
-  close_block(block, 0.);
+  close_block(block, 0., Closing::weld);
 }
 
 void finish_block(ModelBlock &block, const double tolerance)
 {
   if (block.has(DefectKind::open))
-  {
-    ModelBlock other = {block.mesh, {}, {}};
-    for (const ModelDefect &defect : block.mended.defects)
-      if (defect.kind <= DefectKind::unusable_name)
-        other.mended.defects.push_back(defect);
-    close_block(other, tolerance);
-    if (other.mended.is_usable() && is_connected(other.mended.surface.faces))
-      block = std::move(other);
-  }
+    close_within(block, tolerance);
   MendedSurface &mended = block.mended;
-  if (!mended.is_usable())
-    return;
   const double distance = share_for_planes * tolerance;
+  if (!mended.is_usable())
+  {
+    if (block.has_numbers())
+      check_shapes_of_faces(mended);
+    return;
+  }
   join_coplanar_faces(mended, distance);
   drop_straight_vertices(mended,
                          distance_of_seven_digits(mended.surface.vertices));

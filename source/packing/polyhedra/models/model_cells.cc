@@ -2,11 +2,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/group_names.h>
+#include <voussoir/packing/polyhedra/models/block_places.h>
 #include <voussoir/packing/polyhedra/models/model_block.h>
 #include <voussoir/packing/polyhedra/models/model_cells.h>
-
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +29,6 @@ constexpr double tolerance_of_meshes = 1e-2, tolerance_of_computed = 1e-9;
 /** The error of coordinates from another program, in units of rounding. */
 constexpr double rounding_of_coordinates =
     16. * std::numeric_limits<double>::epsilon();
-
-/** How much the volumes of two blocks at one place differ that are the same. */
-constexpr double volume_of_same = 1e-3;
 
 /** The cube root of the mean volume of what has one; else of the boxes. */
 double size_of_blocks(const std::vector<ModelBlock> &blocks)
@@ -84,44 +79,6 @@ double model_tolerance(const std::vector<ModelBlock> &blocks,
                           " of the coordinates of '", meshes.file.string(),
                           "'; give more, or 0 for an automatic value."));
   return relative * size;
-}
-
-/** Find blocks that are where one before them is. */
-void check_repeated_blocks(std::vector<ModelBlock> &blocks,
-                           const CellRecords &records,
-                           const double tolerance)
-{
-  namespace bgi = boost::geometry::index;
-  std::vector<std::pair<Point<3>, unsigned int>> centroids;
-  for (unsigned int b = 0; b < blocks.size(); ++b)
-    if (blocks[b].mended.is_usable())
-      centroids.emplace_back(blocks[b].sums.centroid, b);
-  const bgi::rtree<std::pair<Point<3>, unsigned int>, bgi::rstar<16>> tree(
-      centroids);
-  for (const auto &[centroid, b] : centroids)
-  {
-    Point<3> low = centroid, high = centroid;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      low[d] -= tolerance;
-      high[d] += tolerance;
-    }
-    const dealii::BoundingBox<3> box({low, high});
-    for (auto near = tree.qbegin(bgi::intersects(box)); near != tree.qend();
-         ++near)
-    {
-      const double other = blocks[near->second].sums.volume;
-      if (near->second < b &&
-          std::abs(other - blocks[b].sums.volume) <= volume_of_same * other)
-      {
-        ModelDefect repeated = {DefectKind::repeated_block};
-        repeated.place = centroid;
-        repeated.detail = describe_named(records, near->second);
-        blocks[b].mended.defects.push_back(repeated);
-        break;
-      }
-    }
-  }
 }
 
 /** The file and its records, and the names of groups in the order of cells. */
@@ -197,6 +154,8 @@ ModelCells cells_of_model(const BlockMeshes &meshes,
   for (ModelBlock &block : blocks)
     finish_block(block, tolerance);
   check_repeated_blocks(blocks, model.cells, tolerance);
+  check_enclosed_blocks(blocks, model.cells, tolerance);
+  model.defects = meshes.faults;
   for (unsigned int b = 0; b < blocks.size(); ++b)
     for (ModelDefect defect : blocks[b].mended.defects)
     {
@@ -204,6 +163,13 @@ ModelCells cells_of_model(const BlockMeshes &meshes,
       model.defects.push_back(defect);
     }
   refuse_defects(model.defects, model.cells);
+  for (ModelDefect &defect : model.defects)
+  {
+    if (defect.kind == DefectKind::separate_parts ||
+        defect.kind == DefectKind::unusable_name)
+      defect.place = blocks[defect.cell].sums.centroid;
+    model.cells.defects.push_back(cell_defect(defect));
+  }
   for (const ModelBlock &block : blocks)
   {
     add_cell(block.mended.surface, model.cells);

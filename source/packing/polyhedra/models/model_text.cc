@@ -146,10 +146,15 @@ long long ModelText::integer(const std::size_t word,
               " to ", most, "."));
 }
 
+std::string ModelText::fault_in_line(const std::string &fault) const
+{
+  return text("The ", format, " file '", file.string(),
+              "' cannot be read in line ", line(), ": ", fault);
+}
+
 void ModelText::refuse(const std::string &fault) const
 {
-  throw InputError(text("The ", format, " file '", file.string(),
-                        "' cannot be read in line ", line(), ": ", fault));
+  throw InputError(fault_in_line(fault));
 }
 
 void ModelText::refuse_file(const std::string &fault) const

@@ -29,14 +29,14 @@ std::vector<ModelDefect> faults_of_edges(const Surface &surface,
                                          const std::vector<FaceSide> &sides)
 {
   ModelDefect open = {DefectKind::open}, branching = {DefectKind::branching},
-              crossing = {DefectKind::crossing_face};
-  for (ModelDefect *const defect : {&open, &branching, &crossing})
+              bridged = {DefectKind::bridged_face};
+  for (ModelDefect *const defect : {&open, &branching, &bridged})
     defect->count = 0;
   for (std::size_t k = 0; k < sides.size();)
   {
     const std::size_t end = end_of_edge(sides, k);
     const bool is_twice = end == k + 2 && sides[k].face == sides[k + 1].face;
-    ModelDefect *const defect = is_twice       ? &crossing
+    ModelDefect *const defect = is_twice       ? &bridged
                                 : end == k + 1 ? &open
                                 : end > k + 2  ? &branching
                                                : nullptr;
@@ -50,7 +50,7 @@ std::vector<ModelDefect> faults_of_edges(const Surface &surface,
     k = end;
   }
   std::vector<ModelDefect> faults;
-  for (const ModelDefect &defect : {open, branching, crossing})
+  for (const ModelDefect &defect : {open, branching, bridged})
     if (defect.count > 0)
       faults.push_back(defect);
   return faults;

@@ -40,8 +40,10 @@ struct SpaceReport
   std::vector<SpaceField> contact_fields;
   /** Labels and texts, for the table below the picture. */
   std::vector<std::pair<std::string, std::string>> summary;
-  /** What is wrong with the geometry, a sentence each. */
-  std::vector<std::string> defects;
+  /** What the run warned of, a sentence each. */
+  std::vector<std::string> warnings = {};
+  /** What was wrong with the blocks, and was mended or is tolerated. */
+  std::vector<CellDefect> defects = {};
 };
 
 /**

@@ -46,6 +46,9 @@ private:
   /** The faces of a cell that are near to a box. */
   std::vector<unsigned int> faces_near(unsigned int cell,
                                        const SpaceBox &box) const;
+  /** The parts of two faces that are within the range of each other; none if
+   * that is little of what they have in common: they meet along an edge. */
+  ConvexRings touching_parts(const FacePair &pair) const;
   /** Add the patches of one pair of faces. */
   void add_patches(PatchList &list, const Pair &faces) const;
 

@@ -91,6 +91,9 @@ common_part(ConvexRing ring, const ConvexRing &other, double tolerance);
 ConvexRings
 without(const ConvexRings &rings, const ConvexRing &other, double tolerance);
 
+/** The area of a polygon; L^2. */
+double area(const ConvexRing &ring);
+
 /** The least distance of two parallel lines around a polygon; a length. */
 double width(const ConvexRing &ring);
 } // namespace Voussoir

@@ -58,12 +58,16 @@ public:
            const std::array<unsigned int, 2> &faces);
 
   /**
-   * What a piece of the first face has in common with one of the second;
-   * empty if that is nothing, no wider than the tolerance, or its distances are
-   * outside of the range at a corner.
+   * What a piece of the first face has in common with one of the second, as
+   * seen along the normal; empty if that is nothing.
    */
-  ConvexRing common_part(const std::array<unsigned int, 2> &pieces,
-                         const GapRange &range) const;
+  ConvexRing common_part(const std::array<unsigned int, 2> &pieces) const;
+  /**
+   * The part of a common polygon in which the distance of the faces is in a
+   * range: the very polygon, or what two straight lines cut off, since the
+   * distance is linear; empty if there is none.
+   */
+  ConvexRing part_within(const ConvexRing &ring, const GapRange &range) const;
 
   /** The coordinates in which the two are compared. */
   const PlaneFrame &coordinates() const { return frame; }

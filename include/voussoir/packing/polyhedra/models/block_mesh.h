@@ -2,6 +2,8 @@
 #ifndef voussoir_packing_polyhedra_models_block_mesh_h
 #define voussoir_packing_polyhedra_models_block_mesh_h
 
+#include <voussoir/packing/polyhedra/models/model_defects.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/point.h>
 
@@ -49,6 +51,8 @@ struct BlockMesh
   bool is_support = false;
   /** The record of the file that it comes from. */
   unsigned int record = 0;
+  /** What of it could not be read: its shape is then of no meaning. */
+  std::vector<ModelDefect> faults;
 };
 
 /** What a file says of blocks, before anything is mended. */
@@ -62,6 +66,8 @@ struct BlockMeshes
   std::vector<BlockMesh> blocks;
   /** True if all digits of the coordinates are right, as in a tessellation. */
   bool is_computed = false;
+  /** What is wrong with the file, and of no block. */
+  std::vector<ModelDefect> faults;
 };
 
 /**

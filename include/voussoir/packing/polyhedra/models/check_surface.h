@@ -13,6 +13,12 @@ namespace Voussoir
 void check_faces(MendedSurface &mended, double distance);
 
 /**
+ * Find faces that cross or touch themselves, or are in no plane: what can be
+ * told of a surface that is not closed.
+ */
+void check_shapes_of_faces(MendedSurface &mended);
+
+/**
  * Find faces that cross others of the same surface, further than @p distance:
  * in a segment of that length at least between triangles without a common
  * vertex, into which the faces are cut.

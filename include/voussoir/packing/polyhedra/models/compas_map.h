@@ -38,7 +38,8 @@ struct AffineMap
 /**
  * The map that a transformation of COMPAS is; none if it is not there.
  *
- * @throws CompasFault if it is no matrix of 4 by 4 numbers of such a map.
+ * @throws CompasFault if it is no matrix of 4 by 4 numbers of such a map, or
+ *   one without an inverse.
  */
 std::optional<AffineMap> compas_map(const nlohmann::ordered_json *tree);
 } // namespace Voussoir

@@ -8,6 +8,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -15,14 +16,34 @@ namespace Voussoir
 class CompasFault : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  /** @param fault the end of a sentence, with what to do. */
+  CompasFault(const ModelDefect::Kind kind, const std::string &fault)
+      : std::runtime_error(fault), kind(kind)
+  {}
+
+  /** What it is; ModelDefect::is_of_file(). */
+  ModelDefect::Kind kind;
+};
+
+/** A block of COMPAS, as far as it could be read. */
+struct CompasBlock
+{
+  /** The block. */
+  BlockMesh mesh;
+  /** What could not be read. */
+  std::vector<CompasFault> faults;
 };
 
 /** The value of a key of an object; null if there is none. */
 const nlohmann::ordered_json *value_of(const nlohmann::ordered_json &tree,
                                        const std::string &key);
 
-/** True for true, and for a number that is not zero. */
+/**
+ * True for true, and for a number that is not zero; not for null, and what is
+ * not there.
+ *
+ * @throws CompasFault if it is anything else.
+ */
 bool is_true(const nlohmann::ordered_json *value);
 
 /** The name of a tree; empty if it is none, or one that COMPAS gives to all. */
@@ -47,10 +68,8 @@ bool is_compas_mesh(const nlohmann::ordered_json &tree);
  * The block that a mesh is, with or without wrappings: its vertices and faces
  * in their order, its name unless it is one that COMPAS gives by itself, and
  * whether its attributes call it a support.
- *
- * @throws CompasFault if it lacks something.
  */
-BlockMesh compas_mesh(const nlohmann::ordered_json &tree);
+CompasBlock compas_mesh(const nlohmann::ordered_json &tree);
 } // namespace Voussoir
 
 #endif

@@ -23,8 +23,8 @@ struct MendedSurface
 
 /**
  * The faces of a block that can be told apart, or the defect that stops it:
- * without a face, with a number that is not finite, or of a size that cannot
- * be reckoned with.
+ * without a face or with less than four, with a number that is not finite, or
+ * of a size that cannot be reckoned with.
  */
 MendedSurface surface_of(const BlockMesh &block);
 
@@ -50,13 +50,30 @@ first_vertices_nearby(const std::vector<dealii::Point<3>> &vertices,
 void weld(MendedSurface &mended, double distance);
 
 /**
+ * Add vertices to the open edges that they lie within, up to @p distance from
+ * them, so that two faces have the same edges. Only vertices of open edges are
+ * added.
+ */
+void add_hanging_vertices(MendedSurface &mended, double distance);
+
+/**
+ * Tell edges of one face that miss others from those where a face is missing:
+ * the others have no face on their other side either, and both of their ends
+ * are near, beside the length of the edge. No change if there is none such.
+ *
+ * @param tolerance a length, for the message.
+ */
+void tell_gaps(MendedSurface &mended, double tolerance);
+
+/**
  * Turn the faces so that neighbours run along their common edge in opposite
  * directions, and the volume is positive. The first face of a surface that
  * agrees with itself stays as it is if the volume lets it. A turned face keeps
  * its first vertex.
  *
- * Refused are edges of one face or of more than two, a surface without an
- * inside, and one whose volume over its area is nothing beside its size.
+ * Refused are edges of one face or of more than two, or twice of the same, a
+ * surface without an inside, and one whose volume over its area is nothing
+ * beside its size.
  */
 void orient(MendedSurface &mended);
 

@@ -63,6 +63,8 @@ public:
                     long long least,
                     long long most) const;
 
+  /** The sentence that the file cannot be read in this line. */
+  std::string fault_in_line(const std::string &fault) const;
   /** @throws InputError that the file cannot be read in this line. */
   [[noreturn]] void refuse(const std::string &fault) const;
   /** @throws InputError that the file has the @p fault. */

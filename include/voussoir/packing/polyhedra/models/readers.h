@@ -34,10 +34,10 @@ BlockMeshes read_off_model(const std::filesystem::path &file);
  * in the file, "g NAME" does. Vertices are numbered through the file from one,
  * or backwards from the last one by -1, -2, ...; those of texture and normals
  * are ignored, and so is all that is no vertex, face or name. A record is the
- * line of a block's name, or of its first face if it has none.
+ * line of a block's name, or of its first face if it has none. Lines with
+ * faults are faults of their blocks.
  *
- * @throws InputError naming the line if the file cannot be read, a face names a
- *   vertex that is not there, or there is no face.
+ * @throws InputError if the file cannot be read, or there is no face.
  */
 BlockMeshes read_obj_model(const std::filesystem::path &file);
 
@@ -68,10 +68,11 @@ BlockMeshes read_stl_model(const std::filesystem::path &file);
  * A vertex without a coordinate takes the default of its mesh. A record is a
  * node, if all have numbers for keys, or an element or a mesh, counted from
  * zero. A block's name is that of its mesh, if it is not what COMPAS calls all
- * of them.
+ * of them. What is faulty in a mesh is a fault of its block, and what is in no
+ * mesh one of the file.
  *
  * @throws InputError naming the place in the file if it cannot be read, is not
- *   JSON, is none of the above, or lacks something.
+ *   JSON, or is none of the above.
  */
 BlockMeshes read_compas_model(const std::filesystem::path &file);
 
