@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/analyses/space_analysis.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
@@ -157,7 +158,10 @@ void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
       prm, "Factor", multiplied,
       {{Multiplied::live_loads, "live loads",
         "the loads in 'Live loads'; those in 'Loads' stay as they are."},
-       {Multiplied::all_loads, "all loads", "the loads in both sections."}},
+       {Multiplied::all_loads, "all loads", "the loads in both sections."},
+       {Multiplied::strength, "strength",
+        "nothing: the strengths against sliding, s_T or c and mu, are divided "
+        "by it, and the loads in both sections stay as they are."}},
       "What the factor multiplies.");
   add_choice<Direction>(
       prm, "Direction", direction,
@@ -219,6 +223,11 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
   SpaceScene live = parameters.live_scene_of(blocks, terminal);
   if (live.is_loaded())
     show_loads(terminal, live, "Live loads");
+  if (multiplied == Multiplied::strength)
+  {
+    scene.loads = sum_of(scene.loads, 1., live.loads);
+    return strength_factor_of(std::move(scene), terminal);
+  }
   if (multiplied == Multiplied::all_loads)
   {
     live.loads = sum_of(scene.loads, 1., live.loads);
@@ -262,17 +271,22 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
   return answer;
 }
 
+LoadFactorControls SpaceAnalysis::controls_of_factor() const
+{
+  LoadFactorControls of_search;
+  of_search.greatest = direction == Direction::greatest;
+  of_search.tolerance = controls.tolerance_of_factor;
+  of_search.n_max_iterations = controls.n_max_iterations;
+  return of_search;
+}
+
 SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
                                      SpaceScene live,
                                      Terminal &terminal) const
 {
   terminal.begin("Load factor");
-  LoadFactorControls of_search;
-  of_search.greatest = direction == Direction::greatest;
-  of_search.tolerance = controls.tolerance_of_factor;
-  of_search.n_max_iterations = controls.n_max_iterations;
   FactorAnswerOf<SpaceScene> found =
-      find_load_factor(dead, live, of_search, terminal);
+      find_load_factor(dead, live, controls_of_factor(), terminal);
   SpaceAnswer answer = {dead};
   answer.is_analysed = true;
   if (!found.factor)
@@ -316,6 +330,48 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
   json["meaning"] = words_of(factor);
   answer.summary["iterations"] = factor.n_iterations;
   terminal.stage("Load factor", words_of(factor));
+  return answer;
+}
+
+SpaceAnswer SpaceAnalysis::strength_factor_of(SpaceScene scene,
+                                              Terminal &terminal) const
+{
+  check_strength_factor(scene, controls_of_factor());
+  terminal.begin("Strength factor");
+  FactorAnswerOf<SpaceScene> found =
+      find_strength_factor(scene, controls_of_factor(), terminal);
+  SpaceAnswer answer = {std::move(scene)};
+  answer.is_analysed = true;
+  if (!found.factor)
+  {
+    answer.motion = std::move(found.collapse);
+    judge_mechanism(answer, "The load is not carried with any strengths: the "
+                            "packing collapses");
+    terminal.stage("Strength factor", answer.status.description());
+    return answer;
+  }
+  FactorOf<SpaceScene> &factor = *found.factor;
+  if (!factor.is_unbounded)
+    answer.scene = with_strengths_divided(answer.scene, factor.carried);
+  answer.forces = std::move(factor.forces);
+  answer.motion = std::move(factor.mechanism);
+  answer.is_mechanism = !answer.motion.displacement.empty();
+  judge_forces(answer);
+  const std::string words =
+      factor.is_unbounded
+          ? "any number: the load is carried whatever the strengths"
+          : text("divided by ", text_to_copy(factor.carried),
+                 " the strengths carry the load, by ",
+                 text_to_copy(factor.bound), " they do not; these differ by ",
+                 factor.width(), " of it");
+  answer.summary["strength_factor"] = {
+      {"carried", json_of(factor.is_unbounded ? factor.bound : factor.carried)},
+      {"bound", json_of(factor.bound)},
+      {"width", json_of(factor.width())},
+      {"unbounded", factor.is_unbounded},
+      {"meaning", words}};
+  answer.summary["iterations"] = factor.n_iterations;
+  terminal.stage("Strength factor", words);
   return answer;
 }
 } // namespace Voussoir

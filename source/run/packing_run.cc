@@ -72,7 +72,7 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
        {PackingFile::off, "OFF", packing_off + ", without names."},
        {PackingFile::obj, "OBJ", packing_obj + ", with the names of groups."},
        {PackingFile::compas, "COMPAS",
-        packing_json + ", an Assembly with its interfaces and supports."}},
+        packing_json + ", an Assembly with its interfaces, their forces, and supports."}},
       "What to write for another program, or to be read again by the generator "
       "'model'.");
   prm.add_parameter("Report", reports,
@@ -155,7 +155,7 @@ void PackingRun::write(ResultDirectory &files,
     grids.push_back(defects_vtu);
   }
   write_collection(files, grids);
-  write_packing(files, packing);
+  write_packing(files, answer);
   if (reports)
     files.write(report_html, [&](std::ostream &out) {
       write_packing_report(out, answer, output.title, terminal.warnings(),
@@ -173,8 +173,9 @@ void PackingRun::write(ResultDirectory &files,
 }
 
 void PackingRun::write_packing(ResultDirectory &files,
-                               const Packing<3> &packing) const
+                               const SpaceAnswer &answer) const
 {
+  const Packing<3> &packing = answer.scene.packing();
   const CellFaces &cells = packing.polyhedra();
   switch (packing_file)
   {
@@ -190,7 +191,16 @@ void PackingRun::write_packing(ResultDirectory &files,
   case PackingFile::compas:
     files.write(packing_json, [&](std::ostream &out) {
       const FaceContacts contacts = packing.contacts();
-      write_compas_assembly(out, cells, &contacts);
+      ForcesAtCorners forces;
+      for (unsigned int e = 0; !answer.forces.empty() && e < contacts.faces.size();
+           ++e)
+      {
+        forces.push_back(
+            answer.forces.at_vertices(e, packing.polygon(e).size()));
+        for (dealii::Tensor<1, 3> &force : forces.back())
+          force *= -1.; // on the higher cell
+      }
+      write_compas_assembly(out, cells, &contacts, forces);
     });
   }
 }

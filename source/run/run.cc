@@ -65,7 +65,7 @@ void Run::read(const ParameterSources &sources)
                     "2: the blocks are polygons in the plane. 3: they are "
                     "polyhedra in space, with parameters of their own, which "
                     "'voussoir --print-parameters --set Dimension=3' lists; "
-                    "the packing is made or read, checked and written.");
+                    "its states and load factors are found as in the plane.");
   declare(load_cases_in(inputs, sources));
   assigned.watch(prm);
   for (const ParameterInput &input : inputs)
@@ -75,9 +75,9 @@ void Run::read(const ParameterSources &sources)
     assign_parameter(prm, assignment);
   if (prm.get_integer(dimension_entry) != dimension())
     throw InputError("'Dimension' is " + prm.get(dimension_entry) +
-                     ": packings in space are made, checked and written by "
-                     "'voussoir FILE.prm' alone; --sweep, --find and Python "
-                     "are for packings in the plane.");
+                     ": blocks in space are for 'voussoir FILE.prm' alone; "
+                     "--sweep, --find and Python are for packings in the "
+                     "plane.");
 }
 
 void Run::assign(const std::string &assignment)

@@ -89,7 +89,8 @@ private:
   enum class Multiplied
   {
     live_loads,
-    all_loads
+    all_loads,
+    strength
   };
   enum class Direction
   {
@@ -98,8 +99,10 @@ private:
   };
 
   SpaceAnswer state_of(SpaceScene scene, Terminal &terminal) const;
+  LoadFactorControls controls_of_factor() const;
   SpaceAnswer
   factor_of(SpaceScene dead, SpaceScene live, Terminal &terminal) const;
+  SpaceAnswer strength_factor_of(SpaceScene scene, Terminal &terminal) const;
 
   Question question = Question::state;
   Multiplied multiplied = Multiplied::live_loads;

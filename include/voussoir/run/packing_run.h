@@ -54,7 +54,7 @@ private:
   void write(ResultDirectory &files,
              const SpaceAnswer &answer,
              const std::vector<CellDefect> &defects) const;
-  void write_packing(ResultDirectory &files, const Packing<3> &packing) const;
+  void write_packing(ResultDirectory &files, const SpaceAnswer &answer) const;
 
   OutputEntries output;
   SpaceSceneParameters of_scene;

@@ -38,35 +38,6 @@ DiscreteProblem problem_of(const SceneOf &dead, const SceneOf &live)
   return limit > 0. ? problem.in_units_of(limit) : problem;
 }
 
-/** @{ */
-/** From the problem of a scene to the user's units, in the plane and in space.
- */
-Motion motion_in_units(const DiscreteProblem &problem,
-                       const Scene & /*scene*/,
-                       const std::vector<double> &u)
-{
-  return dimensional_motion(problem, u, 1.);
-}
-SpaceMotion motion_in_units(const DiscreteProblem &problem,
-                            const SpaceScene &scene,
-                            const std::vector<double> &u)
-{
-  return dimensional_motion(problem, scene, u, 1.);
-}
-InterfaceForces forces_in_units(const DiscreteProblem &problem,
-                                const Scene & /*scene*/,
-                                const Solution &solution)
-{
-  return dimensional_forces(problem, solution);
-}
-FaceForces forces_in_units(const DiscreteProblem &problem,
-                           const SpaceScene &scene,
-                           const Solution &solution)
-{
-  return dimensional_forces(problem, scene, solution);
-}
-/** @} */
-
 /** One search; an object is used once. */
 template <typename SceneOf>
 class LoadFactorSearch
@@ -90,7 +61,8 @@ private:
   }
   MotionOfBlocks motion_of(std::vector<double> u) const
   {
-    return motion_in_units(problem, dead, by_rows.of_size_one(std::move(u)));
+    return dimensional_motion(problem, dead,
+                              by_rows.of_size_one(std::move(u)), 1.);
   }
   Forces forces_of(const std::vector<double> &x) const;
   void keep(const ProvenFactor &factor);
@@ -145,7 +117,7 @@ LoadFactorSearch<SceneOf>::forces_of(const std::vector<double> &x) const
 {
   Solution solution;
   solution.forces = by_rows.rows().forces_of(x);
-  return forces_in_units(problem, dead, solution);
+  return dimensional_forces(problem, dead, solution);
 }
 
 /** Look whether the dead loads are carried by themselves. */

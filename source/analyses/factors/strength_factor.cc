@@ -3,14 +3,17 @@
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/statics/conic/blended_loads.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/discretise_space.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace Voussoir
@@ -51,11 +54,47 @@ double work_of_friction(const RowProblem &by_rows,
   const DiscreteProblem &problem = by_rows.of();
   const std::vector<double> forces = by_rows.rows().forces_of(x);
   double work = 0.;
+  if (!problem.is_plane())
+  {
+    const std::vector<double> jumps = by_rows.rows().jumps(u);
+    for (unsigned int e = 0; e < problem.joints().size(); ++e)
+      problem.for_each_set(e, [&](const unsigned int size,
+                                  const unsigned int row, unsigned int) {
+        const std::size_t first = problem.first_row(e) + row;
+        // Behind the pressure, if there is one.
+        for (std::size_t k = first + size % 2; k < first + size; ++k)
+          work += forces[k] * jumps[k];
+      });
+    return work;
+  }
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
     work += std::abs(forces[problem.first_row(e) + problem.n_contacts(e)] *
                      problem.sliding(e, u.data()));
   return work;
 }
+
+/** @{ */
+/** Whether strengths grow with the pressure. */
+bool has_coefficient(const Scene &scene)
+{
+  return !scene.coefficient.empty();
+}
+bool has_coefficient(const SpaceScene &scene)
+{
+  return !scene.blocks->strengths.coefficient.empty();
+}
+/** @} */
+/** @{ */
+/** Whether blocks that slide lift off as friction has it. */
+bool dilates(const Scene &scene)
+{
+  return scene.dilates;
+}
+bool dilates(const SpaceScene &scene)
+{
+  return scene.blocks->strengths.dilate;
+}
+/** @} */
 
 /**
  * The search. At a divisor f the greatest share t of loads that are blended,
@@ -63,16 +102,17 @@ double work_of_friction(const RowProblem &by_rows,
  * -log f is the work of friction in the mechanism in which the live loads do
  * the work one, with which Newton's method finds where it is one.
  */
+template <typename SceneOf>
 class StrengthSearch
 {
 public:
-  StrengthSearch(const Scene &scene,
+  StrengthSearch(const SceneOf &scene,
                  const LoadFactorControls &controls,
                  Terminal &terminal)
       : scene(scene), controls(controls), terminal(terminal)
   {}
 
-  LoadFactorAnswer find();
+  FactorAnswerOf<SceneOf> find();
 
 private:
   /** What is known of one divisor. */
@@ -87,7 +127,7 @@ private:
                    const DiscreteProblem &problem,
                    std::vector<double> forces);
   bool keep_mechanism(double divisor,
-                      const Scene &divided,
+                      const SceneOf &divided,
                       const RowProblem &by_rows,
                       const ProvenFactor &factor);
   double newton(double divisor, const Share &share) const;
@@ -96,10 +136,10 @@ private:
   void find_proofs(double limit);
   void bisect();
 
-  const Scene &scene;
+  const SceneOf &scene;
   const LoadFactorControls &controls;
   Terminal &terminal;
-  LoadFactor found;
+  FactorOf<SceneOf> found;
   /** The way to the share of a divisor, which others begin with. */
   ProvenFactor::Course course;
   double divisor_of_course = 1.;
@@ -110,9 +150,11 @@ private:
 };
 
 /** Look at one divisor, and keep proofs that are better. */
-StrengthSearch::Share StrengthSearch::judge(const double divisor)
+template <typename SceneOf>
+typename StrengthSearch<SceneOf>::Share
+StrengthSearch<SceneOf>::judge(const double divisor)
 {
-  const Scene divided = with_strengths_divided(scene, divisor);
+  const SceneOf divided = with_strengths_divided(scene, divisor);
   const DiscreteProblem problem = discretise(divided);
   BlendedLoads blend(problem);
   RowProblem &by_rows = blend.by_rows();
@@ -177,7 +219,8 @@ StrengthSearch::Share StrengthSearch::judge(const double divisor)
 }
 
 /** Keep forces that carry the loads. */
-void StrengthSearch::keep_forces(const double divisor,
+template <typename SceneOf>
+void StrengthSearch<SceneOf>::keep_forces(const double divisor,
                                  const DiscreteProblem &problem,
                                  std::vector<double> forces)
 {
@@ -186,18 +229,19 @@ void StrengthSearch::keep_forces(const double divisor,
   Solution state;
   state.stop = Stop::Reason::converged;
   state.forces = std::move(forces);
-  found.forces = dimensional_forces(problem, state);
+  found.forces = dimensional_forces(problem, scene, state);
   found.carried = divisor;
 }
 
 /** Whether the mechanism is a proof, kept if it is a better one. */
-bool StrengthSearch::keep_mechanism(const double divisor,
-                                    const Scene &divided,
+template <typename SceneOf>
+bool StrengthSearch<SceneOf>::keep_mechanism(const double divisor,
+                                    const SceneOf &divided,
                                     const RowProblem &by_rows,
                                     const ProvenFactor &factor)
 {
-  Motion motion = dimensional_motion(
-      by_rows.of(), by_rows.of_size_one(factor.mechanism()->u), 1.);
+  typename SceneOf::MotionOfBlocks motion = dimensional_motion(
+      by_rows.of(), divided, by_rows.of_size_one(factor.mechanism()->u), 1.);
   const MechanismCertificate proof = certify_mechanism(divided, motion);
   if (!proves_collapse(proof))
     return false;
@@ -217,11 +261,12 @@ bool StrengthSearch::keep_mechanism(const double divisor,
  * is nearly linear in its logarithm. Zero if nothing is known; infinite if no
  * strengths are needed.
  */
-double StrengthSearch::newton(const double divisor, const Share &share) const
+template <typename SceneOf>
+double StrengthSearch<SceneOf>::newton(const double divisor, const Share &share) const
 {
   if (!(share.slope > 0.))
     return share.is_carried ? infinite : 0.;
-  if (!scene.coefficient.empty())
+  if (has_coefficient(scene))
     return divisor *
            std::exp(std::clamp((share.t - 1.) * share.t / share.slope,
                                -largest_step_of_log, largest_step_of_log));
@@ -230,7 +275,8 @@ double StrengthSearch::newton(const double divisor, const Share &share) const
 }
 
 /** The divisor to look at behind one that was looked at. */
-double StrengthSearch::next(const double divisor, const Share &share)
+template <typename SceneOf>
+double StrengthSearch<SceneOf>::next(const double divisor, const Share &share)
 {
   const double wanted = newton(divisor, share);
   const double length = std::abs(std::log(wanted / divisor));
@@ -247,7 +293,8 @@ double StrengthSearch::next(const double divisor, const Share &share)
 }
 
 /** Where the share is one; infinite if no strengths are needed. */
-double StrengthSearch::find_limit()
+template <typename SceneOf>
+double StrengthSearch<SceneOf>::find_limit()
 {
   double divisor = 1.;
   for (unsigned int n = 0; n < n_max_of_newton; ++n)
@@ -273,7 +320,8 @@ double StrengthSearch::find_limit()
 }
 
 /** Prove what is carried and what collapses, on both sides. */
-void StrengthSearch::find_proofs(const double limit)
+template <typename SceneOf>
+void StrengthSearch<SceneOf>::find_proofs(const double limit)
 {
   const double first = first_distance * controls.tolerance;
   for (const double side : {-1., 1.})
@@ -293,7 +341,8 @@ void StrengthSearch::find_proofs(const double limit)
  * Close in on a limit that Newton's method has missed; where a divisor is left
  * undecided others are looked at.
  */
-void StrengthSearch::bisect()
+template <typename SceneOf>
+void StrengthSearch<SceneOf>::bisect()
 {
   unsigned int n_undecided = 0;
   for (unsigned int n = 0; n < n_max_of_newton && n_undecided < places.size() &&
@@ -308,11 +357,12 @@ void StrengthSearch::bisect()
   }
 }
 
-LoadFactorAnswer StrengthSearch::find()
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> StrengthSearch<SceneOf>::find()
 {
   found.carried = 0.;
   found.bound = infinite;
-  LoadFactorAnswer answer;
+  FactorAnswerOf<SceneOf> answer;
   const double limit = find_limit();
   if (std::isinf(limit))
   {
@@ -351,10 +401,23 @@ Scene with_strengths_divided(const Scene &scene, const double divisor)
   return divided;
 }
 
-void check_strength_factor(const Scene &scene,
+SpaceScene with_strengths_divided(const SpaceScene &scene, const double divisor)
+{
+  auto blocks = std::make_shared<SpaceBlocks>(*scene.blocks);
+  for (auto *const strengths :
+       {&blocks->strengths.of_interface, &blocks->strengths.coefficient})
+    for (double &strength : *strengths)
+      strength /= divisor;
+  SpaceScene divided = scene;
+  divided.blocks = std::move(blocks);
+  return divided;
+}
+
+template <typename SceneOf>
+void check_strength_factor(const SceneOf &scene,
                            const LoadFactorControls &controls)
 {
-  if (!scene.dilates)
+  if (!dilates(scene))
     throw InputError("'Load factor/Factor' is 'strength', and 'Friction/Law' "
                      "is 'Coulomb', for which what is carried with some "
                      "strengths need not be so with greater ones; set the law "
@@ -368,10 +431,20 @@ void check_strength_factor(const Scene &scene,
                      "loads to be carried: 'Loads' gives them.");
 }
 
-LoadFactorAnswer find_strength_factor(const Scene &scene,
-                                      const LoadFactorControls &controls,
-                                      Terminal &terminal)
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> find_strength_factor(const SceneOf &scene,
+                                             const LoadFactorControls &controls,
+                                             Terminal &terminal)
 {
-  return StrengthSearch(scene, controls, terminal).find();
+  return StrengthSearch<SceneOf>(scene, controls, terminal).find();
 }
+
+template void check_strength_factor(const Scene &, const LoadFactorControls &);
+template void check_strength_factor(const SpaceScene &,
+                                    const LoadFactorControls &);
+template FactorAnswerOf<Scene> find_strength_factor(const Scene &,
+                                                    const LoadFactorControls &,
+                                                    Terminal &);
+template FactorAnswerOf<SpaceScene>
+find_strength_factor(const SpaceScene &, const LoadFactorControls &, Terminal &);
 } // namespace Voussoir

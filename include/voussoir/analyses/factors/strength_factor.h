@@ -6,14 +6,18 @@
 
 namespace Voussoir
 {
+/** @{ */
 /** @p scene with its strengths against sliding, s_T or c and mu, divided. */
 Scene with_strengths_divided(const Scene &scene, double divisor);
+SpaceScene with_strengths_divided(const SpaceScene &scene, double divisor);
+/** @} */
 
 /**
  * @throws InputError if the least number is asked for, without loads, or if
  *   blocks do not dilate.
  */
-void check_strength_factor(const Scene &scene,
+template <typename SceneOf>
+void check_strength_factor(const SceneOf &scene,
                            const LoadFactorControls &controls);
 
 /**
@@ -25,14 +29,15 @@ void check_strength_factor(const Scene &scene,
  * @return LoadFactor::carried with forces for the strengths divided by it, and
  *   LoadFactor::bound with a mechanism for the strengths divided by that; or
  *   the collapse of @p scene, if no strengths carry its loads.
- * @param scene with loads; its blocks dilate.
+ * @param scene with loads, in the plane or in space; its blocks dilate.
  * @param controls of the search.
  * @param terminal sees the iterations.
  * @throws SolverError if there is no proof of anything.
  */
-LoadFactorAnswer find_strength_factor(const Scene &scene,
-                                      const LoadFactorControls &controls,
-                                      Terminal &terminal);
+template <typename SceneOf>
+FactorAnswerOf<SceneOf> find_strength_factor(const SceneOf &scene,
+                                             const LoadFactorControls &controls,
+                                             Terminal &terminal);
 } // namespace Voussoir
 
 #endif

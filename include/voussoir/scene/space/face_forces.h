@@ -44,6 +44,14 @@ struct FaceForces
 
   /** True if there are none. */
   bool empty() const { return list.empty(); }
+  /**
+   * Those at the vertices of interface @p e, with the friction of the cells that
+   * each vertex has; where blocks do not turn equal parts.
+   *
+   * @param n_vertices the number of its vertices.
+   */
+  std::vector<dealii::Tensor<1, 3>> at_vertices(unsigned int e,
+                                                unsigned int n_vertices) const;
   /** What those of interface @p e add up to. */
   FaceResultant resultant(const Packing<3> &packing, unsigned int e) const;
 };

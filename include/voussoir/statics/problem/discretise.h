@@ -59,6 +59,22 @@ std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
  */
 InterfaceForces dimensional_forces(const DiscreteProblem &problem,
                                    const Solution &solution);
+/** @{ */
+/** The same by the names that a scene in space has, see discretise_space.h. */
+inline Motion dimensional_motion(const DiscreteProblem &problem,
+                                 const Scene & /*scene*/,
+                                 const std::vector<double> &u,
+                                 const double unit)
+{
+  return dimensional_motion(problem, u, unit);
+}
+inline InterfaceForces dimensional_forces(const DiscreteProblem &problem,
+                                          const Scene & /*scene*/,
+                                          const Solution &solution)
+{
+  return dimensional_forces(problem, solution);
+}
+/** @} */
 /** Forces of each row, as in Solution::forces, of forces S L. */
 std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
                                           const InterfaceForces &forces);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -83,7 +84,8 @@ Json json_of_node(const CellFaces &cells, const unsigned int cell)
 }
 
 /** An interface, with a frame whose normal is that of the polygon. */
-Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch)
+Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch,
+                       const std::vector<dealii::Tensor<1, 3>> &at_corners)
 {
   const PolygonMoments moments = moments_of(patch);
   const dealii::Tensor<1, 3> normal = moments.normal();
@@ -98,6 +100,13 @@ Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch)
   }
   along -= (along * normal) * normal;
   along /= along.norm();
+  const dealii::Tensor<1, 3> across = cross_product_3d(normal, along);
+  Json forces;
+  for (const dealii::Tensor<1, 3> &force : at_corners)
+    forces.push_back({{"c_np", std::max(force * normal, 0.)},
+                      {"c_nn", std::max(-(force * normal), 0.)},
+                      {"c_u", force * along},
+                      {"c_v", force * across}});
   return wrapped(
       "compas_assembly.datastructures/Interface",
       {{"points", std::move(points)},
@@ -106,13 +115,16 @@ Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch)
         wrapped("compas.geometry/Frame",
                 {{"point", json_of(moments.centroid)},
                  {"xaxis", json_of(along)},
-                 {"yaxis", json_of(cross_product_3d(normal, along))}})},
-       {"forces", nullptr},
+                 {"yaxis", json_of(across)}})},
+       {"forces", std::move(forces)},
        {"mesh", nullptr}});
 }
 
-Json json_of_edges(const CellFaces &cells, const FaceContacts *const contacts)
+Json json_of_edges(const CellFaces &cells,
+                   const FaceContacts *const contacts,
+                   const ForcesAtCorners &forces)
 {
+  const std::vector<dealii::Tensor<1, 3>> none;
   std::vector<Json> of_cell(cells.n_cells(), Json::object());
   for (unsigned int k = 0; contacts != nullptr && k < contacts->faces.size();
        ++k)
@@ -124,7 +136,8 @@ Json json_of_edges(const CellFaces &cells, const FaceContacts *const contacts)
         of_cell[cells.cell_of_face(a)][std::to_string(cells.cell_of_face(b))];
     if (edge.is_null())
       edge["interfaces"] = Json::array();
-    edge["interfaces"].push_back(json_of_interface(contacts->patches[k]));
+    edge["interfaces"].push_back(json_of_interface(
+        contacts->patches[k], forces.empty() ? none : forces[k]));
   }
   Json edges = Json::object();
   for (unsigned int cell = 0; cell < cells.n_cells(); ++cell)
@@ -135,7 +148,8 @@ Json json_of_edges(const CellFaces &cells, const FaceContacts *const contacts)
 
 void write_compas_assembly(std::ostream &out,
                            const CellFaces &cells,
-                           const FaceContacts *const contacts)
+                           const FaceContacts *const contacts,
+                           const ForcesAtCorners &forces)
 {
   Json node_defaults = json_of_point(dealii::Point<3>());
   node_defaults["block"] = nullptr;
@@ -152,7 +166,7 @@ void write_compas_assembly(std::ostream &out,
                  {"default_node_attributes", std::move(node_defaults)},
                  {"default_edge_attributes", {{"interfaces", nullptr}}},
                  {"node", std::move(nodes)},
-                 {"edge", json_of_edges(cells, contacts)},
+                 {"edge", json_of_edges(cells, contacts, forces)},
                  {"max_node", static_cast<int>(cells.n_cells()) - 1}})}});
   out << assembly << '\n';
 }

@@ -5,10 +5,16 @@
 #include <voussoir/packing/polyhedra/cell_faces.h>
 #include <voussoir/packing/polyhedra/face_contacts.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <iosfwd>
+#include <vector>
 
 namespace Voussoir
 {
+/** Of some contacts the forces at each corner of their patches. */
+using ForcesAtCorners = std::vector<std::vector<dealii::Tensor<1, 3>>>;
+
 /**
  * Write cells as an OFF file, which read_off_model() reads back: the vertices
  * of each cell, as many as it has, and its faces. Names and what is fixed are
@@ -31,10 +37,14 @@ void write_obj_model(std::ostream &out, const CellFaces &cells);
  * @param contacts gives interfaces {points, size, frame} between two cells, if
  *   it is not null: points are counterclockwise about the normal of the frame,
  *   which points from the lower cell to the higher; lengths, and areas.
+ * @param forces gives interfaces {c_np, c_nn, c_u, c_v} at each of their points,
+ *   if there are any: compression, tension, and the friction along the axes of
+ *   the frame, of the force on the higher cell. One list for each contact.
  */
 void write_compas_assembly(std::ostream &out,
                            const CellFaces &cells,
-                           const FaceContacts *contacts = nullptr);
+                           const FaceContacts *contacts = nullptr,
+                           const ForcesAtCorners &forces = {});
 } // namespace Voussoir
 
 #endif
