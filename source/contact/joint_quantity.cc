@@ -32,7 +32,8 @@ public:
                   const JointQuantity &quantity)
       : value(formula, variables(), parameter), jumps(jumps_of(value)),
         formula(formula), parameter(parameter), word(quantity.word),
-        is_positive(quantity.is_positive), inaccuracies(parameter)
+        is_positive(quantity.is_positive),
+        inaccuracies(parameter, dim == 2 ? 1e-6 : largest_error_in_space)
   {}
 
   /** The mean over interface @p e. */

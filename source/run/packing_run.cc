@@ -72,7 +72,8 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
        {PackingFile::off, "OFF", packing_off + ", without names."},
        {PackingFile::obj, "OBJ", packing_obj + ", with the names of groups."},
        {PackingFile::compas, "COMPAS",
-        packing_json + ", an Assembly with its interfaces, their forces, and supports."}},
+        packing_json +
+            ", an Assembly with its interfaces, their forces, and supports."}},
       "What to write for another program, or to be read again by the generator "
       "'model'.");
   prm.add_parameter("Report", reports,
@@ -192,8 +193,8 @@ void PackingRun::write_packing(ResultDirectory &files,
     files.write(packing_json, [&](std::ostream &out) {
       const FaceContacts contacts = packing.contacts();
       ForcesAtCorners forces;
-      for (unsigned int e = 0; !answer.forces.empty() && e < contacts.faces.size();
-           ++e)
+      for (unsigned int e = 0;
+           !answer.forces.empty() && e < contacts.faces.size(); ++e)
       {
         forces.push_back(
             answer.forces.at_vertices(e, packing.polygon(e).size()));

@@ -42,6 +42,28 @@ void one_block()
   }
 }
 
+/** How many times stronger a block on an incline is than it needs to be. */
+void strength_factors()
+{
+  const double slope = 0.3, c = std::cos(slope), s = std::sin(slope);
+  for (const bool is_dry : {true, false})
+  {
+    SpaceCase block = box(1., 0.5, 0.5);
+    block.mu = is_dry ? 0.6 : 0.;
+    block.strength = is_dry ? 0. : 0.4;
+    const SpaceScene scene(block.blocks(),
+                           body_force(block.packing, vector(s, 0., -c)));
+    const auto answer = find_strength_factor(scene, {true}, Terminal::silent());
+    const double expected = is_dry ? 0.6 * c / s : 0.4 / (0.5 * s);
+    check_error("Strength factor: carried",
+                std::abs(answer.factor->carried / expected - 1.), 1e-8);
+    check_error("  and bound", std::abs(answer.factor->bound / expected - 1.),
+                1e-8);
+    const SpaceScene at = with_strengths_divided(scene, answer.factor->carried);
+    check_error("  balance", certify(at, answer.factor->forces).error(), 1e-10);
+  }
+}
+
 void torsion()
 {
   SpaceCase square = box(1., 1., 0.5);
@@ -161,6 +183,7 @@ void domes()
 void run()
 {
   one_block();
+  strength_factors();
   torsion();
   walls();
   domes();

@@ -3,6 +3,7 @@
 #define voussoir_tests_statics_space_scenes_h
 
 #include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/packing/polyhedra/generators/dome.h>
 #include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/scene/space/space_scene.h>

@@ -61,8 +61,8 @@ private:
   }
   MotionOfBlocks motion_of(std::vector<double> u) const
   {
-    return dimensional_motion(problem, dead,
-                              by_rows.of_size_one(std::move(u)), 1.);
+    return dimensional_motion(problem, dead, by_rows.of_size_one(std::move(u)),
+                              1.);
   }
   Forces forces_of(const std::vector<double> &x) const;
   void keep(const ProvenFactor &factor);

@@ -221,8 +221,8 @@ StrengthSearch<SceneOf>::judge(const double divisor)
 /** Keep forces that carry the loads. */
 template <typename SceneOf>
 void StrengthSearch<SceneOf>::keep_forces(const double divisor,
-                                 const DiscreteProblem &problem,
-                                 std::vector<double> forces)
+                                          const DiscreteProblem &problem,
+                                          std::vector<double> forces)
 {
   if (divisor <= found.carried)
     return;
@@ -236,9 +236,9 @@ void StrengthSearch<SceneOf>::keep_forces(const double divisor,
 /** Whether the mechanism is a proof, kept if it is a better one. */
 template <typename SceneOf>
 bool StrengthSearch<SceneOf>::keep_mechanism(const double divisor,
-                                    const SceneOf &divided,
-                                    const RowProblem &by_rows,
-                                    const ProvenFactor &factor)
+                                             const SceneOf &divided,
+                                             const RowProblem &by_rows,
+                                             const ProvenFactor &factor)
 {
   typename SceneOf::MotionOfBlocks motion = dimensional_motion(
       by_rows.of(), divided, by_rows.of_size_one(factor.mechanism()->u), 1.);
@@ -262,7 +262,8 @@ bool StrengthSearch<SceneOf>::keep_mechanism(const double divisor,
  * strengths are needed.
  */
 template <typename SceneOf>
-double StrengthSearch<SceneOf>::newton(const double divisor, const Share &share) const
+double StrengthSearch<SceneOf>::newton(const double divisor,
+                                       const Share &share) const
 {
   if (!(share.slope > 0.))
     return share.is_carried ? infinite : 0.;
@@ -442,9 +443,8 @@ FactorAnswerOf<SceneOf> find_strength_factor(const SceneOf &scene,
 template void check_strength_factor(const Scene &, const LoadFactorControls &);
 template void check_strength_factor(const SpaceScene &,
                                     const LoadFactorControls &);
-template FactorAnswerOf<Scene> find_strength_factor(const Scene &,
-                                                    const LoadFactorControls &,
-                                                    Terminal &);
-template FactorAnswerOf<SpaceScene>
-find_strength_factor(const SpaceScene &, const LoadFactorControls &, Terminal &);
+template FactorAnswerOf<Scene>
+find_strength_factor(const Scene &, const LoadFactorControls &, Terminal &);
+template FactorAnswerOf<SpaceScene> find_strength_factor(
+    const SpaceScene &, const LoadFactorControls &, Terminal &);
 } // namespace Voussoir

@@ -7,16 +7,15 @@ namespace Voussoir
 {
 namespace
 {
-/** The relative error with which an integral is worth nothing. */
-constexpr double largest_error = 1e-6;
-
 std::string and_more(const unsigned int number)
 {
   return number > 1 ? text(", and on ", number - 1, " more") : std::string();
 }
 } // namespace
 
-Inaccuracies::Inaccuracies(const std::string &parameter) : parameter(parameter)
+Inaccuracies::Inaccuracies(const std::string &parameter,
+                           const double largest_error)
+    : parameter(parameter), largest_error(largest_error)
 {}
 
 void Inaccuracies::look_at(const double absolute_error,

@@ -14,7 +14,8 @@ using SimplexCorners = std::vector<dealii::Point<3>>;
 
 namespace
 {
-constexpr unsigned int most_halvings = 12;
+/** Of triangles, and of tetrahedra. */
+constexpr unsigned int most_halvings = 20, most_halvings_of_four = 18;
 /** The error, over the size of the values, that is rounding. */
 constexpr double rounding_of_rules = 1e-12;
 
@@ -124,10 +125,11 @@ SimplexIntegral integrate_halves(const SimplexCorners &corners,
              f, coarse, size_of_coarse);
   for (std::size_t k = 0; k < coarse.size(); ++k)
     fine.error = std::max(fine.error, std::abs(fine.values[k] - coarse[k]));
-  if (!(fine.error > rounding_of_rules * fine.size) ||
-      n_halvings == most_halvings)
+  const unsigned int most =
+      is_triangle ? most_halvings : most_halvings_of_four;
+  if (!(fine.error > rounding_of_rules * fine.size) || n_halvings == most)
   {
-    if (n_halvings < most_halvings)
+    if (n_halvings < most)
       fine.error = 0.;
     return fine;
   }

@@ -4,6 +4,7 @@
 #include <voussoir/output/report/packing_report.h>
 #include <voussoir/output/report/space_report.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <set>
@@ -34,9 +35,26 @@ std::vector<SpaceField> numbers_of(const FieldTable<SpaceAnswer> &table,
         values[k] =
             std::hypot(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
     values.resize(n);
-    fields.push_back({field.name, field.unit, std::move(values)});
+    std::string name = field.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    fields.push_back({std::move(name), field.unit, std::move(values)});
   }
   return fields;
+}
+
+/** The motion of all blocks; fixed ones are at rest. */
+std::vector<SpaceReport::BlockMotion> motion_of(const SpaceAnswer &answer)
+{
+  const Packing<3> &packing = answer.scene.packing();
+  std::vector<SpaceReport::BlockMotion> motion(packing.polyhedra().n_cells());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    motion[c].displacement =
+        answer.motion.at(c, packing.moments(c).centroid - packing.centre(c));
+    if (!answer.motion.rotation.empty())
+      motion[c].rotation = answer.motion.rotation[c];
+  }
+  return motion;
 }
 
 /** What was found, for the table below the picture. */
@@ -94,6 +112,9 @@ void write_packing_report(std::ostream &out,
       {"Blocks that are not convex", text(packing.not_convex().size())}};
   if (answer.is_analysed)
     add_answer(answer, report);
+  if (!answer.motion.displacement.empty())
+    report.motion = motion_of(answer);
+  report.collapses = answer.status.kind == Status::Kind::collapse;
   report.warnings = warnings;
   report.defects = defects;
   write_space_report(out, report);

@@ -108,6 +108,9 @@ const spaceControls = ({canvas, view, extent, redraw, choose, data, id}) => {
     sight.reach *= (1 + sight.apart) / before;
     redraw();
   });
+  const swing = () => { sight.motion = Number(id("motion").value); redraw(); };
+  id("motion-row").hidden = !data.motion;
+  id("motion").addEventListener("input", swing);
   id("perspective").addEventListener("input", event => {
     sight.perspective = event.target.checked;
     redraw();
@@ -125,6 +128,9 @@ const spaceControls = ({canvas, view, extent, redraw, choose, data, id}) => {
   });
   new ResizeObserver(redraw).observe(canvas);
   id("controls").reset();
+  // Of a load that is not carried the mechanism is the answer.
+  id("motion").value = data.motion && data.collapses ? 1 : 0;
+  swing();
   cut();
   view.draw();
   turn(...oblique);

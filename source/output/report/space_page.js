@@ -99,6 +99,22 @@
     }
     return ways;
   };
+  // Shifts and turns of blocks about their centroids; joints move with the first.
+  const motionOf = () => {
+    const motion = list("motion", Float32Array);
+    if (motion.length === 0) return null;
+    const all = {shifts: new Float32Array(4 * nItems), turns: new Float32Array(4 * nItems),
+      pivots: new Float32Array(4 * nItems)};
+    for (let k = 0; k < nItems; ++k) {
+      const cell = k < data.cells ? k : jointCells[2 * (k - data.cells)];
+      for (let d = 0; d < 3; ++d) {
+        all.shifts[4 * k + d] = motion[6 * cell + d];
+        all.turns[4 * k + d] = motion[6 * cell + 3 + d];
+        all.pivots[4 * k + d] = (centroids[3 * cell + d] - data.centre[d]) / data.scale;
+      }
+    }
+    return all;
+  };
   const blocks = meshOfBlocks();
   let radius = 0;
   const extent = [0, 0, 0]; // half of it: the box is about the origin
@@ -109,7 +125,7 @@
   if (radius > 0)
     try {
       view = spaceView(canvas, {n: nItems, nBlocks: data.cells, radius,
-        ways: waysOf(blocks.middles), blocks, joints: meshOfJoints()});
+        ways: waysOf(blocks.middles), motion: motionOf(), blocks, joints: meshOfJoints()});
     } catch (error) { console.error(error); }
   let waiting = false;
   const redraw = () => {

@@ -1,7 +1,8 @@
 "use strict";
 // The program by which faces and lines are drawn, and the places of its uniforms.
 // Each vertex has a place and the number of its item; textures of a width hold what
-// belongs to an item: its colour, and the way that it moves when all lie apart.
+// belongs to an item: its colour, the way that it moves when all lie apart, and its motion,
+// a shift and a turn about a pivot.
 const spaceProgram = (gl, textureWidth) => {
   const vertexShader = `#version 300 es
     precision highp float;
@@ -9,12 +10,19 @@ const spaceProgram = (gl, textureWidth) => {
     in vec3 place;
     in uint item;
     uniform mat4 camera;
-    uniform float apart, lift;
-    uniform highp sampler2D ways;
+    uniform float apart, lift, motion;
+    uniform highp sampler2D ways, shifts, turns, pivots;
     uniform sampler2D colours;
     flat out vec4 colour;
     flat out uint number;
     out vec3 rest, moved;
+    // About an axis by the angle that its length is.
+    vec3 turned(vec3 arm, vec3 turn) {
+      float angle = length(turn);
+      if (angle < 1e-7) return arm;
+      vec3 axis = turn / angle;
+      return mix(dot(axis, arm) * axis, arm, cos(angle)) + sin(angle) * cross(axis, arm);
+    }
     void main() {
       ivec2 texel = ivec2(item % ${textureWidth}u, item / ${textureWidth}u);
       vec3 way = apart * texelFetch(ways, texel, 0).xyz;
@@ -22,6 +30,11 @@ const spaceProgram = (gl, textureWidth) => {
       number = item;
       rest = place;
       moved = place + way;
+      if (motion > 0.) {
+        vec3 pivot = texelFetch(pivots, texel, 0).xyz;
+        moved = pivot + way + turned(place - pivot, motion * texelFetch(turns, texel, 0).xyz)
+          + motion * texelFetch(shifts, texel, 0).xyz;
+      }
       gl_Position = camera * vec4(moved, 1.);
       gl_Position.z -= lift * gl_Position.w;
     }`;

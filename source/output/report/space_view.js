@@ -14,7 +14,7 @@ const spaceView = (canvas, items) => {
 
   // What the reader sees: angles and lengths of the page's units.
   const sight = {azimuth: 0, elevation: 0, target: [0, 0, 0], reach: 1.5,
-    perspective: false, apart: 0, axis: null, cut: 0, side: 1,
+    perspective: false, apart: 0, motion: 0, axis: null, cut: 0, side: 1,
     blocks: "solid", joints: true, chosen: -1};
 
   const {program, at} = spaceProgram(gl, textureWidth);
@@ -64,6 +64,9 @@ const spaceView = (canvas, items) => {
     gl.texImage2D(gl.TEXTURE_2D, 0, format, textureWidth, height, 0, layout, type, padded);
   };
   textureOf(0, gl.RGBA32F, gl.RGBA, gl.FLOAT, items.ways, 4);
+  if (items.motion)
+    ["shifts", "turns", "pivots"].forEach((name, k) =>
+      textureOf(2 + k, gl.RGBA32F, gl.RGBA, gl.FLOAT, items.motion[name], 4));
   const setColours = colours => {
     gl.activeTexture(gl.TEXTURE1);
     gl.deleteTexture(gl.getParameter(gl.TEXTURE_BINDING_2D));
@@ -113,7 +116,7 @@ const spaceView = (canvas, items) => {
   const distance = () => sight.reach / Math.tan(fieldOfView / 2);
   const camera = () => {
     const {right, up, towards} = frame(), {x, y} = span();
-    const depth = items.radius * (1 + sight.apart) + Math.hypot(...sight.target) + 1e-3;
+    const depth = items.radius * (1 + sight.apart) + sight.motion + Math.hypot(...sight.target) + 1e-3;
     const far = distance(), rows = [along(1 / x, right), along(1 / y, up)]
       .map(r => [...r, -dot(r, sight.target)]);
     const toward = [...towards, -dot(towards, sight.target)]; // nearness
@@ -140,7 +143,7 @@ const spaceView = (canvas, items) => {
     else gl.drawElements(mode, list.n, gl.UNSIGNED_INT, 0);
   };
   // Joints between solid blocks are hidden.
-  const showsJoints = () => sight.joints && (sight.blocks !== "solid" || sight.apart > 0);
+  const showsJoints = () => sight.joints && (sight.blocks !== "solid" || sight.apart + sight.motion > 0);
   const begin = asNumber => {
     const {right, up, towards} = frame();
     gl.useProgram(program);
@@ -150,6 +153,8 @@ const spaceView = (canvas, items) => {
     gl.uniform1i(at.ways, 0);
     gl.uniform1i(at.colours, 1);
     gl.uniform1f(at.apart, sight.apart);
+    gl.uniform1f(at.motion, items.motion ? sight.motion : 0);
+    ["shifts", "turns", "pivots"].forEach((name, k) => gl.uniform1i(at[name], items.motion ? 2 + k : 0));
     gl.uniform1ui(at.blocks, items.nBlocks);
     gl.uniform1ui(at.chosen, sight.chosen < 0 || asNumber ? 0xffffffff : sight.chosen);
     gl.uniform1i(at.asNumber, asNumber ? 1 : 0);

@@ -132,7 +132,7 @@ void add_body_force(const Packing<3> &packing,
 {
   if (b.is_zero())
     return;
-  Inaccuracies inaccuracies(parameter);
+  Inaccuracies inaccuracies(parameter, largest_error_in_space);
   const CellFaces &mesh = packing.polyhedra();
   for (const unsigned int c : cells)
   {
@@ -268,7 +268,7 @@ void SpaceLoadParameters::add_tractions(
   if (is_uniform ? S.norm() == 0. : g.is_zero())
     return;
   const Condition where(loaded_where, places_on_faces, name + "/Where");
-  Inaccuracies inaccuracies(parameter);
+  Inaccuracies inaccuracies(parameter, largest_error_in_space);
   bool is_any = false;
   for (const Packing<3>::BoundaryFace &face : packing.boundary_faces())
   {

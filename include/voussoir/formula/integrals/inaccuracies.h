@@ -16,12 +16,20 @@ namespace Voussoir
  */
 constexpr double negligible_error = 1e-10;
 
+/** The same over faces and cells in space, along whose jumps nothing is cut. */
+constexpr double largest_error_in_space = 1e-2;
+
 /** The integrals of one parameter that are not accurate, for the user. */
 class Inaccuracies
 {
 public:
-  /** The full name of the parameter, such as "Loads/Traction". */
-  explicit Inaccuracies(const std::string &parameter);
+  /**
+   * @param parameter its full name, such as "Loads/Traction".
+   * @param largest_error the relative error with which an integral is worth
+   *   nothing.
+   */
+  explicit Inaccuracies(const std::string &parameter,
+                        double largest_error = 1e-6);
 
   /**
    * Look at an integral.
@@ -53,6 +61,7 @@ private:
   };
 
   std::string parameter;
+  double largest_error;
   Kind inexact, undecided;
 };
 /** "along the edge from (0, 1) to (2, 1)", for look_at(). */

@@ -29,7 +29,7 @@ struct SimplexIntegral
  * The integrals over a triangle in space, or a tetrahedron, by the corners:
  * by rules of the degrees 9 and 5 (Witherden and Vincent, *Computers and
  * Mathematics with Applications* 69 (2015), 1232), of which the difference is
- * the error. Where it is more than rounding, on both halves, up to 12 times:
+ * the error. Where it is more than rounding, on both halves, up to 20 times:
  * polynomials of the degree 5 are exact, jumps are within a thousandth.
  *
  * @param corners three, or four.

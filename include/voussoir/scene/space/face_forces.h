@@ -45,8 +45,8 @@ struct FaceForces
   /** True if there are none. */
   bool empty() const { return list.empty(); }
   /**
-   * Those at the vertices of interface @p e, with the friction of the cells that
-   * each vertex has; where blocks do not turn equal parts.
+   * Those at the vertices of interface @p e, with the friction of the cells
+   * that each vertex has; where blocks do not turn equal parts.
    *
    * @param n_vertices the number of its vertices.
    */

@@ -148,6 +148,41 @@ void write_joints(Json &json,
   json["joint_areas"] = base64(areas);
 }
 
+/** The largest displacement of a vertex, over half of the packing, in the page.
+ */
+constexpr float largest_motion = 0.4f;
+
+/** Six numbers for each cell, of the size that the page shows. */
+std::vector<float> motion_of(const SpaceReport &report, const PlaceList &places)
+{
+  const CellFaces &cells = *report.cells;
+  double largest = 0.;
+  for (unsigned int c = 0; c < report.motion.size(); ++c)
+  {
+    const Point<3> centroid = moments_of(cells, c).centroid;
+    const auto &of = report.motion[c];
+    for (unsigned int f = cells.first_face[c]; f < cells.first_face[c + 1]; ++f)
+      for (const unsigned int v : cells.corners(f))
+        largest = std::max(
+            largest,
+            (of.displacement +
+             cross_product_3d(of.rotation, cells.vertices[v] - centroid))
+                .norm());
+  }
+  std::vector<float> numbers;
+  if (!(largest > 0.))
+    return numbers;
+  const double shift = largest_motion / largest, turn = shift * places.scale;
+  for (const auto &of : report.motion)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      numbers.push_back(shift * of.displacement[d]);
+    for (unsigned int d = 0; d < 3; ++d)
+      numbers.push_back(turn * of.rotation[d]);
+  }
+  return numbers;
+}
+
 Json field_json(const SpaceField &field,
                 const std::string &of,
                 const ColourScale &scale)
@@ -182,6 +217,8 @@ std::string space_data(const SpaceReport &report,
   write_faces(json, cells);
   write_cells(json, cells);
   write_joints(json, cells, contacts, places);
+  json["motion"] = base64(motion_of(report, places));
+  json["collapses"] = report.collapses;
   json["fields"] = Json::array();
   for (std::size_t k = 0; k < cell_scales.size(); ++k)
     json["fields"].push_back(

@@ -107,17 +107,15 @@ Json json_of_interface(const dealii::ArrayView<const dealii::Point<3>> patch,
                       {"c_nn", std::max(-(force * normal), 0.)},
                       {"c_u", force * along},
                       {"c_v", force * across}});
-  return wrapped(
-      "compas_assembly.datastructures/Interface",
-      {{"points", std::move(points)},
-       {"size", moments.area()},
-       {"frame",
-        wrapped("compas.geometry/Frame",
-                {{"point", json_of(moments.centroid)},
-                 {"xaxis", json_of(along)},
-                 {"yaxis", json_of(across)}})},
-       {"forces", std::move(forces)},
-       {"mesh", nullptr}});
+  return wrapped("compas_assembly.datastructures/Interface",
+                 {{"points", std::move(points)},
+                  {"size", moments.area()},
+                  {"frame", wrapped("compas.geometry/Frame",
+                                    {{"point", json_of(moments.centroid)},
+                                     {"xaxis", json_of(along)},
+                                     {"yaxis", json_of(across)}})},
+                  {"forces", std::move(forces)},
+                  {"mesh", nullptr}});
 }
 
 Json json_of_edges(const CellFaces &cells,

@@ -5,6 +5,8 @@
 #include <voussoir/packing/polyhedra/cell_faces.h>
 #include <voussoir/packing/polyhedra/face_contacts.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +46,17 @@ struct SpaceReport
   std::vector<std::string> warnings = {};
   /** What was wrong with the blocks, and was mended or is tolerated. */
   std::vector<CellDefect> defects = {};
+  /** The motion of a block, to first order. */
+  struct BlockMotion
+  {
+    /** The displacement of its centroid, and the vector of its angle, of any
+     * size: lengths, and in their unit over one of length. */
+    dealii::Tensor<1, 3> displacement, rotation;
+  };
+  /** That of each block, CellFaces::n_fixed ones included; empty for none. */
+  std::vector<BlockMotion> motion = {};
+  /** True if it is to be seen at once, as what the loads do. */
+  bool collapses = false;
 };
 
 /**

@@ -28,6 +28,9 @@ namespace Voussoir
  *  - joint_cells, joint_sizes: uint32, two cells and the number of corners of
  *    each joint; joint_vertices: three float32 for each corner; joint_areas:
  *    float64, L^2;
+ *  - motion: six float32 for each cell, the displacement of its centroid and
+ * its angle, such that the largest displacement is a part of the packing; empty
+ * if there is none; collapses: true if it is to be seen at once;
  *  - fields: of each its name and unit, whether it is one `of` "cells" or
  *    "joints", its values as float64, its colours, and uint8 with the number of
  *    the colour of each value, 255 where it is missing.

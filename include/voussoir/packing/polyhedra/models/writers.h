@@ -37,9 +37,10 @@ void write_obj_model(std::ostream &out, const CellFaces &cells);
  * @param contacts gives interfaces {points, size, frame} between two cells, if
  *   it is not null: points are counterclockwise about the normal of the frame,
  *   which points from the lower cell to the higher; lengths, and areas.
- * @param forces gives interfaces {c_np, c_nn, c_u, c_v} at each of their points,
- *   if there are any: compression, tension, and the friction along the axes of
- *   the frame, of the force on the higher cell. One list for each contact.
+ * @param forces gives interfaces {c_np, c_nn, c_u, c_v} at each of their
+ * points, if there are any: compression, tension, and the friction along the
+ * axes of the frame, of the force on the higher cell. One list for each
+ * contact.
  */
 void write_compas_assembly(std::ostream &out,
                            const CellFaces &cells,
