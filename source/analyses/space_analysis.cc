@@ -18,8 +18,13 @@ namespace Voussoir
 {
 namespace
 {
-/** The largest error of forces that is rounding; see largest_accepted_error. */
-constexpr double rounding_of_forces = 1e-10;
+/** The largest error of forces that is rounding; see largest_accepted_error.
+ * Displacements add up over the cells across a packing. */
+double rounding_of_forces(const unsigned int n_cells)
+{
+  return std::max(1e-11, 100. * std::numeric_limits<double>::epsilon() *
+                             std::sqrt(double(n_cells)));
+}
 
 /** Two sets of loads together, the second one times @p factor. */
 SpaceLoads sum_of(const SpaceLoads &a, const double factor, const SpaceLoads &b)
@@ -79,7 +84,7 @@ void judge_forces(SpaceAnswer &answer)
              ". The load is close to what the packing can carry, or the sizes "
              "of blocks or strengths differ by too much; look whether other "
              "units or loads help."));
-  if (error <= rounding_of_forces)
+  if (error <= rounding_of_forces(answer.scene.packing().n_cells()))
     answer.status = {Status::Kind::solved, 0.};
   else
     answer.status = {Status::Kind::carried_within, error};

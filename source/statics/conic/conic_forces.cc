@@ -214,7 +214,10 @@ ConicForces::ConicForces(const ForceRows &rows,
   {
     all_cones.push_back(cone_of(cone));
     if (std::isfinite(cone.strength))
+    {
+      all_cones.back().bound = all_bounds.size();
       all_bounds.push_back({cone.row, -1., cone.strength});
+    }
   }
   // In the order of the rows, as sets are gone through.
   std::stable_sort(all_cones.begin(), all_cones.end(),
@@ -339,7 +342,13 @@ bool ConicForces::prepare(const Weights &weights,
     invert_sets(weights, with_curvature);
   scalings.clear();
   if (!rows.is_plane() && !with_curvature)
+  {
     scalings = weights.of_cones;
+    of_their_bounds.clear();
+    for (const Cone &cone : all_cones)
+      of_their_bounds.push_back(
+          cone.bound < 0 ? 0. : weights.of_bounds[cone.bound] + proximal);
+  }
   return factorise();
 }
 
@@ -440,11 +449,24 @@ void ConicForces::multiply_by_scalings(const std::vector<double> &d,
     double *const to = &x[cone.row];
     if (cone.n_rows == 3)
     {
-      const QuadraticCone::Vector v =
-          W.times(W.times({{from[0] / cone.b[0][0], from[1] / cone.b[1][1],
-                            from[2] / cone.b[2][2]}}));
-      for (unsigned int i = 0; i < 3; ++i)
-        to[i] = v[i] / cone.b[i][i];
+      const auto product = [&](const double *const v) {
+        QuadraticCone::Vector result = W.times(W.times(
+            {{v[0] / cone.b[0][0], v[1] / cone.b[1][1], v[2] / cone.b[2][2]}}));
+        for (unsigned int i = 0; i < 3; ++i)
+          result[i] /= cone.b[i][i];
+        return result;
+      };
+      const QuadraticCone::Vector without = product(from);
+      std::copy(without.begin(), without.end(), to);
+      if (const double beta = of_their_bounds[k]; beta > 0.)
+      {
+        // By the formula of Sherman and Morrison.
+        const double first[] = {1., 0., 0.};
+        const QuadraticCone::Vector column = product(first);
+        to[0] /= 1. + beta * column[0];
+        for (unsigned int i = 1; i < 3; ++i)
+          to[i] -= beta * column[i] * to[0];
+      }
       continue;
     }
     const double tail = std::hypot(W.w[1], W.w[2]);

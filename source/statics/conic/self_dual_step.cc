@@ -121,6 +121,8 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
         if (program.has_curvature)
           of_z[i] -= forces.curvature()[r] * found.x[r];
       }
+      if (cone.bound >= 0)
+        of_z[0] -= weights.of_bounds[cone.bound] * found.x[cone.row];
       forces.set_cone(z, k, multiplier_of(cone, weights.of_cones[k], of_z));
     }
     return z;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Voussoir
@@ -27,6 +28,11 @@ constexpr double near_minimum = 1e-4;
 /** The steps behind the tolerance, and the imbalance that is rounding. */
 constexpr unsigned int n_steps_to_rounding = 3;
 constexpr double rounding_of_steps = 1e-14;
+/**
+ * The imbalance, over the tolerance, with which there is no doubt that loads
+ * are carried: just beyond the limit nothing balances them to rounding.
+ */
+constexpr double beyond_doubt = 1e-2;
 /** The error of the program that is enough to go on from, or without. */
 constexpr double error_of_start = 1e-8, error_of_end = 1e-14,
                  accepted_error = 1e-11;
@@ -63,9 +69,11 @@ private:
   const LinearSolver linear_solver;
   Terminal &terminal;
   Solution found;
+  /** A state that balances the loads within the tolerance. */
+  std::optional<Solution> in_doubt;
 };
 
-/** @return true if it has converged. */
+/** @return true if it has converged without a doubt. */
 bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
                                           const unsigned int n_most)
 {
@@ -119,7 +127,11 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
     return false;
   problem.remove_rigid_motions(found.u);
   found.stop = Stop::Reason::converged;
-  return true;
+  if (least <= beyond_doubt * controls.tolerance)
+    return true;
+  in_doubt = found;
+  found.stop = Stop::Reason::not_stopped;
+  return false;
 }
 
 EnergyProgram SpaceStateSearch::minimise_by_program(const double error)
@@ -166,6 +178,8 @@ Solution SpaceStateSearch::find()
   take(std::move(program));
   if (found.converged() || found.mechanism)
     return std::move(found);
+  if (in_doubt)
+    return std::move(*in_doubt);
   Solution any =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);
   any.n_iterations += found.n_iterations;

@@ -50,6 +50,8 @@ public:
     std::array<std::array<double, 3>, 3> b;
     /** The first coefficient of the set among all. */
     std::size_t coefficient = 0;
+    /** The number of the bound that its first row has besides; -1: none. */
+    int bound = -1;
   };
   /** What stands for the inverse of each slack's matrix in a linear system. */
   struct Weights
@@ -189,8 +191,10 @@ private:
   std::vector<unsigned int> without_force;
   /** Of each row, or of each pair of a set: K. */
   std::vector<double> coefficients;
-  /** In space without a curvature: W of each cone, of what is prepared. */
+  /** In space without a curvature what is prepared: W of each cone, and what is
+   * added for its bound, zero if it has none. */
   std::vector<QuadraticCone::Scaling> scalings;
+  std::vector<double> of_their_bounds;
   SparseFactor factor;
   /** f, the solution for it without one, and the work of f in that. */
   std::vector<double> border, of_border;
