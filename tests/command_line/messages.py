@@ -54,6 +54,11 @@ JOINED = [
     "times the work that friction can dissipate, so that no forces within the strengths of the "
     "interfaces balance it; these would have to be at least that many times as large, and "
     "perhaps more", "has no effect, since", "have no effect, since",
+    "The load is not carried: the packing collapses in a mechanism in which joints close by",
+    "The dead loads are not carried, with any factor of the live loads: the packing collapses in "
+    "a mechanism",
+    "The dead loads are not carried, and no factor of the live loads is known that helps: the "
+    "packing collapses in a mechanism",
     "without forces that balance the load: the certificate finds a residual of",
     "do not carry the load of this run: the certificate finds a residual of",
     "each within the matching tolerance",

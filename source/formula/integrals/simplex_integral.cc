@@ -125,8 +125,7 @@ SimplexIntegral integrate_halves(const SimplexCorners &corners,
              f, coarse, size_of_coarse);
   for (std::size_t k = 0; k < coarse.size(); ++k)
     fine.error = std::max(fine.error, std::abs(fine.values[k] - coarse[k]));
-  const unsigned int most =
-      is_triangle ? most_halvings : most_halvings_of_four;
+  const unsigned int most = is_triangle ? most_halvings : most_halvings_of_four;
   if (!(fine.error > rounding_of_rules * fine.size) || n_halvings == most)
   {
     if (n_halvings < most)
