@@ -19,8 +19,10 @@ struct SimplexIntegral
 {
   /** Of each. */
   IntegratedValues values;
-  /** The estimated error of the worst, and the integral of its size. */
-  double error = 0., size = 0.;
+  /** The estimated error of the worst. */
+  double error = 0.;
+  /** The integral of the size of the largest. */
+  double size = 0.;
   /** Add that over another domain. */
   void add(const SimplexIntegral &other);
 };

@@ -49,9 +49,10 @@ struct SpaceReport
   /** The motion of a block, to first order. */
   struct BlockMotion
   {
-    /** The displacement of its centroid, and the vector of its angle, of any
-     * size: lengths, and in their unit over one of length. */
-    dealii::Tensor<1, 3> displacement, rotation;
+    /** Of its centroid, of any size; a length. */
+    dealii::Tensor<1, 3> displacement;
+    /** The vector of its angle, in the unit of that over one of length. */
+    dealii::Tensor<1, 3> rotation;
   };
   /** That of each block, CellFaces::n_fixed ones included; empty for none. */
   std::vector<BlockMotion> motion = {};
