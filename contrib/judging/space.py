@@ -101,7 +101,8 @@ class PolygonProgramme:
         self.n = 6 if scene.rotations else 3
         held = blocks.held()
         self.free = [c for c in range(blocks.n) if c not in held]
-        self.columns, self.limits = [], []
+        # Of each column the least value.
+        self.columns, self.signs, self.limits = [], [], []
         b = blocks
         tension = scene.tension
         strength = max(scene.strength - scene.coefficient * tension, 0.)
@@ -114,31 +115,18 @@ class PolygonProgramme:
                 pressure = self.column(k, -b.normal[e])
                 self.offset -= tension * size * pressure
                 self.columns.append(pressure)
+                self.signs.append(0.)
                 if scene.coefficient > 0.:
-                    self.columns += [self.column(k, t) for t in tangents]
+                    self.add(k, tangents)
                     self.limits.append((at + 1, at, scene.coefficient, 0.))
             elif strength > 0.:
-                self.columns += [self.column(k, t) for t in tangents]
+                self.add(k, tangents)
                 self.limits.append((at, -1, 0., strength * size))
-        self.signs = numpy.full(len(self.columns), -numpy.inf)
-        for at, pressure, _, _ in self.limits:
-            if pressure >= 0:
-                self.signs[pressure] = 0.
-        for k in self.pressures():
-            self.signs[k] = 0.
 
-    def pressures(self):
-        """The columns of pressures."""
-        at = 0
-        b = self.blocks
-        strength = max(self.scene.strength -
-                       self.scene.coefficient * self.scene.tension, 0.)
-        for presses in b.presses:
-            if presses:
-                yield at
-                at += 3 if self.scene.coefficient > 0. else 1
-            elif strength > 0.:
-                at += 2
+    def add(self, k, tangents):
+        """Tangential forces at a point."""
+        self.columns += [self.column(k, t) for t in tangents]
+        self.signs += [-numpy.inf, -numpy.inf]
 
     def column(self, k, direction):
         """A unit force on c- at a point, on all cells."""

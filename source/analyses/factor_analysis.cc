@@ -73,15 +73,7 @@ std::string description_without_dilatancy(const LoadFactor &factor)
 /** The load factor between its proofs. */
 Json summary_of(const LoadFactor &factor)
 {
-  // The state that is written shows that any factor is carried, by one of them.
-  Json json = {{"carried", factor.is_unbounded ? factor.bound : factor.carried},
-               {"bound", factor.bound},
-               {"width", factor.width()},
-               {"unbounded", factor.is_unbounded}};
-  if (factor.is_unbounded)
-    json["forces_at"] = factor.carried;
-  if (std::isfinite(factor.bound) && !factor.is_unbounded)
-    json["closing_violation"] = factor.proof.closing_violation;
+  Json json = json_of_proofs(factor);
   if (factor.own_collapse)
     json["own_collapse"] = {
         {"factor", factor.own_collapse->factor},
@@ -207,42 +199,7 @@ std::string description_of(const LoadFactor &factor)
 {
   if (!factor.trials.empty())
     return description_without_dilatancy(factor);
-  const std::string carried = text_to_copy(factor.carried);
-  std::string words;
-  if (factor.is_unbounded)
-    words = carried + " is carried, and so is any beyond it: the live loads "
-                      "balance by pressure alone";
-  else if (!std::isfinite(factor.bound))
-    words = carried + " is carried; no mechanism was found that bounds it";
-  else
-    words = text(carried, " is carried, ", text_to_copy(factor.bound),
-                 " collapses; they differ by ", factor.width(), " of it");
-  if (factor.collapses_without)
-    words += "; the dead loads are not carried without the live ones";
-  return words;
-}
-
-void FactorAnalysis::add_parameters(dealii::ParameterHandler &prm)
-{
-  prm.enter_subsection("Load factor");
-  add_choice<Factor>(
-      prm, "Factor", multiplied,
-      {{Factor::live_loads, "live loads",
-        "the loads in 'Live loads'; those in 'Loads' stay as they are."},
-       {Factor::all_loads, "all loads", "the loads in both sections."},
-       {Factor::strength, "strength",
-        "nothing: the strengths against sliding, s_T or c and mu, are divided "
-        "by it, and the loads in both sections stay as they are."}},
-      "What the factor multiplies.");
-  add_choice<Direction>(
-      prm, "Direction", direction,
-      {{Direction::greatest, "greatest",
-        "the greatest factor that is carried."},
-       {Direction::least, "least",
-        "the least one, which is negative where the loads may also act the "
-        "other way."}},
-      "Which end of the factors that are carried is looked for.");
-  prm.leave_subsection();
+  return words_of_proofs(factor);
 }
 
 AnalysisOutcome FactorAnalysis::answer(SceneData data,
@@ -254,13 +211,12 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
         "empty, or set 'Analysis = state'.");
   context.timer.enter_subsection("statics");
   context.terminal.begin("Statics");
+  using Factor = FactorEntries::Factor;
   const SolverControls &common = context.solver.controls();
-  const LoadFactorControls controls = {direction == Direction::greatest,
-                                       common.tolerance_of_factor,
-                                       common.n_max_iterations};
-  if (multiplied == Factor::all_loads)
+  const LoadFactorControls controls = entries.controls(common);
+  if (entries.multiplied == Factor::all_loads)
     data = with_all_live(std::move(data));
-  FactorSearch found = multiplied == Factor::strength
+  FactorSearch found = entries.multiplied == Factor::strength
                            ? search_strength(data, controls, context)
                            : search_loads(std::move(data), controls, context);
   context.timer.leave_subsection();
@@ -271,7 +227,7 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
   if (!found.answer.factor)
   {
     NotCarried collapse = prove(scene, std::move(found.answer.collapse));
-    if (multiplied == Factor::live_loads)
+    if (entries.multiplied == Factor::live_loads)
       collapse.loads = found.answer.collapses_with_any
                            ? NotCarried::Loads::dead_beside_any
                            : NotCarried::Loads::dead;

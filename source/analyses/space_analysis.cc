@@ -117,28 +117,19 @@ void judge_mechanism(SpaceAnswer &answer, const std::string &what)
                             : "work that no strength dissipates.");
 }
 
-nlohmann::ordered_json json_of(const double x)
+/** Judge the forces at a factor, and say what it is. */
+void keep_factor(SpaceAnswer &answer,
+                 FactorOf<SpaceScene> found,
+                 Terminal &terminal)
 {
-  return std::isfinite(x)
-             ? nlohmann::ordered_json(x)
-             : nlohmann::ordered_json(x > 0. ? "infinite" : "-infinite");
-}
-
-std::string words_of(const FactorOf<SpaceScene> &factor)
-{
-  const std::string carried = text_to_copy(factor.carried);
-  std::string words;
-  if (factor.is_unbounded)
-    words = carried + " is carried, and so is any beyond it: the live loads "
-                      "balance by pressure alone";
-  else if (!std::isfinite(factor.bound))
-    words = carried + " is carried; no mechanism was found that bounds it";
-  else
-    words = text(carried, " is carried, ", text_to_copy(factor.bound),
-                 " collapses; they differ by ", factor.width(), " of it");
-  if (factor.collapses_without)
-    words += "; the dead loads are not carried without the live ones";
-  return words;
+  answer.summary["load_factor"] = json_of_proofs(found);
+  answer.summary["load_factor"]["meaning"] = words_of_proofs(found);
+  answer.summary["iterations"] = found.n_iterations;
+  terminal.stage("Load factor", words_of_proofs(found));
+  answer.forces = std::move(found.forces);
+  answer.motion = std::move(found.mechanism);
+  answer.is_mechanism = !answer.motion.displacement.empty();
+  judge_forces(answer);
 }
 } // namespace
 
@@ -158,25 +149,7 @@ void SpaceAnalysis::add_entries(dealii::ParameterHandler &prm)
 void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  prm.enter_subsection("Load factor");
-  add_choice<Multiplied>(
-      prm, "Factor", multiplied,
-      {{Multiplied::live_loads, "live loads",
-        "the loads in 'Live loads'; those in 'Loads' stay as they are."},
-       {Multiplied::all_loads, "all loads", "the loads in both sections."},
-       {Multiplied::strength, "strength",
-        "nothing: the strengths against sliding, s_T or c and mu, are divided "
-        "by it, and the loads in both sections stay as they are."}},
-      "What the factor multiplies.");
-  add_choice<Direction>(
-      prm, "Direction", direction,
-      {{Direction::greatest, "greatest",
-        "the greatest factor that is carried."},
-       {Direction::least, "least",
-        "the least one, which is negative where the loads may also act the "
-        "other way."}},
-      "Which end of the factors that are carried is looked for.");
-  prm.leave_subsection();
+  factor.add_parameters(prm);
   prm.enter_subsection("Solver");
   prm.add_parameter("Tolerance", controls.tolerance,
                     "The largest force imbalance of a cell to stop at, as a "
@@ -190,29 +163,25 @@ void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
                     Double(1e-15, 1.));
   prm.add_parameter("Maximum iterations", controls.n_max_iterations,
                     "Give up after so many iterations.", Integer(1, 1000000));
-  add_choice<LinearSolver>(
-      prm, "Linear solver", linear_solver,
-      {{LinearSolver::automatic, "automatic",
-        "the faster one at the size of the packing."},
-       {LinearSolver::direct, "direct", "CHOLMOD's Cholesky factorisation."},
-       {LinearSolver::multigrid, "multigrid",
-        "conjugate gradients with Trilinos' algebraic multigrid ML."}},
-      "How the linear systems of Newton's method are solved.");
+  add_linear_solver(prm, linear_solver);
   prm.leave_subsection();
 }
 
-void SpaceAnalysis::check(const SpaceSceneParameters &parameters,
-                          const std::shared_ptr<const SpaceBlocks> &blocks,
-                          Terminal &terminal) const
+SpaceAnalysis::Scenes
+SpaceAnalysis::scenes(const SpaceSceneParameters &parameters,
+                      const std::shared_ptr<const SpaceBlocks> &blocks,
+                      Terminal &terminal) const
 {
-  const SpaceScene scene = parameters.scene_of(blocks, terminal);
-  if (scene.is_loaded())
-    show_loads(terminal, scene, "Loads");
-  if (question != Question::load_factor)
-    return;
-  const SpaceScene live = parameters.live_scene_of(blocks, terminal);
-  if (live.is_loaded())
-    show_loads(terminal, live, "Live loads");
+  Scenes found = {parameters.scene_of(blocks, terminal), {}};
+  if (found.dead.is_loaded())
+    show_loads(terminal, found.dead, "Loads");
+  if (question == Question::load_factor)
+  {
+    found.live = parameters.live_scene_of(blocks, terminal);
+    if (found.live->is_loaded())
+      show_loads(terminal, *found.live, "Live loads");
+  }
+  return found;
 }
 
 SpaceAnswer
@@ -220,25 +189,20 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
                       const std::shared_ptr<const SpaceBlocks> &blocks,
                       Terminal &terminal) const
 {
-  SpaceScene scene = parameters.scene_of(blocks, terminal);
-  if (scene.is_loaded())
-    show_loads(terminal, scene, "Loads");
-  if (question == Question::state)
-    return state_of(std::move(scene), terminal);
-  SpaceScene live = parameters.live_scene_of(blocks, terminal);
-  if (live.is_loaded())
-    show_loads(terminal, live, "Live loads");
-  if (multiplied == Multiplied::strength)
+  auto [dead, live] = scenes(parameters, blocks, terminal);
+  if (!live)
+    return state_of(std::move(dead), terminal);
+  if (factor.multiplied == FactorEntries::Factor::strength)
   {
-    scene.loads = sum_of(scene.loads, 1., live.loads);
-    return strength_factor_of(std::move(scene), terminal);
+    dead.loads = sum_of(dead.loads, 1., live->loads);
+    return strength_factor_of(std::move(dead), terminal);
   }
-  if (multiplied == Multiplied::all_loads)
+  if (factor.multiplied == FactorEntries::Factor::all_loads)
   {
-    live.loads = sum_of(scene.loads, 1., live.loads);
-    scene.loads = SpaceLoads(blocks->packing.n_cells());
+    live->loads = sum_of(dead.loads, 1., live->loads);
+    dead.loads = SpaceLoads(blocks->packing.n_cells());
   }
-  return factor_of(std::move(scene), std::move(live), terminal);
+  return factor_of(std::move(dead), std::move(*live), terminal);
 }
 
 SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
@@ -276,22 +240,13 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
   return answer;
 }
 
-LoadFactorControls SpaceAnalysis::controls_of_factor() const
-{
-  LoadFactorControls of_search;
-  of_search.greatest = direction == Direction::greatest;
-  of_search.tolerance = controls.tolerance_of_factor;
-  of_search.n_max_iterations = controls.n_max_iterations;
-  return of_search;
-}
-
 SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
                                      SpaceScene live,
                                      Terminal &terminal) const
 {
   terminal.begin("Load factor");
   FactorAnswerOf<SpaceScene> found =
-      find_load_factor(dead, live, controls_of_factor(), terminal);
+      find_load_factor(dead, live, factor.controls(controls), terminal);
   SpaceAnswer answer = {dead};
   answer.is_analysed = true;
   if (!found.factor)
@@ -307,44 +262,25 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
     terminal.stage("Load factor", answer.status.description());
     return answer;
   }
-  FactorOf<SpaceScene> &factor = *found.factor;
-  answer.scene.loads = sum_of(dead.loads, factor.carried, live.loads);
-  answer.forces = std::move(factor.forces);
-  answer.motion = std::move(factor.mechanism);
-  answer.is_mechanism = !answer.motion.displacement.empty();
-  judge_forces(answer);
-  nlohmann::ordered_json &json = answer.summary["load_factor"];
-  json = {
-      {"carried", json_of(factor.is_unbounded ? factor.bound : factor.carried)},
-      {"bound", json_of(factor.bound)},
-      {"width", json_of(factor.width())},
-      {"unbounded", factor.is_unbounded}};
-  if (factor.is_unbounded)
-    json["forces_at"] = factor.carried;
-  if (answer.is_mechanism)
-  {
-    json["closing_violation"] = factor.proof.closing_violation;
-    // Only what does not depend on the pressure is cut into cells.
-    const auto &strength = dead.blocks->strengths.of_interface;
-    if (dead.blocks->turns() &&
-        std::any_of(strength.begin(), strength.end(),
-                    [](const double s) { return s > 0.; }))
-      json["bound_of_continuous_faces"] =
-          bound_of_continuous_faces(dead, live, answer.motion).factor;
-  }
-  json["meaning"] = words_of(factor);
-  answer.summary["iterations"] = factor.n_iterations;
-  terminal.stage("Load factor", words_of(factor));
+  answer.scene.loads = sum_of(dead.loads, found.factor->carried, live.loads);
+  keep_factor(answer, std::move(*found.factor), terminal);
+  // Only what does not depend on the pressure is cut into cells.
+  const auto &strength = dead.blocks->strengths.of_interface;
+  if (answer.is_mechanism && dead.blocks->turns() &&
+      std::any_of(strength.begin(), strength.end(),
+                  [](const double s) { return s > 0.; }))
+    answer.summary["load_factor"]["bound_of_continuous_faces"] =
+        bound_of_continuous_faces(dead, live, answer.motion).factor;
   return answer;
 }
 
 SpaceAnswer SpaceAnalysis::strength_factor_of(SpaceScene scene,
                                               Terminal &terminal) const
 {
-  check_strength_factor(scene, controls_of_factor());
-  terminal.begin("Strength factor");
+  check_strength_factor(scene, factor.controls(controls));
+  terminal.begin("Load factor");
   FactorAnswerOf<SpaceScene> found =
-      find_strength_factor(scene, controls_of_factor(), terminal);
+      find_strength_factor(scene, factor.controls(controls), terminal);
   SpaceAnswer answer = {std::move(scene)};
   answer.is_analysed = true;
   if (!found.factor)
@@ -352,31 +288,12 @@ SpaceAnswer SpaceAnalysis::strength_factor_of(SpaceScene scene,
     answer.motion = std::move(found.collapse);
     judge_mechanism(answer, "The load is not carried with any strengths: the "
                             "packing collapses");
-    terminal.stage("Strength factor", answer.status.description());
+    terminal.stage("Load factor", answer.status.description());
     return answer;
   }
-  FactorOf<SpaceScene> &factor = *found.factor;
-  if (!factor.is_unbounded)
-    answer.scene = with_strengths_divided(answer.scene, factor.carried);
-  answer.forces = std::move(factor.forces);
-  answer.motion = std::move(factor.mechanism);
-  answer.is_mechanism = !answer.motion.displacement.empty();
-  judge_forces(answer);
-  const std::string words =
-      factor.is_unbounded
-          ? "any number: the load is carried whatever the strengths"
-          : text("divided by ", text_to_copy(factor.carried),
-                 " the strengths carry the load, by ",
-                 text_to_copy(factor.bound), " they do not; these differ by ",
-                 factor.width(), " of it");
-  answer.summary["strength_factor"] = {
-      {"carried", json_of(factor.is_unbounded ? factor.bound : factor.carried)},
-      {"bound", json_of(factor.bound)},
-      {"width", json_of(factor.width())},
-      {"unbounded", factor.is_unbounded},
-      {"meaning", words}};
-  answer.summary["iterations"] = factor.n_iterations;
-  terminal.stage("Strength factor", words);
+  if (!found.factor->is_unbounded)
+    answer.scene = with_strengths_divided(answer.scene, found.factor->carried);
+  keep_factor(answer, std::move(*found.factor), terminal);
   return answer;
 }
 } // namespace Voussoir

@@ -3,7 +3,7 @@
 #define voussoir_analyses_factor_analysis_h
 
 #include <voussoir/analyses/analysis.h>
-#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/factor_entries.h>
 
 namespace Voussoir
 {
@@ -19,30 +19,16 @@ public:
            "and a mechanism that bounds it.";
   }
   std::string sections() const override { return "Live loads, Load factor"; }
-  void add_parameters(dealii::ParameterHandler &prm) override;
+  void add_parameters(dealii::ParameterHandler &prm) override
+  {
+    entries.add_parameters(prm);
+  }
   bool has_live_loads() const override { return true; }
   AnalysisOutcome answer(SceneData data,
                          const AnalysisContext &context) const override;
 
 private:
-  /** What the factor multiplies. */
-  enum class Factor
-  {
-    /** The section `Live loads`. */
-    live_loads,
-    /** Both sections of loads. */
-    all_loads,
-    /** The strengths against sliding, as a divisor. */
-    strength
-  };
-  enum class Direction
-  {
-    greatest,
-    least
-  };
-
-  Factor multiplied = Factor::live_loads;
-  Direction direction = Direction::greatest;
+  FactorEntries entries;
 };
 
 /** A line for people on the factor and its bound. */

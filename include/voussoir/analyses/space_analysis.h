@@ -3,7 +3,7 @@
 #define voussoir_analyses_space_analysis_h
 
 #include <voussoir/algebra/linear/joint_system.h>
-#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/factor_entries.h>
 #include <voussoir/analyses/state/status.h>
 #include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
@@ -78,7 +78,10 @@ public:
    */
   void check(const SpaceSceneParameters &parameters,
              const std::shared_ptr<const SpaceBlocks> &blocks,
-             Terminal &terminal) const;
+             Terminal &terminal) const
+  {
+    scenes(parameters, blocks, terminal);
+  }
 
 private:
   enum class Question
@@ -86,27 +89,22 @@ private:
     state,
     load_factor
   };
-  enum class Multiplied
+  /** The scene, and the one of live loads if they are asked for. */
+  struct Scenes
   {
-    live_loads,
-    all_loads,
-    strength
+    SpaceScene dead;
+    std::optional<SpaceScene> live;
   };
-  enum class Direction
-  {
-    greatest,
-    least
-  };
-
+  Scenes scenes(const SpaceSceneParameters &parameters,
+                const std::shared_ptr<const SpaceBlocks> &blocks,
+                Terminal &terminal) const;
   SpaceAnswer state_of(SpaceScene scene, Terminal &terminal) const;
-  LoadFactorControls controls_of_factor() const;
   SpaceAnswer
   factor_of(SpaceScene dead, SpaceScene live, Terminal &terminal) const;
   SpaceAnswer strength_factor_of(SpaceScene scene, Terminal &terminal) const;
 
   Question question = Question::state;
-  Multiplied multiplied = Multiplied::live_loads;
-  Direction direction = Direction::greatest;
+  FactorEntries factor;
   SolverControls controls;
   LinearSolver linear_solver = LinearSolver::automatic;
 };

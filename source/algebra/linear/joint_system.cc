@@ -7,6 +7,7 @@
 #include <voussoir/algebra/linear/near_componentwise.h>
 #include <voussoir/algebra/linear/rotation_complement.h>
 #include <voussoir/algebra/linear/substructures.h>
+#include <voussoir/base/parameters/parameters.h>
 #include <voussoir/parallel/begin_mpi.h>
 
 #include <limits>
@@ -34,6 +35,18 @@ constexpr unsigned int n_bodies_for_multigrid_of_one = 20000000;
  */
 constexpr unsigned int n_couplings_for_multigrid = 6000;
 } // namespace
+
+void add_linear_solver(dealii::ParameterHandler &prm, LinearSolver &solver)
+{
+  add_choice<LinearSolver>(
+      prm, "Linear solver", solver,
+      {{LinearSolver::automatic, "automatic",
+        "the faster one at the size of the packing."},
+       {LinearSolver::direct, "direct", "CHOLMOD's Cholesky factorisation."},
+       {LinearSolver::multigrid, "multigrid",
+        "conjugate gradients with Trilinos' algebraic multigrid ML."}},
+      "How the linear systems of Newton's method are solved.");
+}
 
 JointSystem::JointSystem(const Structure &structure,
                          const LinearSolver kind,

@@ -70,7 +70,7 @@ Field<SpaceAnswer> vector_field(const std::string &name,
       .with_columns(components(name));
 }
 
-/** jumps_of_faces() of an answer, made once for all interfaces. */
+/** A quantity of the jumps of interfaces, found once for all of them. */
 template <typename Of>
 auto jumps_by(const Of &of)
 {
@@ -80,51 +80,62 @@ auto jumps_by(const Of &of)
     return [jumps, of](const unsigned int e) { return of((*jumps)[e]); };
   };
 }
+
+/** A quantity of the force on an interface. */
+template <typename Of>
+auto force_by(const Of &of)
+{
+  return [of](const SpaceAnswer &a, const unsigned int e) {
+    return of(FaceForce(a, e), face_of(a, e));
+  };
+}
 } // namespace
 
 Fields<SpaceAnswer> face_forces()
 {
+  using Interface = Packing<3>::Interface;
   return when<SpaceAnswer>(
       with_forces(),
-      {Field<SpaceAnswer>("normal_force", "S L^2",
-                          "the force on c- along n_e, negative in compression",
-                          [](const SpaceAnswer &a, const unsigned int e) {
-                            return FaceForce(a, e).normal;
-                          }),
+      {Field<SpaceAnswer>(
+           "normal_force", "S L^2",
+           "the force on c- along n_e, negative in compression",
+           force_by([](const FaceForce &force, const Interface &) {
+             return force.normal;
+           })),
        vector_field("shear_force", "S L^2", "the force on c- across n_e",
-                    [](const SpaceAnswer &a, const unsigned int e) {
-                      return FaceForce(a, e).shear;
-                    }),
-       vector_field("moment", "S L^3",
-                    "the moment of the forces on c- about the centroid of the "
-                    "polygon",
-                    [](const SpaceAnswer &a, const unsigned int e) {
-                      return FaceForce(a, e).resultant.moment;
-                    }),
-       vector_field("eccentricity", "L",
-                    "from the centroid to the place of the resultant in the "
-                    "polygon; zero where nothing presses",
-                    [](const SpaceAnswer &a, const unsigned int e) {
-                      const FaceForce force(a, e);
-                      // n x (r x N n) = N (r - (r . n) n).
-                      return force.normal < 0.
-                                 ? cross_product_3d(face_of(a, e).normal,
-                                                    force.resultant.moment) /
-                                       force.normal
-                                 : Tensor<1, 3>();
-                    }),
-       Field<SpaceAnswer>("normal_stress", "S", "the normal force over |e|",
-                          [](const SpaceAnswer &a, const unsigned int e) {
-                            return FaceForce(a, e).normal / face_of(a, e).area;
-                          })
+                    force_by([](const FaceForce &force, const Interface &) {
+                      return force.shear;
+                    })),
+       vector_field(
+           "moment", "S L^3",
+           "the moment of the forces on c- about the centroid of the polygon",
+           force_by([](const FaceForce &force, const Interface &) {
+             return force.resultant.moment;
+           })),
+       vector_field(
+           "eccentricity", "L",
+           "from the centroid to the place of the resultant in the polygon; "
+           "zero where nothing presses",
+           force_by([](const FaceForce &force, const Interface &i) {
+             // n x (r x N n) = N (r - (r . n) n).
+             return force.normal < 0.
+                        ? cross_product_3d(i.normal, force.resultant.moment) /
+                              force.normal
+                        : Tensor<1, 3>();
+           })),
+       Field<SpaceAnswer>(
+           "normal_stress", "S", "the normal force over |e|",
+           force_by([](const FaceForce &force, const Interface &i) {
+             return force.normal / i.area;
+           }))
            .only_in_grid(),
-       Field<SpaceAnswer>("utilisation", "",
-                          "the size of the shear force over c_e |e| + mu_e N, "
-                          "the strength against sliding",
-                          [](const SpaceAnswer &a, const unsigned int e) {
-                            return utilisation_of_face(*a.scene.blocks,
-                                                       a.forces, e);
-                          })});
+       Field<SpaceAnswer>(
+           "utilisation", "",
+           "the size of the shear force over c_e |e| + mu_e N, the strength "
+           "against sliding",
+           [](const SpaceAnswer &a, const unsigned int e) {
+             return utilisation_of_face(*a.scene.blocks, a.forces, e);
+           })});
 }
 
 Fields<SpaceAnswer> face_jumps()

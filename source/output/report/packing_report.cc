@@ -68,8 +68,6 @@ void add_answer(const SpaceAnswer &answer, SpaceReport &report)
     add("Not carried", answer.message);
   if (answer.summary.contains("load_factor"))
     add("Load factor", answer.summary["load_factor"]["meaning"]);
-  if (answer.summary.contains("strength_factor"))
-    add("Strength factor", answer.summary["strength_factor"]["meaning"]);
   if (answer.forces.empty())
     return;
   add("Balance of forces",

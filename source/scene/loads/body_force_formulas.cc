@@ -4,9 +4,9 @@
 #include <voussoir/formula/integrals/inaccuracies.h>
 #include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/area_moments.h>
-#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/loads/body_force_formulas.h>
+#include <voussoir/scene/loads/loaded_cells.h>
 
 #include <utility>
 
@@ -52,28 +52,6 @@ void add_formula(const Packing<2> &packing,
     requested.add(packing.centre(c), force.force(packing, c), force.torque(c));
   for (std::string &warning : inaccuracies.warnings())
     warnings.push_back(std::move(warning));
-}
-
-/** The cells of a name, which are given a body force for the first time. */
-std::vector<unsigned int> new_cells(const Packing<2> &packing,
-                                    const std::string &name,
-                                    const std::string &parameter,
-                                    std::vector<bool> &has_own)
-{
-  std::vector<unsigned int> cells = cells_of_name(packing, name, parameter);
-  for (const unsigned int c : cells)
-  {
-    if (c == packing.ground())
-      throw InputError("The parameter '" + parameter +
-                       "' gives a body force to 'ground', which has no cells "
-                       "to take it; name another group.");
-    if (has_own[c])
-      throw InputError(
-          text("The parameter '", parameter, "' gives a body force to cell ", c,
-               " twice, the second time as '", name, "'; give it once."));
-    has_own[c] = true;
-  }
-  return cells;
 }
 } // namespace
 

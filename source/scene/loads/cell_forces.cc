@@ -3,9 +3,9 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/area_moments.h>
-#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/loads/cell_forces.h>
+#include <voussoir/scene/loads/loaded_cells.h>
 #include <voussoir/scene/loads/segment_tractions.h>
 
 #include <deal.II/boost_adaptors/point.h>
@@ -141,12 +141,8 @@ std::vector<CellForce> cell_forces_of_text(const Packing<2> &packing,
       add_force_at(packing, x, force, parameter, forces);
       continue;
     }
-    std::vector<unsigned int> cells = cells_of_name(packing, name, parameter);
-    if (cells.empty() || cells.front() == packing.ground())
-      throw InputError("The parameter '" + parameter + "' gives a force to '" +
-                       name +
-                       "', which has no cells to take it; name another group, "
-                       "or a cell by its number.");
+    std::vector<unsigned int> cells =
+        cells_that_take("a force", packing, name, parameter);
     if (at == std::string::npos)
       forces.push_back({name, std::move(cells), force});
     else

@@ -16,9 +16,6 @@ using dealii::Tensor;
 
 namespace
 {
-/** A load, relative to the largest of the scene, that is rounding. */
-constexpr double rounding_of_loads = 1e-12;
-
 /**
  * An imbalance of a cell, over the reference force, that is rounding; and what
  * solvers leave of cells without load, which feel others only. A load is light
@@ -27,41 +24,19 @@ constexpr double rounding_of_loads = 1e-12;
 constexpr double rounding_of_imbalance = 1e-14, noise_of_imbalance = 1e-12,
                  light_load = 1e-6;
 
-/** The largest relative closing of a joint in a mechanism, for rounding. */
-constexpr double largest_closing = 1e-12;
-/** The largest MechanismCertificate::share_of_closing: normal forces may be
- * some times the largest load. */
-constexpr double largest_share = 0.1;
-
-/**
- * The reference force of each cell: the largest load on one of its connected
- * group, since groups do not feel each other, nor through the ground, and none
- * may hide behind another. A group without load is judged by the largest of the
- * scene, and a scene without load by the largest force.
- */
+/** Those of a scene. */
 std::vector<double> reference_forces(const Scene &scene,
                                      const InterfaceForces &forces)
 {
-  const std::vector<unsigned int> group =
-      connected_groups(scene.packing, Ground::separates);
-  std::vector<double> reference(group.size(), 0.);
-  double largest_load = 0., largest_force = 0.;
-  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
-  {
-    double &largest = reference[group[c]];
-    largest = std::max(largest, scene.load[c].norm());
-    largest_load = std::max(largest_load, largest);
-  }
+  std::vector<double> load;
+  for (const Tensor<1, 2> &force : scene.load)
+    load.push_back(force.norm());
+  double largest_force = 0.;
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
     largest_force = std::max({largest_force, std::abs(forces.normal[e]),
                               std::abs(forces.tangential[e])});
-  for (double &largest : reference)
-    if (!(largest > rounding_of_loads * largest_load))
-      largest = largest_load > 0. ? largest_load : largest_force;
-  std::vector<double> of_cell;
-  for (unsigned int c = 0; c < scene.packing.n_cells(); ++c)
-    of_cell.push_back(reference[group[c]]);
-  return of_cell;
+  return Voussoir::reference_forces(
+      connected_groups(scene.packing, Ground::separates), load, largest_force);
 }
 
 bool are_finite(const InterfaceForces &forces)
@@ -76,36 +51,6 @@ bool are_finite(const InterfaceForces &forces)
   }
   return true;
 }
-
-/** Forces that are no numbers, which would slip through every comparison. */
-Certificate infinitely_wrong()
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  return {infinity, infinity, infinity, infinity, infinity, infinity, {}, {}};
-}
-
-/** Errors of forces on cells, over the reference force of each. */
-struct RelativeErrors
-{
-  /** Take one into @p largest, a measure of the certificate. */
-  void add(double &largest,
-           const LargestError::Kind kind,
-           const double error,
-           const unsigned int cell)
-  {
-    if (!(reference[cell] > 0.)) // there is nothing to be compared
-      return;
-    const double relative = error / reference[cell];
-    largest = std::max(largest, relative);
-    if (relative > certificate.largest.relative &&
-        (kind != LargestError::Kind::moment || turns))
-      certificate.largest = {kind, cell, error, relative};
-  }
-
-  const std::vector<double> &reference;
-  const bool turns;
-  Certificate &certificate;
-};
 
 /** The excess of the forces of an interface over their limits. */
 double violation(const Scene &scene,
@@ -279,26 +224,8 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
   return certificate;
 }
 
-bool proves_collapse(const MechanismCertificate &certificate)
-{
-  return certificate.closing_violation <= largest_closing &&
-         certificate.work_over_dissipation > 1. &&
-         certificate.share_of_closing < largest_share &&
-         certificate.load_residual <= largest_load_residual;
-}
-
 namespace
 {
-/** What a motion does to a scene, added up. */
-struct WorkOfMotion
-{
-  /** The largest displacement of a cell or of an end of a joint with it. */
-  double largest = 0.;
-  /** The largest closing of a joint, and the sum over the joints. */
-  double closing = 0., all_closings = 0.;
-  double dissipation = 0.;
-};
-
 double largest_load(const Scene &scene)
 {
   double largest = 0.;
@@ -326,20 +253,9 @@ WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
 
 MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
 {
-  const WorkOfMotion of = work_in_joints(scene, motion);
-  const double work = work_of_loads(scene, motion);
-  MechanismCertificate certificate;
-  if (of.largest > 0.)
-    certificate.closing_violation = of.closing / of.largest;
-  if (work > 0.)
-    certificate.work_over_dissipation =
-        of.dissipation > 0. ? work / of.dissipation
-                            : std::numeric_limits<double>::infinity();
-  if (of.all_closings > 0.)
-    certificate.share_of_closing =
-        work > of.dissipation
-            ? of.all_closings * largest_load(scene) / (work - of.dissipation)
-            : std::numeric_limits<double>::infinity();
+  MechanismCertificate certificate =
+      certificate_of(work_in_joints(scene, motion),
+                     work_of_loads(scene, motion), largest_load(scene));
   certificate.load_residual = scene.load_residual;
   return certificate;
 }
@@ -347,15 +263,7 @@ MechanismCertificate certify_mechanism(const Scene &scene, const Motion &motion)
 FactorBound
 bound_of_factor(const Scene &dead, const Scene &live, const Motion &motion)
 {
-  const WorkOfMotion of = work_in_joints(dead, motion);
-  FactorBound bound;
-  bound.live_work = work_of_loads(live, motion);
-  bound.factor =
-      bound.live_work != 0.
-          ? (of.dissipation - work_of_loads(dead, motion)) / bound.live_work
-          : std::numeric_limits<double>::infinity();
-  if (of.largest > 0.)
-    bound.closing_violation = of.closing / of.largest;
-  return bound;
+  return bound_by(work_in_joints(dead, motion), work_of_loads(dead, motion),
+                  work_of_loads(live, motion));
 }
 } // namespace Voussoir

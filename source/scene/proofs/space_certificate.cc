@@ -14,8 +14,6 @@ using dealii::Tensor;
 namespace
 {
 constexpr double infinity_of_errors = std::numeric_limits<double>::infinity();
-/** A load, relative to the largest of the scene, that is rounding. */
-constexpr double rounding_of_load = 1e-12;
 
 /** A sum of vectors, with more digits. */
 struct LongSum
@@ -49,34 +47,21 @@ Tensor<1, 3> across(const Tensor<1, 3> &v, const Tensor<1, 3> &normal)
   return v - (v * normal) * normal;
 }
 
-/** Of each cell the largest load of its connected group, or of the scene. */
+/** Those of a scene; a torque counts over the size of its cell. */
 std::vector<double> reference_forces(const SpaceScene &scene,
                                      const FaceForces &forces)
 {
   const Packing<3> &packing = scene.packing();
-  const std::vector<unsigned int> group =
-      connected_groups(packing, Ground::separates);
-  std::vector<double> of_group(group.size(), 0.);
-  double largest_load = 0., largest_force = 0.;
+  std::vector<double> load;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    double &largest = of_group[group[c]];
-    largest =
-        std::max({largest, scene.loads.force[c].norm(),
-                  scene.loads.torque[c].norm() / std::cbrt(packing.volume(c))});
-    largest_load = std::max(largest_load, largest);
-  }
+    load.push_back(
+        std::max(scene.loads.force[c].norm(),
+                 scene.loads.torque[c].norm() / std::cbrt(packing.volume(c))));
+  double largest_force = 0.;
   for (const PointForce &force : forces.list)
     largest_force = std::max(largest_force, force.force.norm());
-  std::vector<double> reference;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    const double largest = of_group[group[c]];
-    reference.push_back(largest > rounding_of_load * largest_load ? largest
-                        : largest_load > 0.                       ? largest_load
-                                            : largest_force);
-  }
-  return reference;
+  return Voussoir::reference_forces(
+      connected_groups(packing, Ground::separates), load, largest_force);
 }
 
 /** What the points of an interface admit; S L^2. */
@@ -144,14 +129,8 @@ bool are_finite(const FaceForces &forces)
 
 Certificate certify(const SpaceScene &scene, const FaceForces &forces)
 {
-  Certificate certificate;
   if (!are_finite(forces))
-  {
-    certificate.equilibrium_residual = certificate.moment_residual =
-        certificate.max_torque = certificate.admissibility_violation =
-            infinity_of_errors;
-    return certificate;
-  }
+    return infinitely_wrong();
   using Kind = LargestError::Kind;
   const Packing<3> &packing = scene.packing();
   const std::vector<double> reference = reference_forces(scene, forces);
@@ -161,16 +140,8 @@ Certificate certify(const SpaceScene &scene, const FaceForces &forces)
     sum[c].add(scene.loads.force[c]);
     moment[c].add(scene.loads.torque[c]);
   }
-  const auto look = [&](double &largest, const Kind kind, const double error,
-                        const unsigned int c) {
-    if (!(reference[c] > 0.))
-      return;
-    const double relative = error / reference[c];
-    largest = std::max(largest, relative);
-    if (relative > certificate.largest.relative &&
-        (kind != Kind::moment || scene.blocks->turns()))
-      certificate.largest = {kind, c, error, relative};
-  };
+  Certificate certificate;
+  RelativeErrors errors = {reference, scene.blocks->turns(), certificate};
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing<3>::Interface &i = packing.interfaces()[e];
@@ -186,17 +157,18 @@ Certificate certify(const SpaceScene &scene, const FaceForces &forces)
       moment[i.cell_plus].add_product(of.place - packing.centre(i.cell_plus),
                                       -of.force);
     }
-    look(certificate.admissibility_violation, Kind::limit,
-         largest_excess(*scene.blocks, forces, e), i.cell_minus);
+    errors.add(certificate.admissibility_violation, Kind::limit,
+               largest_excess(*scene.blocks, forces, e), i.cell_minus);
     certificate.max_utilisation =
         std::max(certificate.max_utilisation,
                  utilisation_of_face(*scene.blocks, forces, e));
   }
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
-    look(certificate.equilibrium_residual, Kind::balance, sum[c].norm(), c);
-    look(certificate.max_torque, Kind::moment,
-         moment[c].norm() / std::cbrt(packing.volume(c)), c);
+    errors.add(certificate.equilibrium_residual, Kind::balance, sum[c].norm(),
+               c);
+    errors.add(certificate.max_torque, Kind::moment,
+               moment[c].norm() / std::cbrt(packing.volume(c)), c);
   }
   if (scene.blocks->turns())
     certificate.moment_residual = certificate.max_torque;
@@ -234,16 +206,6 @@ Tensor<1, 3> jump_at(const Packing<3> &packing,
              : motion.at(i.cell_plus, place - packing.centre(i.cell_plus)) -
                    minus;
 }
-
-/** What a motion does to a scene, added up. */
-struct WorkInFaces
-{
-  /** The largest displacement of a cell or of a vertex of a joint with it. */
-  double largest = 0.;
-  /** The largest closing of a joint, and the sum of all. */
-  double closing = 0., all_closings = 0.;
-  double dissipation = 0.;
-};
 
 /** Half of the integral of |x| over the triangle of the origin and a side. */
 double moment_of_side(const Tensor<1, 3> &from,
@@ -296,13 +258,13 @@ double integral_of_slip(const Packing<3> &packing,
   return std::abs(spin) * std::abs(sum);
 }
 
-WorkInFaces work_in_faces(const SpaceScene &scene,
-                          const SpaceMotion &motion,
-                          const bool are_continuous = false)
+WorkOfMotion work_in_faces(const SpaceScene &scene,
+                           const SpaceMotion &motion,
+                           const bool are_continuous = false)
 {
   const SpaceBlocks &blocks = *scene.blocks;
   const Packing<3> &packing = blocks.packing;
-  WorkInFaces of;
+  WorkOfMotion of;
   for (const Tensor<1, 3> &u : motion.displacement)
     of.largest = std::max(of.largest, u.norm());
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
@@ -341,23 +303,6 @@ WorkInFaces work_in_faces(const SpaceScene &scene,
             across(jump_at(packing, motion, i, point.place), i.normal).norm();
   }
   return of;
-}
-
-FactorBound bound_of(const SpaceScene &dead,
-                     const SpaceScene &live,
-                     const SpaceMotion &motion,
-                     const bool are_continuous)
-{
-  const WorkInFaces of = work_in_faces(dead, motion, are_continuous);
-  FactorBound bound;
-  bound.live_work = work_of_loads(live, motion);
-  bound.factor =
-      bound.live_work != 0.
-          ? (of.dissipation - work_of_loads(dead, motion)) / bound.live_work
-          : infinity_of_errors;
-  if (of.largest > 0.)
-    bound.closing_violation = of.closing / of.largest;
-  return bound;
 }
 } // namespace
 
@@ -399,36 +344,26 @@ std::vector<FaceJump> jumps_of_faces(const SpaceBlocks &blocks,
 MechanismCertificate certify_mechanism(const SpaceScene &scene,
                                        const SpaceMotion &motion)
 {
-  const WorkInFaces of = work_in_faces(scene, motion);
-  const double work = work_of_loads(scene, motion);
-  MechanismCertificate certificate;
-  if (of.largest > 0.)
-    certificate.closing_violation = of.closing / of.largest;
-  if (work > 0.)
-    certificate.work_over_dissipation =
-        of.dissipation > 0. ? work / of.dissipation : infinity_of_errors;
   double largest_load = 0.;
   for (const Tensor<1, 3> &f : scene.loads.force)
     largest_load = std::max(largest_load, f.norm());
-  if (of.all_closings > 0.)
-    certificate.share_of_closing =
-        work > of.dissipation
-            ? of.all_closings * largest_load / (work - of.dissipation)
-            : infinity_of_errors;
-  return certificate;
+  return certificate_of(work_in_faces(scene, motion),
+                        work_of_loads(scene, motion), largest_load);
 }
 
 FactorBound bound_of_factor(const SpaceScene &dead,
                             const SpaceScene &live,
                             const SpaceMotion &motion)
 {
-  return bound_of(dead, live, motion, false);
+  return bound_by(work_in_faces(dead, motion), work_of_loads(dead, motion),
+                  work_of_loads(live, motion));
 }
 
 FactorBound bound_of_continuous_faces(const SpaceScene &dead,
                                       const SpaceScene &live,
                                       const SpaceMotion &motion)
 {
-  return bound_of(dead, live, motion, true);
+  return bound_by(work_in_faces(dead, motion, true),
+                  work_of_loads(dead, motion), work_of_loads(live, motion));
 }
 } // namespace Voussoir

@@ -5,9 +5,9 @@
 #include <voussoir/formula/integrals/inaccuracies.h>
 #include <voussoir/formula/integrals/simplex_integral.h>
 #include <voussoir/formula/vector_expression.h>
-#include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polyhedra/face_triangles.h>
+#include <voussoir/scene/loads/loaded_cells.h>
 #include <voussoir/scene/space/space_loads.h>
 
 #include <deal.II/base/patterns.h>
@@ -320,19 +320,7 @@ void SpaceLoadParameters::add_body_forces(
        split_named_list(body_of_groups, of_groups, true))
   {
     const std::vector<unsigned int> cells =
-        cells_of_name(packing, group, of_groups);
-    for (const unsigned int c : cells)
-    {
-      if (c >= packing.n_cells())
-        throw InputError("The parameter '" + of_groups +
-                         "' gives a body force to '" + group +
-                         "', which does not move; name another group.");
-      if (has_own[c])
-        throw InputError(
-            text("The parameter '", of_groups, "' gives a body force to cell ",
-                 c, " twice, the second time as '", group, "'; give it once."));
-      has_own[c] = true;
-    }
+        new_cells(packing, group, of_groups, has_own);
     add_body_force(packing, cells, vector_in_space(value, places, of_groups),
                    of_groups, loads, warnings);
   }
@@ -385,12 +373,7 @@ void SpaceLoadParameters::add_cell_forces(const Packing<3> &packing,
       continue;
     }
     const std::vector<unsigned int> cells =
-        cells_of_name(packing, who, parameter);
-    for (const unsigned int c : cells)
-      if (c >= packing.n_cells())
-        throw InputError("The parameter '" + parameter +
-                         "' gives a force to '" + who +
-                         "', which does not move; name another group.");
+        cells_that_take("a force", packing, who, parameter);
     if (at == std::string::npos)
     {
       for (const unsigned int c : cells)

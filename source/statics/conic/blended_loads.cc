@@ -29,19 +29,10 @@ std::vector<double> pressing_forces_of(const DiscreteProblem &problem)
       force = std::min(force,
                        part_of_crushing * problem.normal_limits()[e].crushing);
     double *const of = &forces[problem.first_row(e)];
-    if (problem.is_plane())
-    {
-      const unsigned int n = problem.n_contacts(e);
-      std::fill_n(of, n, -force / n);
-      continue;
-    }
-    const double *share = problem.shares(e);
-    problem.for_each_set(
-        e, [&](const unsigned int size, const unsigned int row, unsigned int) {
-          if (size != 2)
-            of[row] = -force * *share;
-          ++share;
-        });
+    problem.for_each_pressure(e,
+                              [&](const unsigned int row, const double share) {
+                                of[row] = -force * share;
+                              });
   }
   return forces;
 }

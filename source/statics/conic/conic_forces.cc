@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/conic/conic_forces.h>
+#include <voussoir/statics/conic/sum_of_squares.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,96 +50,6 @@ ConicForces::Cone cone_of(const ForceRows::FrictionCone &cone)
           {{0., 0., 0.}},
           {{{{cone.coefficient, 0., 0.}}, {{0., -1., 0.}}, {{0., 0., -1.}}}}};
 }
-
-/**
- * A positive sum of squares c (g . x)^2 of two rows, and its inverse, to all
- * digits however different the c are.
- */
-class SumOfSquares
-{
-public:
-  void add(const double c, const std::array<double, 3> &of_rows)
-  {
-    const std::array<double, 2> g = {{of_rows[0], of_rows[1]}};
-    for (const Square &other : squares)
-    {
-      const double volume = g[0] * other.g[1] - g[1] * other.g[0];
-      det += c * other.c * (volume * volume);
-    }
-    squares.push_back({c, g});
-  }
-  /** The three different entries of the inverse: 00, 01, 11. */
-  std::array<double, 3> inverse() const
-  {
-    std::array<double, 3> sum = {};
-    for (const Square &square : squares)
-    {
-      const double weight = square.c / det;
-      sum[0] += weight * square.g[1] * square.g[1];
-      sum[1] -= weight * square.g[0] * square.g[1];
-      sum[2] += weight * square.g[0] * square.g[0];
-    }
-    return sum;
-  }
-
-private:
-  struct Square
-  {
-    double c;
-    std::array<double, 2> g;
-  };
-  std::vector<Square> squares;
-  double det = 0.;
-};
-
-/** The same of three rows. */
-class SumOfSquaresOfThree
-{
-public:
-  void add(const double c, const std::array<double, 3> &g)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const Vector3 normal = vector_product(g, squares[i].g);
-      const double weight = c * squares[i].c;
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        const Vector3 &other = squares[j].g;
-        const double volume =
-            normal[0] * other[0] + normal[1] * other[1] + normal[2] * other[2];
-        det += weight * squares[j].c * (volume * volume);
-      }
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int l = 0; l < 3; ++l)
-          adjoint[3 * k + l] += weight * normal[k] * normal[l];
-    }
-    squares[n++] = {c, g};
-  }
-  /** Set the nine entries of the inverse. */
-  void find_inverse(double *const inverse) const
-  {
-    for (unsigned int k = 0; k < 9; ++k)
-      inverse[k] = adjoint[k] / det;
-  }
-
-private:
-  using Vector3 = std::array<double, 3>;
-  static Vector3 vector_product(const Vector3 &a, const Vector3 &b)
-  {
-    return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-             a[0] * b[1] - a[1] * b[0]}};
-  }
-  struct Square
-  {
-    double c;
-    Vector3 g;
-  };
-  /** Three of a cone, three of a cost and one of a bound. */
-  std::array<Square, 7> squares = {};
-  std::size_t n = 0;
-  std::array<double, 9> adjoint = {};
-  double det = 0.;
-};
 
 /** B^T v of one cone. */
 std::array<double, 3> transposed(const ConicForces::Cone &cone,
@@ -337,6 +248,10 @@ bool ConicForces::prepare(const Weights &weights,
   for (double &sum : k)
     if (sum > 0.)
       sum = 1. / (sum + proximal);
+  for (const Cone &cone : all_cones)
+    if (cone.bound >= 0)
+      k[cone.row] = 1. / (weights.of_bounds[cone.bound] +
+                          (with_curvature ? of_cost[cone.row] : 0.));
   clear_without_force(k);
   if (rows.has_blocks())
     invert_sets(weights, with_curvature);
@@ -346,8 +261,8 @@ bool ConicForces::prepare(const Weights &weights,
     scalings = weights.of_cones;
     of_their_bounds.clear();
     for (const Cone &cone : all_cones)
-      of_their_bounds.push_back(
-          cone.bound < 0 ? 0. : weights.of_bounds[cone.bound] + proximal);
+      of_their_bounds.push_back(cone.bound < 0 ? 0.
+                                               : weights.of_bounds[cone.bound]);
   }
   return factorise();
 }

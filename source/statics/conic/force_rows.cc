@@ -226,19 +226,10 @@ std::vector<double> ForceRows::tension() const
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     double *const of = &forces[problem.first_row(e)];
-    if (problem.is_plane())
-    {
-      const unsigned int n = problem.n_contacts(e);
-      std::fill_n(of, n, problem.tension(e) / n);
-      continue;
-    }
-    const double *share = problem.shares(e);
-    problem.for_each_set(
-        e, [&](const unsigned int size, const unsigned int row, unsigned int) {
-          if (size != 2)
-            of[row] = problem.tension(e) * *share;
-          ++share;
-        });
+    problem.for_each_pressure(e,
+                              [&](const unsigned int row, const double share) {
+                                of[row] = problem.tension(e) * share;
+                              });
   }
   return forces;
 }

@@ -88,24 +88,22 @@ EnergySearch::curvatures(const std::vector<JointCost> &costs) const
   std::vector<double> q(rows.n_all_rows(), 0.);
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
-    if (!problem.is_plane())
+    double *const of_joint = &q[rows.first_row(e)];
+    if (problem.is_plane())
+      of_joint[problem.n_contacts(e)] = costs[e].tangential_compliance;
+    else
     {
-      double *const of_joint = &q[rows.first_row(e)];
       const double *share = problem.shares(e);
       problem.for_each_set(e, [&](const unsigned int size,
                                   const unsigned int row, unsigned int) {
         std::fill_n(of_joint + row, size,
-                    costs[e].tangential_compliance / *share);
-        if (size != 2)
-          of_joint[row] = costs[e].normal_compliance / *share;
-        ++share;
+                    costs[e].tangential_compliance / *share++);
       });
-      continue;
     }
-    const unsigned int n = problem.n_contacts(e);
-    double *const of_joint = &q[rows.first_row(e)];
-    std::fill_n(of_joint, n, costs[e].normal_compliance);
-    of_joint[n] = costs[e].tangential_compliance;
+    problem.for_each_pressure(
+        e, [&](const unsigned int row, const double share) {
+          of_joint[row] = costs[e].normal_compliance / share;
+        });
   }
   return q;
 }
@@ -117,21 +115,11 @@ EnergySearch::linear_costs(const std::vector<JointCost> &costs) const
   std::vector<double> c(rows.n_all_rows(), 0.);
   for (unsigned int e = 0; e < costs.size(); ++e)
   {
-    if (!problem.is_plane())
-    {
-      // The share in the force is that in the stiffness.
-      problem.for_each_set(e, [&](const unsigned int size,
-                                  const unsigned int row, unsigned int) {
-        if (size != 2)
-          c[rows.first_row(e) + row] =
-              costs[e].normal_compliance * problem.tension(e);
-      });
-      continue;
-    }
-    const unsigned int n = problem.n_contacts(e);
-    for (unsigned int k = 0; k < n; ++k)
-      c[rows.first_row(e) + k] =
-          costs[e].normal_compliance * problem.tension(e) / n;
+    // The share in the force is that in the stiffness.
+    problem.for_each_pressure(e, [&](const unsigned int row, double) {
+      c[rows.first_row(e) + row] =
+          costs[e].normal_compliance * problem.tension(e);
+    });
   }
   for (const ForceRows::Arc &arc : rows.arcs())
     c[arc.row + 1] = -costs[rows.joint_of_row(arc.row)].smoothing;
@@ -230,11 +218,11 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const double compliance = 1. / problem.joints()[e].stiffness();
-    if (problem.is_plane())
-      costs.push_back({1. / problem.contact_stiffness(e), compliance, 0.});
-    else
-      costs.push_back(
-          {compliance, compliance / tangential_part(problem, e), 0.});
+    costs.push_back({compliance,
+                     problem.is_plane()
+                         ? compliance
+                         : compliance / tangential_part(problem, e),
+                     0.});
   }
   return costs;
 }

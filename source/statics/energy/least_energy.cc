@@ -47,14 +47,7 @@ void LeastEnergy::add_parameters(dealii::ParameterHandler &prm)
                     "times |e| / d_e. It divides the displacements in the "
                     "results and changes nothing else; a stress.",
                     Double(1e-100, 1e100));
-  add_choice<LinearSolver>(
-      prm, "Linear solver", linear_solver,
-      {{LinearSolver::automatic, "automatic",
-        "the faster one at the size of the packing."},
-       {LinearSolver::direct, "direct", "CHOLMOD's Cholesky factorisation."},
-       {LinearSolver::multigrid, "multigrid",
-        "conjugate gradients with Trilinos' algebraic multigrid ML."}},
-      "How the linear systems of Newton's method are solved.");
+  add_linear_solver(prm, linear_solver);
 }
 
 Solution LeastEnergy::select(const DiscreteProblem &problem,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/newton.h>
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/energy_program.h>
@@ -180,19 +179,11 @@ Solution SpaceStateSearch::find()
     return std::move(found);
   if (in_doubt)
     return std::move(*in_doubt);
-  Solution any =
-      find_state_or_collapse(problem, controls.n_max_iterations, terminal);
+  Solution any = FeasibleState().solve(problem, controls, terminal);
   any.n_iterations += found.n_iterations;
   any.n_evaluations += found.n_evaluations;
   if (any.converged())
     any.selection = FeasibleState().selection();
-  if (!any.converged() && !any.mechanism)
-    throw SolverError(
-        text("Neither forces that carry the loads nor a mechanism were found "
-             "after ",
-             counted(any.n_iterations, "iteration"),
-             ". The load is close to what the packing can carry, or "
-             "'Solver/Maximum iterations' is small."));
   return any;
 }
 } // namespace

@@ -67,7 +67,8 @@ std::vector<JointCost> smoothed_costs(const DiscreteProblem &problem,
 {
   std::vector<JointCost> costs;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    costs.push_back({1. / problem.contact_stiffness(e), 0., law.smoothing(e)});
+    costs.push_back(
+        {1. / problem.joints()[e].stiffness(), 0., law.smoothing(e)});
   return costs;
 }
 

@@ -5,6 +5,7 @@
 #include <voussoir/algebra/linear/linear_method.h>
 #include <voussoir/algebra/structure.h>
 
+#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
 #include <memory>
@@ -31,6 +32,9 @@ enum class LinearSolver
   /** Conjugate gradients with Multigrid. */
   multigrid
 };
+
+/** Declare the entry `Linear solver` in the present section and bind it. */
+void add_linear_solver(dealii::ParameterHandler &prm, LinearSolver &solver);
 
 /**
  * The linear systems of Newton's method: find u with

@@ -2,7 +2,7 @@
 #ifndef voussoir_scene_proofs_space_certificate_h
 #define voussoir_scene_proofs_space_certificate_h
 
-#include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/scene/proofs/certificate_measures.h>
 #include <voussoir/scene/space/face_forces.h>
 #include <voussoir/scene/space/space_motion.h>
 #include <voussoir/scene/space/space_scene.h>

@@ -70,7 +70,7 @@ struct SpaceLoads
   explicit SpaceLoads(const unsigned int n_cells)
       : force(n_cells), torque(n_cells), size(n_cells, 0.)
   {}
-  /** Add the force @p f at a @p place on a cell with the centre @p x. */
+  /** Add the force @p f on @p cell, at @p arm from its centre. */
   void add(unsigned int cell,
            const dealii::Tensor<1, 3> &f,
            const dealii::Tensor<1, 3> &arm);

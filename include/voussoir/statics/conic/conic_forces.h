@@ -78,7 +78,8 @@ public:
   const std::vector<bool> &held_bodies() const { return held; }
   /** Q of each row, or empty. */
   const std::vector<double> &curvature() const { return of_cost; }
-  /** All bounds, in the order of the rows, of which each has up to two. */
+  /** All bounds, in the order of the rows, of which each has up to two; behind
+   * them those of cones, Cone::bound. */
   const std::vector<Bound> &bounds() const { return all_bounds; }
   /** All cones, two of each section, and one of each arc, disc and cone of
    * friction; by their rows. */

@@ -15,7 +15,8 @@ namespace Voussoir
 /** What the forces of one joint cost; nondimensional. See EnergyProgram. */
 struct JointCost
 {
-  /** c^n of each contact, in space of all together; not negative. */
+  /** c^n of all contacts together, each of which has it over its share; not
+   * negative. */
   double normal_compliance = 0.;
   /** c^t, not negative. */
   double tangential_compliance = 0.;
@@ -31,11 +32,11 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem);
  *
  *     sum_e (c_e^n p_e^2 / 2 + c_e^t q_e^2 / 2 - eps_e (b_e^2 - q_e^2)^(1/2)),
  *
- * with the forces p_e of each contact and b_e = s_e |e|: with c^n = n d_e/|e|
- * for n contacts, c^t = d_e/|e| and eps = 0 least energy, with that c^n, c^t =
- * 0 and eps = s_e d_e smoothed friction with compliant contact. Of a program of
- * SelfDual that is a quadratic cost, and with smoothing one that is linear in
- * what an arc leaves of the strength, ForceRows.
+ * with b_e = s_e |e| and, of contacts that share a joint, p_e^2 of each over
+ * its share: with c^n = c^t = d_e/|e| and eps = 0 least energy, with that c^n,
+ * c^t = 0 and eps = s_e d_e smoothed friction with compliant contact. Of a
+ * program of SelfDual that is a quadratic cost, and with smoothing one that is
+ * linear in what an arc leaves of the strength, ForceRows.
  *
  * It takes 10 to 30 linear systems, of the same kind as Newton's, however close
  * the load is to its limit, or proves that it is beyond it.

@@ -116,6 +116,29 @@ public:
   }
 
   /**
+   * Call @p f for each row of joint @p e that bears pressure, counted from its
+   * first, with its share of what the joint has: in the plane the contacts,
+   * which share equally, and in space the sets that begin with a pressure.
+   */
+  template <typename F>
+  void for_each_pressure(const unsigned int e, const F &f) const
+  {
+    if (is_plane())
+    {
+      for (unsigned int r = 0; r < n_contacts(e); ++r)
+        f(r, 1. / n_contacts(e));
+      return;
+    }
+    const double *share = shares(e);
+    for_each_set(
+        e, [&](const unsigned int size, const unsigned int row, unsigned int) {
+          if (size != 2)
+            f(row, *share);
+          ++share;
+        });
+  }
+
+  /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
    * motion of the ground, or else the mean one.
    */
