@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/factors/strength_factor.h>
+#include <voussoir/analyses/space/ranges.h>
+#include <voussoir/analyses/space/settlement.h>
 #include <voussoir/analyses/space_analysis.h>
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/energy/space_state.h>
@@ -11,21 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-/** The largest error of forces that is rounding; see largest_accepted_error.
- * Displacements add up over the cells across a packing. */
-double rounding_of_forces(const unsigned int n_cells)
-{
-  return std::max(1e-11, 100. * std::numeric_limits<double>::epsilon() *
-                             std::sqrt(double(n_cells)));
-}
-
 /** Two sets of loads together, the second one times @p factor. */
 SpaceLoads sum_of(const SpaceLoads &a, const double factor, const SpaceLoads &b)
 {
@@ -57,66 +49,6 @@ void show_loads(Terminal &terminal,
                             "), of forces of the size ", size));
 }
 
-std::string words_of_error(const SpaceScene &scene, const LargestError &largest)
-{
-  const char *const what =
-      largest.kind == LargestError::Kind::balance  ? "the balance of forces"
-      : largest.kind == LargestError::Kind::moment ? "the balance of moments"
-                                                   : "a limit of forces";
-  return text(what, " at ", scene.packing().describe(largest.cell), " at ",
-              text_of_point(scene.packing().centre(largest.cell)));
-}
-
-/**
- * Judge forces and fill in the status.
- *
- * @throws SolverError if their errors are too large.
- */
-void judge_forces(SpaceAnswer &answer)
-{
-  answer.certificate = certify(answer.scene, answer.forces);
-  const double error = answer.certificate.error();
-  if (!(error <= largest_accepted_error))
-    throw SolverError(
-        text("The forces that were found are wrong by ", error,
-             " of the largest load, in ",
-             words_of_error(answer.scene, answer.certificate.largest),
-             ". The load is close to what the packing can carry, or the sizes "
-             "of blocks or strengths differ by too much; look whether other "
-             "units or loads help."));
-  if (error <= rounding_of_forces(answer.scene.packing().n_cells()))
-    answer.status = {Status::Kind::solved, 0.};
-  else
-    answer.status = {Status::Kind::carried_within, error};
-}
-
-/**
- * Judge a mechanism and fill in the status.
- *
- * @throws SolverError if it proves nothing.
- */
-void judge_mechanism(SpaceAnswer &answer, const std::string &what)
-{
-  answer.proof = certify_mechanism(answer.scene, answer.motion);
-  if (!proves_collapse(answer.proof))
-    throw SolverError(
-        text("A mechanism was found that proves nothing: joints close by ",
-             answer.proof.closing_violation,
-             " of the displacement, and the loads do ",
-             answer.proof.work_over_dissipation,
-             " times the work that friction dissipates. The load is close to "
-             "what the packing can carry."));
-  answer.is_mechanism = true;
-  answer.status = {Status::Kind::collapse, 0.};
-  answer.message = text(what, " in a mechanism in which joints close by ",
-                        answer.proof.closing_violation,
-                        " of the displacement, and the loads do ",
-                        std::isfinite(answer.proof.work_over_dissipation)
-                            ? text(answer.proof.work_over_dissipation,
-                                   " times the work that strengths dissipate.")
-                            : "work that no strength dissipates.");
-}
-
 /** Judge the forces at a factor, and say what it is. */
 void keep_factor(SpaceAnswer &answer,
                  FactorOf<SpaceScene> found,
@@ -139,7 +71,8 @@ void SpaceAnalysis::add_entries(dealii::ParameterHandler &prm)
       prm, "Analysis", question,
       {{Question::state, "state",
         "forces that carry the loads, those of least energy, or the mechanism "
-        "in which they collapse; without loads nothing."},
+        "in which they collapse; without loads nothing.",
+        "Ranges"},
        {Question::load_factor, "load factor",
         "the greatest factor of loads that is carried, between two proofs.",
         "Live loads, Load factor"}},
@@ -150,6 +83,7 @@ void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
   factor.add_parameters(prm);
+  ranges.add_parameters<3>(prm);
   prm.enter_subsection("Solver");
   prm.add_parameter("Tolerance", controls.tolerance,
                     "The largest force imbalance of a cell to stop at, as a "
@@ -173,6 +107,8 @@ SpaceAnalysis::scenes(const SpaceSceneParameters &parameters,
                       Terminal &terminal) const
 {
   Scenes found = {parameters.scene_of(blocks, terminal), {}};
+  if (question == Question::state)
+    check_further(parameters, blocks->packing);
   if (found.dead.is_loaded())
     show_loads(terminal, found.dead, "Loads");
   if (question == Question::load_factor)
@@ -184,6 +120,13 @@ SpaceAnalysis::scenes(const SpaceSceneParameters &parameters,
   return found;
 }
 
+void SpaceAnalysis::check_further(const SpaceSceneParameters &parameters,
+                                  const Packing<3> &packing) const
+{
+  parameters.motion_of_supports(packing);
+  ranges.wanted(packing);
+}
+
 SpaceAnswer
 SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
                       const std::shared_ptr<const SpaceBlocks> &blocks,
@@ -191,7 +134,12 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
 {
   auto [dead, live] = scenes(parameters, blocks, terminal);
   if (!live)
-    return state_of(std::move(dead), terminal);
+  {
+    SpaceAnswer state = state_of(std::move(dead), terminal);
+    if (!state.forces.empty())
+      look_further(state, parameters, terminal);
+    return state;
+  }
   if (factor.multiplied == FactorEntries::Factor::strength)
   {
     dead.loads = sum_of(dead.loads, 1., live->loads);
@@ -238,6 +186,19 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
   terminal.stage("Statics", text(answer.status.description(), " after ",
                                  counted(solution.n_iterations, "iteration")));
   return answer;
+}
+
+/** The settlement, and the ranges of forces, of what is carried. */
+void SpaceAnalysis::look_further(SpaceAnswer &answer,
+                                 const SpaceSceneParameters &parameters,
+                                 Terminal &terminal) const
+{
+  const Packing<3> &packing = answer.scene.packing();
+  if (const auto of_supports = parameters.motion_of_supports(packing);
+      !of_supports.empty())
+    settle(answer, of_supports, terminal);
+  if (const auto wanted = ranges.wanted(packing))
+    add_ranges(answer, *wanted, terminal);
 }
 
 SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,

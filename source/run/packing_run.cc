@@ -6,6 +6,7 @@
 #include <voussoir/output/report/packing_report.h>
 #include <voussoir/output/report/report.h>
 #include <voussoir/output/summary/packing_summary.h>
+#include <voussoir/output/summary/space_ground_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
 #include <voussoir/output/vtu/defects_vtu.h>
@@ -103,6 +104,7 @@ std::string PackingRun::carry_out(const std::filesystem::path &directory)
   const SpaceAnswer answer = analysis.answer(
       of_scene, of_scene.blocks(std::move(checked.packing), terminal),
       terminal);
+  show_reactions(terminal, answer);
   write(files, answer, checked.defects);
   return answer.message.empty()
              ? answer.message

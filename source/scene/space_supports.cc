@@ -55,6 +55,7 @@ void SpaceSupports::add_parameters(dealii::ParameterHandler &prm)
       "by number, with commas between them, as in \"abutment, cell 12\". They "
       "are numbered behind all others. Empty: those that a file marks.",
       dealii::Patterns::Anything());
+  displacements.add_entries(prm);
   prm.leave_subsection();
 }
 

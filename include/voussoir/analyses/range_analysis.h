@@ -3,7 +3,7 @@
 #define voussoir_analyses_range_analysis_h
 
 #include <voussoir/analyses/analysis.h>
-#include <voussoir/analyses/ranges/ranges.h>
+#include <voussoir/analyses/ranges/range_entries.h>
 
 namespace Voussoir
 {
@@ -13,24 +13,16 @@ class RangeAnalysis : public FurtherAnalysis
 public:
   std::string name() const override { return "ranges"; }
   std::string section() const override { return "Ranges"; }
-  void add_parameters(dealii::ParameterHandler &prm) override;
+  void add_parameters(dealii::ParameterHandler &prm) override
+  {
+    entries.add_parameters<2>(prm);
+  }
   void check(const Scene &scene) const override;
   void answer(AnalysisOutcome &outcome,
               const AnalysisContext &context) const override;
 
-  /**
-   * What is wanted of a packing with its supports; nothing by default.
-   *
-   * @throws InputError if the condition cannot be evaluated or holds on no
-   *   interface, a name is that of none, or reactions are wanted and there are
-   *   no supports.
-   */
-  std::optional<RangesWanted> wanted(const Packing<2> &packing) const;
-
 private:
-  std::string where = "0", joints;
-  bool reactions = false;
-  RangeMethod method = RangeMethod::automatic;
+  RangeEntries entries;
 };
 
 /** A line for people on how many interfaces and supports have ranges. */

@@ -4,50 +4,19 @@
 
 #include <voussoir/algebra/linear/joint_system.h>
 #include <voussoir/analyses/factors/factor_entries.h>
-#include <voussoir/analyses/state/status.h>
-#include <voussoir/scene/proofs/space_certificate.h>
+#include <voussoir/analyses/ranges/range_entries.h>
+#include <voussoir/analyses/space/answer.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
 #include <voussoir/statics/problem/solver_controls.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <nlohmann/json.hpp>
-
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace Voussoir
 {
-/** What was found of blocks in space, in the user's units. */
-struct SpaceAnswer
-{
-  /** The loads at which the forces balance; those of a factor with it. */
-  SpaceScene scene;
-  /** True if there are loads, and so anything to be found. */
-  bool is_analysed = false;
-  /** The answer on the loads. */
-  Status status = {};
-  /** The forces, none if the loads are not carried. */
-  FaceForces forces = {};
-  /** Their errors. */
-  Certificate certificate = {};
-  /**
-   * The motion of the cells: of elastic joints with the modulus one, of the
-   * mechanism beside a factor, or of the one in which the loads collapse.
-   */
-  SpaceMotion motion = {};
-  /** True if that is a mechanism. */
-  bool is_mechanism = false;
-  /** The errors of a mechanism in which the loads collapse. */
-  MechanismCertificate proof = {};
-  /** What the analysis adds to summary.json. */
-  nlohmann::ordered_json summary = {};
-  /** If the loads are not carried by what, for the user. */
-  std::string message = {};
-};
-
 /** What may be asked of blocks in space, and how it is answered. */
 class SpaceAnalysis
 {
@@ -98,13 +67,20 @@ private:
   Scenes scenes(const SpaceSceneParameters &parameters,
                 const std::shared_ptr<const SpaceBlocks> &blocks,
                 Terminal &terminal) const;
+  /** @throws InputError if what is asked besides cannot be. */
+  void check_further(const SpaceSceneParameters &parameters,
+                     const Packing<3> &packing) const;
   SpaceAnswer state_of(SpaceScene scene, Terminal &terminal) const;
+  void look_further(SpaceAnswer &answer,
+                    const SpaceSceneParameters &parameters,
+                    Terminal &terminal) const;
   SpaceAnswer
   factor_of(SpaceScene dead, SpaceScene live, Terminal &terminal) const;
   SpaceAnswer strength_factor_of(SpaceScene scene, Terminal &terminal) const;
 
   Question question = Question::state;
   FactorEntries factor;
+  RangeEntries ranges;
   SolverControls controls;
   LinearSolver linear_solver = LinearSolver::automatic;
 };

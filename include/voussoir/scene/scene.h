@@ -15,6 +15,7 @@
 
 namespace Voussoir
 {
+struct ForceFunction;
 struct InterfaceForces;
 
 /**
@@ -24,9 +25,10 @@ struct InterfaceForces;
 struct Scene
 {
   /** @{ */
-  /** What is found for it. */
+  /** What is found for it, and may be asked of that. */
   using Forces = InterfaceForces;
   using MotionOfBlocks = Motion;
+  using Function = ForceFunction;
   /** @} */
   /**
    * Add up the loads on each cell.

@@ -3,14 +3,16 @@
 #define voussoir_scene_space_supports_h
 
 #include <voussoir/packing/polyhedra/packing.h>
+#include <voussoir/scene/support_displacements.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
-/** The section `Supports` in space: what of a packing the ground holds. */
+/** The section `Supports` in space: what the ground holds, and how it moves. */
 class SpaceSupports
 {
 public:
@@ -27,8 +29,15 @@ public:
    */
   Packing<3> support(Packing<3> packing) const;
 
+  /** SupportDisplacements::motion(). */
+  std::vector<SpaceSupportMotion> motion(const Packing<3> &packing) const
+  {
+    return displacements.motion(packing);
+  }
+
 private:
   std::string where = "0", blocks;
+  SupportDisplacements<3> displacements;
 };
 } // namespace Voussoir
 

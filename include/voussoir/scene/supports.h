@@ -3,7 +3,7 @@
 #define voussoir_scene_supports_h
 
 #include <voussoir/packing/packing.h>
-#include <voussoir/scene/motion.h>
+#include <voussoir/scene/support_displacements.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -27,16 +27,15 @@ public:
    */
   void support(Packing<2> &packing) const;
 
-  /**
-   * How each support of @p packing moves; empty if they do not.
-   *
-   * @throws InputError if it cannot be evaluated, is zero everywhere, or there
-   *   are no supports, or none under a group that is named.
-   */
-  std::vector<SupportMotion> motion(const Packing<2> &packing) const;
+  /** SupportDisplacements::motion(). */
+  std::vector<SupportMotion> motion(const Packing<2> &packing) const
+  {
+    return displacements.motion(packing);
+  }
 
 private:
-  std::string where = "0", displacement, displacement_of_groups;
+  std::string where = "0";
+  SupportDisplacements<2> displacements;
 };
 
 /**

@@ -5,7 +5,9 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/proofs/certificate.h>
+#include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/discretise_space.h>
 
 #include <algorithm>
 #include <limits>
@@ -34,25 +36,68 @@ constexpr unsigned int n_max_of_anchor = 100;
 /** What a ray leaves on a body, over its largest force. */
 constexpr double rounding_of_ray = 1e-9;
 
-double largest_displacement(const Motion &motion)
+template <typename MotionOfBlocks>
+double largest_displacement(const MotionOfBlocks &motion)
 {
   double largest = 0.;
-  for (const dealii::Tensor<1, 2> &u : motion.displacement)
+  for (const auto &u : motion.displacement)
     largest = std::max(largest, u.norm());
   return largest;
 }
+
+/** @{ */
+/** The loads on the cells. */
+const std::vector<dealii::Tensor<1, 2>> &loads_of(const Scene &scene)
+{
+  return scene.load;
+}
+const std::vector<dealii::Tensor<1, 3>> &loads_of(const SpaceScene &scene)
+{
+  return scene.loads.force;
+}
+/** @} */
+
+/** @{ */
+/** A function as one of the forces of the rows. */
+std::vector<double> coefficients_of(const Scene & /*scene*/,
+                                    const DiscreteProblem &problem,
+                                    const ForceRows &rows,
+                                    const ForceFunction &function)
+{
+  std::vector<double> c(rows.n_all_rows(), 0.);
+  for (const ForceFunction::Term &term : function.terms)
+  {
+    const unsigned int n = problem.n_contacts(term.interface);
+    for (unsigned int r = 0; r < 2; ++r)
+      rows.add_force(term.interface, std::min(r, n - 1),
+                     term.at_ends[r] / (n == 1 ? 2. : 1.), c);
+    rows.add_force(term.interface, n, term.tangential, c);
+  }
+  return c;
+}
+std::vector<double> coefficients_of(const SpaceScene &scene,
+                                    const DiscreteProblem &problem,
+                                    const ForceRows & /*rows*/,
+                                    const FaceFunction &function)
+{
+  return discretise_function(problem, scene, function);
+}
+/** @} */
 } // namespace
 
-FeasibleSet::FeasibleSet(const Scene &scene)
+template <typename SceneOf>
+FeasibleSetOf<SceneOf>::FeasibleSetOf(const SceneOf &scene)
     : scene(scene), problem(discretise(scene)), by_rows(problem), force(0.)
 {
-  for (const dealii::Tensor<1, 2> &load : scene.load)
+  for (const auto &load : loads_of(scene))
     force = std::max(force, load.norm());
   if (force == 0.)
-    force = problem.stress_scale() * problem.length_scale();
+    force = problem.stress_scale() * problem.length_scale() *
+            (problem.is_plane() ? 1. : problem.length_scale());
 }
 
-StateProgram FeasibleSet::program() const
+template <typename SceneOf>
+StateProgram FeasibleSetOf<SceneOf>::program() const
 {
   Assert(are_polyhedral(), dealii::ExcMessage("Sections have curved limits."));
   StateProgram first(by_rows);
@@ -64,34 +109,29 @@ StateProgram FeasibleSet::program() const
   return first;
 }
 
+template <typename SceneOf>
 std::vector<double>
-FeasibleSet::coefficients(const ForceFunction &function) const
+FeasibleSetOf<SceneOf>::coefficients(const Function &function) const
 {
-  std::vector<double> c(by_rows.rows().n_all_rows(), 0.);
-  for (const ForceFunction::Term &term : function.terms)
-  {
-    const unsigned int n = problem.n_contacts(term.interface);
-    for (unsigned int r = 0; r < 2; ++r)
-      by_rows.rows().add_force(term.interface, std::min(r, n - 1),
-                               term.at_ends[r] / (n == 1 ? 2. : 1.), c);
-    by_rows.rows().add_force(term.interface, n, term.tangential, c);
-  }
-  return c;
+  return coefficients_of(scene, problem, by_rows.rows(), function);
 }
 
-bool FeasibleSet::is_ray(const std::vector<double> &x) const
+template <typename SceneOf>
+bool FeasibleSetOf<SceneOf>::is_ray(const std::vector<double> &x) const
 {
   return largest_component(by_rows.forces().on_bodies(x)) <=
          rounding_of_ray * largest_component(x);
 }
 
-bool FeasibleSet::is_proven(const GreatestValue &value) const
+template <typename SceneOf>
+bool FeasibleSetOf<SceneOf>::is_proven(const Greatest &value) const
 {
   return is_proven(value, largest_width);
 }
 
-bool FeasibleSet::is_proven(const GreatestValue &value,
-                            const double largest_width) const
+template <typename SceneOf>
+bool FeasibleSetOf<SceneOf>::is_proven(const Greatest &value,
+                                       const double largest_width) const
 {
   return value.error_of_state <= largest_error_of_state &&
          value.bound.closing_violation <= largest_closing &&
@@ -101,7 +141,8 @@ bool FeasibleSet::is_proven(const GreatestValue &value,
              largest_width * std::max(force, std::abs(value.value));
 }
 
-const std::optional<FactorState> &FeasibleSet::anchor() const
+template <typename SceneOf>
+const std::optional<FactorState> &FeasibleSetOf<SceneOf>::anchor() const
 {
   std::call_once(anchor_is_sought, [this]() {
     RowProblem own(problem);
@@ -112,16 +153,20 @@ const std::optional<FactorState> &FeasibleSet::anchor() const
   return of_anchor;
 }
 
-GreatestValue FeasibleSet::found(StateProgram &program,
-                                 const ForceFunction &function) const
+template <typename SceneOf>
+typename FeasibleSetOf<SceneOf>::Greatest
+FeasibleSetOf<SceneOf>::found(StateProgram &program,
+                              const Function &function) const
 {
   const std::vector<double> c = coefficients(function);
   return judged(program.maximise(c), c, function);
 }
 
-GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
-                                  const std::vector<double> &c,
-                                  const ForceFunction &function) const
+template <typename SceneOf>
+typename FeasibleSetOf<SceneOf>::Greatest
+FeasibleSetOf<SceneOf>::judged(StateProgram::Optimum optimum,
+                               const std::vector<double> &c,
+                               const Function &function) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!optimum.is_found)
@@ -140,12 +185,12 @@ GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
   }
   Solution state;
   state.forces = by_rows.rows().forces_of(optimum.x);
-  GreatestValue found;
-  found.forces = dimensional_forces(problem, state);
+  Greatest found = {};
+  found.forces = dimensional_forces(problem, scene, state);
   found.value = function(found.forces);
   found.error_of_state = certify(scene, found.forces).error();
   optimum.u.resize(problem.n_dofs());
-  found.motion = dimensional_motion(problem, optimum.u, 1.);
+  found.motion = dimensional_motion(problem, scene, optimum.u, 1.);
   found.bound = bound_of(scene, function, found.motion);
   return found;
 }
@@ -154,10 +199,12 @@ GreatestValue FeasibleSet::judged(StateProgram::Optimum optimum,
  * Now and then Clp ends before the optimum, and goes on if it is asked again;
  * or rounding has spoilt its factors.
  */
-GreatestValue FeasibleSet::greatest(StateProgram &program,
-                                    const ForceFunction &function) const
+template <typename SceneOf>
+typename FeasibleSetOf<SceneOf>::Greatest
+FeasibleSetOf<SceneOf>::greatest(StateProgram &program,
+                                 const Function &function) const
 {
-  GreatestValue value = found(program, function);
+  Greatest value = found(program, function);
   if (!is_proven(value))
     value = found(program, function);
   if (!is_proven(value))
@@ -178,18 +225,23 @@ GreatestValue FeasibleSet::greatest(StateProgram &program,
   return value;
 }
 
-std::optional<GreatestValue>
-FeasibleSet::greatest(const ForceFunction &function, Terminal &terminal) const
+template <typename SceneOf>
+std::optional<typename FeasibleSetOf<SceneOf>::Greatest>
+FeasibleSetOf<SceneOf>::greatest(const Function &function,
+                                 Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
   const StateProgram::Optimum optimum =
       greatest_force(by_rows, c, anchor(), terminal);
   if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
     return {};
-  GreatestValue value = judged(optimum, c, function);
+  Greatest value = judged(optimum, c, function);
   if (!is_proven(value, are_polyhedral() ? largest_width_of_interior
                                          : largest_width_of_cones))
     return {};
   return value;
 }
+
+template class FeasibleSetOf<Scene>;
+template class FeasibleSetOf<SpaceScene>;
 } // namespace Voussoir

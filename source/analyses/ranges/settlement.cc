@@ -30,11 +30,13 @@ ForceFunction work_of_ground(const InterfaceJumps &jumps,
   return work;
 }
 
-/** The greatest work where sections crush. */
-GreatestValue by_interior_point(const FeasibleSet &states,
-                                const ForceFunction &work)
+/** The greatest work where the limits of joints are curved. */
+template <typename SceneOf>
+GreatestValueOf<SceneOf>
+by_interior_point(const FeasibleSetOf<SceneOf> &states,
+                  const typename SceneOf::Function &work)
 {
-  std::optional<GreatestValue> found =
+  std::optional<GreatestValueOf<SceneOf>> found =
       states.greatest(work, Terminal::silent());
   if (!found)
     throw SolverError("The settlement was not found: no forces and no motion "
@@ -44,11 +46,12 @@ GreatestValue by_interior_point(const FeasibleSet &states,
 }
 
 /** A motion in another unit. */
-Motion times(Motion motion, const double factor)
+template <typename MotionOfBlocks>
+MotionOfBlocks times(MotionOfBlocks motion, const double factor)
 {
-  for (dealii::Tensor<1, 2> &u : motion.displacement)
+  for (auto &u : motion.displacement)
     u *= factor;
-  for (double &angle : motion.rotation)
+  for (auto &angle : motion.rotation)
     angle *= factor;
   return motion;
 }
@@ -79,22 +82,81 @@ void choose_motion(const FeasibleSet &states,
     }
   }
 }
+/** @throws InputError if no motion of least energy belongs to the forces. */
+void check_settlement(const bool dilates,
+                      const bool turns,
+                      const bool has_angle)
+{
+  if (!dilates)
+    throw InputError("'Supports/Displacement' is given, and 'Friction/Law' is "
+                     "'Coulomb', for which no motion of least energy belongs "
+                     "to the forces; set the law to 'Tresca' or 'associated "
+                     "Coulomb', or leave the displacement empty.");
+  if (!turns && has_angle)
+    throw InputError("'Supports/Displacement' has an angle, and blocks do not "
+                     "turn in this run; set 'Rotations = true', or leave the "
+                     "angle out.");
+}
+
+/** @throws InputError if forces of any size resist. */
+template <typename Greatest>
+void check_resistance(const Greatest &found)
+{
+  if (!found.is_bounded())
+    throw InputError(
+        "The blocks cannot follow 'Supports/Displacement' without pressing "
+        "into each other: forces of any size, which balance by themselves, "
+        "resist it. Change the displacement, or let fewer edges be supports.");
+}
+
+/** The settlement of the greatest work over the largest displacement. */
+template <typename SceneOf, typename OfSupports>
+SettlementOf<SceneOf> settlement_of(GreatestValueOf<SceneOf> found,
+                                    const OfSupports &of_supports,
+                                    const double size)
+{
+  SettlementOf<SceneOf> settlement;
+  settlement.motion = times(std::move(found.motion), size);
+  settlement.motion.of_supports = of_supports;
+  settlement.forces = std::move(found.forces);
+  settlement.work = size * found.value;
+  settlement.width = size * found.width();
+  settlement.closing_violation = found.bound.closing_violation;
+  settlement.largest_displacement = size;
+  return settlement;
+}
+
+/** The work of the ground on the displacements of the supports in space. */
+FaceFunction work_of_ground(const Packing<3> &packing,
+                            const std::vector<SpaceSupportMotion> &of_supports)
+{
+  FaceFunction work;
+  const unsigned int first = packing.interfaces().size() - packing.n_supports();
+  for (unsigned int k = 0; k < of_supports.size(); ++k)
+    work.terms.push_back({first + k, of_supports[k].displacement,
+                          of_supports[k].rotation,
+                          packing.interfaces()[first + k].centroid});
+  return work;
+}
+
+/** The largest displacement at a vertex of a support. */
+double largest_displacement(const Packing<3> &packing, const FaceFunction &work)
+{
+  double largest = 0.;
+  for (const FaceFunction::Term &term : work.terms)
+    for (const dealii::Point<3> &x : packing.polygon(term.interface))
+      largest = std::max(largest, term.at(x).norm());
+  return largest;
+}
 } // namespace
 
 Settlement find_settlement(const Scene &scene,
                            const std::vector<SupportMotion> &of_supports)
 {
-  if (!scene.dilates)
-    throw InputError("'Supports/Displacement' is given, and 'Friction/Law' is "
-                     "'Coulomb', for which no motion of least energy belongs "
-                     "to the forces; set the law to 'Tresca' or 'associated "
-                     "Coulomb', or leave the displacement empty.");
-  if (!scene.turns() &&
+  check_settlement(
+      scene.dilates, scene.turns(),
       std::any_of(of_supports.begin(), of_supports.end(),
-                  [](const SupportMotion &of) { return of.rotation != 0.; }))
-    throw InputError("'Supports/Displacement' has an angle, and blocks do not "
-                     "turn in this run; set 'Rotations = true', or leave the "
-                     "angle out.");
+                  [](const SupportMotion &of) { return of.rotation != 0.; }));
   Motion at_rest(scene.packing.n_cells(), *scene.kinematics);
   at_rest.of_supports = of_supports;
   const InterfaceJumps jumps = jumps_of(scene.packing, at_rest);
@@ -108,23 +170,30 @@ Settlement find_settlement(const Scene &scene,
     program.emplace(states.program());
   GreatestValue found = program ? states.greatest(*program, work)
                                 : by_interior_point(states, work);
-  if (!found.is_bounded())
-    throw InputError(
-        "The blocks cannot follow 'Supports/Displacement' without pressing "
-        "into each other: forces of any size, which balance by themselves, "
-        "resist it. Change the displacement, or let fewer edges be supports.");
+  check_resistance(found);
   if (program)
     choose_motion(states, *program, work, found);
-
-  Settlement settlement;
-  settlement.motion = times(std::move(found.motion), size);
-  settlement.motion.of_supports = of_supports;
-  settlement.forces = std::move(found.forces);
-  settlement.work = size * found.value;
-  settlement.width = size * found.width();
-  settlement.closing_violation = found.bound.closing_violation;
-  settlement.largest_displacement = size;
+  Settlement settlement =
+      settlement_of<Scene>(std::move(found), of_supports, size);
   settlement.n_iterations = program ? program->n_iterations() : 0;
   return settlement;
+}
+
+SettlementOf<SpaceScene>
+find_settlement(const SpaceScene &scene,
+                const std::vector<SpaceSupportMotion> &of_supports)
+{
+  const SpaceBlocks &blocks = *scene.blocks;
+  check_settlement(blocks.strengths.dilate, blocks.turns(),
+                   std::any_of(of_supports.begin(), of_supports.end(),
+                               [](const SpaceSupportMotion &of) {
+                                 return of.rotation.norm() != 0.;
+                               }));
+  const FaceFunction work = work_of_ground(blocks.packing, of_supports);
+  const double size = largest_displacement(blocks.packing, work);
+  GreatestValueOf<SpaceScene> found = by_interior_point(
+      FeasibleSetOf<SpaceScene>(scene), work.times(1. / size));
+  check_resistance(found);
+  return settlement_of<SpaceScene>(std::move(found), of_supports, size);
 }
 } // namespace Voussoir

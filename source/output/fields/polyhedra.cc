@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/fields/polyhedra.h>
 #include <voussoir/output/fields/space_forces.h>
+#include <voussoir/output/fields/space_ranges.h>
 
 #include <utility>
 
@@ -123,7 +124,7 @@ const FieldTable<SpaceAnswer> &face_interface_fields()
                        [](const InSpace &p, const unsigned int e) {
                          return p.distance(p.interfaces()[e]);
                        }}},
-      face_forces(), face_jumps());
+      face_forces(), face_ranges(), face_jumps());
   return table;
 }
 

@@ -68,6 +68,8 @@ void add_answer(const SpaceAnswer &answer, SpaceReport &report)
     add("Not carried", answer.message);
   if (answer.summary.contains("load_factor"))
     add("Load factor", answer.summary["load_factor"]["meaning"]);
+  for (const auto &[title, line] : answer.lines)
+    add(title, line);
   if (answer.forces.empty())
     return;
   add("Balance of forces",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/packing_summary.h>
+#include <voussoir/output/summary/space_ground_summary.h>
 #include <voussoir/output/summary/versions.h>
 #include <voussoir/packing/connected_groups.h>
 
@@ -147,6 +148,7 @@ void add_answer(const SpaceAnswer &answer, Json &summary)
       if (packing.interfaces()[e].cell_plus == packing.ground())
         on_ground -= answer.forces.resultant(packing, e).force;
     summary["force_on_ground"] = json_of_vector(on_ground);
+    summary["reactions"] = json_of_reactions(answer);
   }
   else if (answer.is_mechanism)
     summary["mechanism"] = {

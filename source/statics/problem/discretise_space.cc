@@ -189,6 +189,35 @@ std::vector<double> discretise_loads(const DiscreteProblem &problem,
   return loads;
 }
 
+std::vector<double> discretise_function(const DiscreteProblem &problem,
+                                        const SpaceScene &scene,
+                                        const FaceFunction &function)
+{
+  const SpaceBlocks &blocks = *scene.blocks;
+  std::vector<double> c(problem.n_all_rows(), 0.);
+  for (const FaceFunction::Term &term : function.terms)
+  {
+    const unsigned int e = term.interface;
+    const FaceFrame frame(blocks.packing.interfaces()[e]);
+    double *of = &c[problem.first_row(e)];
+    const auto add_tangents = [&](const Tensor<1, 3> &jump) {
+      *of++ = jump * frame.first;
+      *of++ = jump * frame.second;
+    };
+    for (const FacePoint &point : blocks.points[e].pressure)
+    {
+      const Tensor<1, 3> jump = term.at(point.place);
+      *of++ = jump * frame.normal;
+      if (problem.joints()[e].coefficient > 0.)
+        add_tangents(jump);
+    }
+    if (problem.joints()[e].strength > 0.)
+      for (const FacePoint &point : blocks.points[e].friction)
+        add_tangents(term.at(point.place));
+  }
+  return c;
+}
+
 SpaceMotion dimensional_motion(const DiscreteProblem &problem,
                                const SpaceScene &scene,
                                const std::vector<double> &u,

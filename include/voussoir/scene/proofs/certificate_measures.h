@@ -155,6 +155,18 @@ struct FactorBound
   double closing_violation = 0.;
 };
 
+/** The proof that no state of a scene has more of a function. */
+struct ForceBound
+{
+  /** The bound; S L, in space S L^2. */
+  double bound;
+  /**
+   * The largest closing of a joint, as in MechanismCertificate: forces without
+   * limit resist it, so that it must be rounding.
+   */
+  double closing_violation;
+};
+
 // What certificates in the plane and in space have in common.
 
 /**

@@ -3,6 +3,7 @@
 #define voussoir_scene_proofs_force_function_h
 
 #include <voussoir/packing/straight_runs.h>
+#include <voussoir/scene/proofs/certificate_measures.h>
 #include <voussoir/scene/scene.h>
 
 #include <array>
@@ -49,18 +50,6 @@ ForceFunction tangential_force(unsigned int e);
 ForceFunction reaction(const Packing<2> &packing,
                        const StraightRun &support,
                        const dealii::Tensor<1, 2> &direction);
-
-/** The proof that no state of a scene has more of a function. */
-struct ForceBound
-{
-  /** The bound; S L. */
-  double bound;
-  /**
-   * The largest closing of a joint, as in MechanismCertificate: forces without
-   * limit resist it, so that it must be rounding.
-   */
-  double closing_violation;
-};
 
 /**
  * The bound of @p function that @p motion proves: for all forces that are in

@@ -3,6 +3,7 @@
 #define voussoir_scene_proofs_space_certificate_h
 
 #include <voussoir/scene/proofs/certificate_measures.h>
+#include <voussoir/scene/proofs/face_function.h>
 #include <voussoir/scene/space/face_forces.h>
 #include <voussoir/scene/space/space_motion.h>
 #include <voussoir/scene/space/space_scene.h>
@@ -37,6 +38,23 @@ FactorBound bound_of_continuous_faces(const SpaceScene &dead,
                                       const SpaceScene &live,
                                       const SpaceMotion &motion);
 
+/**
+ * The same for joints with the friction that the pressures of @p forces give
+ * them, without dilatancy.
+ */
+FactorBound bound_with_own_strengths(const SpaceScene &dead,
+                                     const SpaceScene &live,
+                                     const FaceForces &forces,
+                                     const SpaceMotion &motion);
+
+/**
+ * The bound of @p function that @p motion proves, as in the plane; the motion
+ * is in the unit of the displacements of the function.
+ */
+ForceBound bound_of(const SpaceScene &scene,
+                    const FaceFunction &function,
+                    const SpaceMotion &motion);
+
 /** What one interface does in a motion. */
 struct FaceJump
 {
@@ -44,6 +62,8 @@ struct FaceJump
   dealii::Tensor<1, 3> at_centroid;
   /** The least opening at a vertex; negative where blocks interpenetrate. */
   double least_opening;
+  /** The greatest opening at a vertex. */
+  double greatest_opening;
   /** The largest size of a slip at a vertex. */
   double largest_slip;
 };

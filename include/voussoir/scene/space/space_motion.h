@@ -10,7 +10,22 @@
 
 namespace Voussoir
 {
-/** A motion of the cells in space, of any size; the ground does not move. */
+/** How a support in space moves: as a rigid body, to first order in angles. */
+struct SpaceSupportMotion
+{
+  /** Of its centroid; L. */
+  dealii::Tensor<1, 3> displacement;
+  /** The vector of the angle about it. */
+  dealii::Tensor<1, 3> rotation;
+
+  /** The displacement at @p arm from its centroid. */
+  dealii::Tensor<1, 3> at(const dealii::Tensor<1, 3> &arm) const
+  {
+    return displacement + cross_product_3d(rotation, arm);
+  }
+};
+
+/** A motion of the cells in space, of any size. */
 struct SpaceMotion
 {
   /** No motion. */
@@ -38,6 +53,11 @@ struct SpaceMotion
    * length; empty where cells do not turn.
    */
   std::vector<dealii::Tensor<1, 3>> rotation;
+  /**
+   * Of each support, in the order of the last Packing::n_supports() interfaces;
+   * empty where the ground is at rest.
+   */
+  std::vector<SpaceSupportMotion> of_supports;
 };
 } // namespace Voussoir
 

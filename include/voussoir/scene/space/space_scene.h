@@ -15,6 +15,7 @@
 namespace Voussoir
 {
 struct FaceForces;
+struct FaceFunction;
 struct SpaceMotion;
 
 /** Blocks in space and what their interfaces carry, in the user's units. */
@@ -87,9 +88,10 @@ struct SpaceLoads
 struct SpaceScene
 {
   /** @{ */
-  /** What is found for it. */
+  /** What is found for it, and may be asked of that. */
   using Forces = FaceForces;
   using MotionOfBlocks = SpaceMotion;
+  using Function = FaceFunction;
   /** @} */
   /**
    * @throws InputError if the forces on a connected group of cells without

@@ -53,6 +53,13 @@ public:
                            Terminal &terminal) const;
   /** @} */
 
+  /** How the supports of @p packing move; see SupportDisplacements::motion().
+   */
+  auto motion_of_supports(const Packing<3> &packing) const
+  {
+    return supports.motion(packing);
+  }
+
 private:
   bool blocks_turn = false;
   unsigned int friction_cells = 1;

@@ -2,6 +2,7 @@
 #ifndef voussoir_statics_problem_discretise_space_h
 #define voussoir_statics_problem_discretise_space_h
 
+#include <voussoir/scene/proofs/face_function.h>
 #include <voussoir/scene/space/face_forces.h>
 #include <voussoir/scene/space/space_motion.h>
 #include <voussoir/scene/space/space_scene.h>
@@ -30,6 +31,14 @@ DiscreteProblem discretise(const SpaceScene &scene);
 /** The loads of another scene with the same blocks, as discretise_loads(). */
 std::vector<double> discretise_loads(const DiscreteProblem &problem,
                                      const SpaceScene &scene);
+
+/**
+ * A function of the forces in nondimensional variables: what the force of each
+ * row of each joint is multiplied by.
+ */
+std::vector<double> discretise_function(const DiscreteProblem &problem,
+                                        const SpaceScene &scene,
+                                        const FaceFunction &function);
 
 /**
  * The motion of each of the n_cells() cells, that of @p u (n_dofs() numbers)
