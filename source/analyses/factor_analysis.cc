@@ -8,83 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
-
-/** Up to which of the factors that were tried there are states. */
-std::string states_that_end(const FactorTrials &trials)
-{
-  const double without = trials.without_state.front();
-  const auto beyond =
-      std::find_if(trials.with_state.begin(), trials.with_state.end(),
-                   [without](const double factor) {
-                     return std::abs(factor) > std::abs(without);
-                   });
-  return beyond == trials.with_state.begin()
-             ? text("but ", text_to_copy(without), " has no state")
-             : text("but states are known up to ",
-                    text_to_copy(*std::prev(beyond)), " only, and ",
-                    text_to_copy(without), " has none");
-}
-
-/** What the factors that were tried say of each other. */
-std::string description_without_dilatancy(const LoadFactor &factor)
-{
-  const auto smaller = [&](const double tried) {
-    return std::abs(tried) < std::abs(factor.carried);
-  };
-  const FactorTrials &trials = factor.trials;
-  const unsigned int n_with = std::count_if(trials.with_state.begin(),
-                                            trials.with_state.end(), smaller);
-  const unsigned int n_without = std::count_if(
-      trials.without_state.begin(), trials.without_state.end(), smaller);
-  std::string words = text_to_copy(factor.carried);
-  if (factor.own_collapse)
-    words += text(
-        " is a collapse without dilatancy, by its own forces and mechanism, ",
-        n_without > 0
-            ? states_that_end(trials)
-            : text("and the ", n_with, " smaller factors tried have states"));
-  else if (n_without > 0)
-    words +=
-        text(" has a state without dilatancy, but of ", n_with + n_without,
-             " smaller factors tried ", n_without,
-             n_without > 1 ? " have none, the least of them " : " has none, ",
-             text_to_copy(trials.without_state.front()));
-  else
-    words += text(
-        " has a state without dilatancy, ",
-        n_with > 1 ? text("and so have the ", n_with, " smaller factors tried")
-        : n_with == 1 ? "and so has the one smaller factor tried"
-                      : "the only factor tried that has one");
-  words += "; of others nothing is known, since no theorem holds";
-  return std::isfinite(factor.bound)
-             ? text(words, "; ", text_to_copy(factor.bound),
-                    " collapses, with it or without, which is proven")
-             : words + "; no mechanism was found that bounds it";
-}
-
-/** The load factor between its proofs. */
-Json summary_of(const LoadFactor &factor)
-{
-  Json json = json_of_proofs(factor);
-  if (factor.own_collapse)
-    json["own_collapse"] = {
-        {"factor", factor.own_collapse->factor},
-        {"closing_violation", factor.own_collapse->closing_violation}};
-  if (!factor.trials.empty())
-    json["tried"] = {{"with_state", factor.trials.with_state},
-                     {"without_state", factor.trials.without_state}};
-  json["meaning"] = description_of(factor);
-  return json;
-}
-
 /** What was found, and the scene that its forces are in equilibrium in. */
 struct FactorSearch
 {
@@ -195,13 +124,6 @@ Carried state_at(LoadFactor &factor, const Scene &scene)
 }
 } // namespace
 
-std::string description_of(const LoadFactor &factor)
-{
-  if (!factor.trials.empty())
-    return description_without_dilatancy(factor);
-  return words_of_proofs(factor);
-}
-
 AnalysisOutcome FactorAnalysis::answer(SceneData data,
                                        const AnalysisContext &context) const
 {
@@ -247,7 +169,7 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
     throw SolverError("The state found at the load factor does not carry its "
                       "loads; loosen 'Solver/Tolerance of the load factor'.");
   AnalysisResult result = {"load_factor", "Load factor", description_of(factor),
-                           summary_of(factor), true};
+                           json_of(factor), true};
   if (factor.has_mechanism())
     result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism"};
   outcome.results.push_back(std::move(result));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/analyses/space/ranges.h>
 #include <voussoir/analyses/space/settlement.h>
 #include <voussoir/analyses/space_analysis.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
-#include <voussoir/statics/energy/space_state.h>
 #include <voussoir/statics/problem/discretise_space.h>
 
 #include <deal.II/base/patterns.h>
@@ -54,10 +54,9 @@ void keep_factor(SpaceAnswer &answer,
                  FactorOf<SpaceScene> found,
                  Terminal &terminal)
 {
-  answer.summary["load_factor"] = json_of_proofs(found);
-  answer.summary["load_factor"]["meaning"] = words_of_proofs(found);
+  answer.summary["load_factor"] = json_of(found);
   answer.summary["iterations"] = found.n_iterations;
-  terminal.stage("Load factor", words_of_proofs(found));
+  terminal.stage("Load factor", description_of(found));
   answer.forces = std::move(found.forces);
   answer.motion = std::move(found.mechanism);
   answer.is_mechanism = !answer.motion.displacement.empty();
@@ -77,6 +76,28 @@ void SpaceAnalysis::add_entries(dealii::ParameterHandler &prm)
         "the greatest factor of loads that is carried, between two proofs.",
         "Live loads, Load factor"}},
       "What is asked of the packing.");
+  add_choice<Selection>(
+      prm, "Formulation", selection,
+      {{Selection::least_energy, least_energy.name(),
+        least_energy.meaning() + " For all laws."},
+       {Selection::smoothed_friction, smoothed_friction.name(),
+        smoothed_friction.meaning()}},
+      "How one of the many admissible and balanced states is selected. The "
+      "formulations 'linear program' and 'analytic centre' are for packings in "
+      "the plane.");
+}
+
+const Formulation &SpaceAnalysis::formulation_for(const SpaceScene &scene) const
+{
+  const Strengths &strengths = scene.blocks->strengths;
+  if (!strengths.dilate)
+    return coulomb_state;
+  const bool has_bounds_alone = strengths.coefficient.empty() &&
+                                strengths.tensile.empty() &&
+                                strengths.compressive.empty();
+  if (selection == Selection::smoothed_friction && has_bounds_alone)
+    return smoothed_friction;
+  return least_energy;
 }
 
 void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
@@ -97,7 +118,7 @@ void SpaceAnalysis::add_sections(dealii::ParameterHandler &prm)
                     Double(1e-15, 1.));
   prm.add_parameter("Maximum iterations", controls.n_max_iterations,
                     "Give up after so many iterations.", Integer(1, 1000000));
-  add_linear_solver(prm, linear_solver);
+  add_linear_solver(prm, least_energy.linear_solver);
   prm.leave_subsection();
 }
 
@@ -161,8 +182,8 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
   answer.is_analysed = true;
   terminal.begin("Statics");
   const DiscreteProblem problem = discretise(answer.scene);
-  const Solution solution =
-      find_space_state(problem, controls, linear_solver, terminal);
+  const Formulation &formulation = formulation_for(answer.scene);
+  const Solution solution = formulation.solve(problem, controls, terminal);
   if (solution.mechanism)
   {
     answer.motion =
@@ -177,12 +198,14 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
                            problem.stress_scale() * problem.length_scale());
     judge_forces(answer);
   }
-  answer.summary = {
-      {"formulation", "least energy"},
-      {"selection", solution.selection.empty()
-                        ? "the state of least energy of elastic joints"
-                        : solution.selection},
-      {"iterations", solution.n_iterations}};
+  answer.summary = {{"formulation", formulation.name()},
+                    {"selection", solution.selection.empty()
+                                      ? formulation.selection()
+                                      : solution.selection},
+                    {"iterations", solution.n_iterations}};
+  if (solution.passes.n > 0)
+    answer.summary["passes"] = {{"number", solution.passes.n},
+                                {"rate", solution.passes.rate}};
   terminal.stage("Statics", text(answer.status.description(), " after ",
                                  counted(solution.n_iterations, "iteration")));
   return answer;
@@ -207,7 +230,10 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
 {
   terminal.begin("Load factor");
   FactorAnswerOf<SpaceScene> found =
-      find_load_factor(dead, live, factor.controls(controls), terminal);
+      dead.blocks->strengths.dilate
+          ? find_load_factor(dead, live, factor.controls(controls), terminal)
+          : find_factor_without_dilatancy(dead, live, coulomb_state, controls,
+                                          factor.controls(controls), terminal);
   SpaceAnswer answer = {dead};
   answer.is_analysed = true;
   if (!found.factor)
@@ -228,6 +254,7 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
   // Only what does not depend on the pressure is cut into cells.
   const auto &strength = dead.blocks->strengths.of_interface;
   if (answer.is_mechanism && dead.blocks->turns() &&
+      dead.blocks->strengths.dilate &&
       std::any_of(strength.begin(), strength.end(),
                   [](const double s) { return s > 0.; }))
     answer.summary["load_factor"]["bound_of_continuous_faces"] =

@@ -8,6 +8,7 @@
 // ends the program by a message.
 
 #include <voussoir/analyses/range_analysis.h>
+#include <voussoir/analyses/ranges/range_entries.h>
 #include <voussoir/base/library_failure.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/statics/energy/least_energy.h>
@@ -313,9 +314,9 @@ void refusals()
 {
   const auto wanted = [](const std::string &where, const bool reactions,
                          const std::string &joints = "") {
-    RangeAnalysis parameters;
+    RangeEntries parameters;
     dealii::ParameterHandler prm;
-    parameters.add_parameters(prm);
+    parameters.add_parameters<2>(prm);
     prm.enter_subsection("Ranges");
     prm.set("Where", where);
     prm.set("Reactions", reactions);
@@ -342,9 +343,9 @@ void refusals()
   show_refusal([&] { wanted("0", false, "base, base, base"); });
   show_refusal([&] { wanted("x > 5", false); });
   show_refusal([&] {
-    RangeAnalysis parameters;
+    RangeEntries parameters;
     dealii::ParameterHandler prm;
-    parameters.add_parameters(prm);
+    parameters.add_parameters<2>(prm);
     prm.enter_subsection("Ranges");
     prm.set("Reactions", true);
     prm.leave_subsection();

@@ -5,85 +5,22 @@
 // blocks that turn and that do not; and it does not matter how it stands, in
 // which order its cells come, or in which units it is.
 
-#include "space_scenes.h"
+#include "extruded_scenes.h"
 #include <random>
 
 namespace test_space_extruded
 {
 using namespace Voussoir;
 
-constexpr double thickness = 0.3;
-
 /** The greatest factor, with proofs as near to each other as can be. */
 const LoadFactorControls as_near = {true, 1e-11};
 
-/** Prisms between y = 0 and y = thickness, whose z is the plane's y. */
-CellFaces extruded(const Packing<2> &packing)
-{
-  CellFaces cells;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    std::vector<dealii::Point<2>> base;
-    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-      base.push_back(packing.vertex(c, i));
-    add_prism(cells, base, -thickness, 0.);
-    const dealii::Point<2> &x = packing.centre(c);
-    cells.centres.emplace_back(x[0], x[1], -0.5 * thickness);
-  }
-  // (x, y, z) to (x, -z, y) keeps the orientation.
-  const auto turn = [](const dealii::Point<3> &p) {
-    return dealii::Point<3>(p[0], -p[2], p[1]);
-  };
-  cells = mapped(std::move(cells), turn);
-  for (dealii::Point<3> &centre : cells.centres)
-    centre = turn(centre);
-  cells.tolerance = 1e-9;
-  return cells;
-}
-
-/** The laws of a scene, and the loads on it. */
-struct Laws
-{
-  double strength, mu, tension;
-  bool turns;
-  dealii::Tensor<1, 2> dead, live;
-};
-
 LoadFactor factor_in_plane(const Packing<2> &packing, const Laws &laws)
 {
-  const auto scene = [&](const dealii::Tensor<1, 2> &b) {
-    Loads loads;
-    loads.traction.resize(packing.boundary_edges().size());
-    for (unsigned int c = 0; c < packing.n_cells(); ++c)
-      loads.body.add(packing, c, packing.area(c) * b);
-    const std::size_t n = packing.interfaces().size();
-    Scene result(packing, std::vector<double>(n, laws.strength), loads,
-                 laws.turns ? rotations() : translations());
-    if (laws.mu > 0.)
-      result.coefficient.assign(n, laws.mu);
-    if (laws.tension > 0.)
-      result.tensile_strength.assign(n, laws.tension);
-    return result;
-  };
-  const auto answer = find_load_factor(scene(laws.dead), scene(laws.live),
+  const auto answer = find_load_factor(scene_in_plane(packing, laws, laws.dead),
+                                       scene_in_plane(packing, laws, laws.live),
                                        as_near, Terminal::silent());
   return answer.factor ? *answer.factor : LoadFactor();
-}
-
-/** As SpaceCase, with supports where the plane has them. */
-SpaceCase in_space(const Packing<2> &packing, const Laws &laws)
-{
-  SpaceCase of{Packing<3>(extruded(packing))};
-  of.strength = laws.strength;
-  of.mu = laws.mu;
-  of.tension = laws.tension;
-  of.turns = laws.turns;
-  return of;
-}
-
-Vector3 upright(const dealii::Tensor<1, 2> &b)
-{
-  return vector(b[0], 0., b[1]);
 }
 
 void compare_with_the_plane()
@@ -96,12 +33,9 @@ void compare_with_the_plane()
   double difference = 0.;
   for (unsigned int k = 0; k < 100; ++k)
   {
-    Packing<2> packing = k % 2 == 0 ? random_packing(8 + k % 24, k + 1)
-                                    : wall(3 + k % 3, 3, 2., 1.);
-    std::vector<bool> at_foot;
-    for (const auto &edge : packing.boundary_edges())
-      at_foot.push_back(edge.midpoint()[1] < 1e-9);
-    packing.support(at_foot);
+    const Packing<2> packing =
+        on_foot(k % 2 == 0 ? random_packing(8 + k % 24, k + 1)
+                           : wall(3 + k % 3, 3, 2., 1.));
     const bool is_dry = k % 3 == 0;
     Laws laws = {is_dry ? 0. : random(0.1, 2.),
                  k % 3 == 1 ? 0. : 0.6,

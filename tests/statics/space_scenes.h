@@ -45,7 +45,7 @@ struct SpaceCase
   /** @{ */
   /** The laws and the kinematics. */
   double strength = 0., mu = 0., tension = 0., crushing = 0.;
-  bool turns = true;
+  bool turns = true, dilates = true;
   unsigned int n_cuts = 1;
   /** @} */
   Voussoir::Packing<3> packing;
@@ -55,6 +55,7 @@ struct SpaceCase
     const std::size_t n = packing.interfaces().size();
     Voussoir::Strengths strengths;
     strengths.of_interface.assign(n, strength);
+    strengths.dilate = dilates;
     if (mu > 0.)
       strengths.coefficient.assign(n, mu);
     if (tension > 0.)

@@ -63,6 +63,11 @@ struct JointRows
    */
   std::vector<double> shares;
   /**
+   * In space the strength of each set of all joints, which counts if it has two
+   * rows; empty where that is its share in the strength of its joint.
+   */
+  std::vector<double> set_strengths;
+  /**
    * Add a joint.
    *
    * @param joint without its rows.

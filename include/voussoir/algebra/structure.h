@@ -191,12 +191,25 @@ public:
   std::vector<unsigned int> sets(unsigned int e) const;
   /** All rows of joint @p e. */
   std::vector<ContactRow> rows(unsigned int e) const;
-  /** In space: JointRows::shares of the sets of joint @p e, the first one. */
-  const double *shares(const unsigned int e) const
+  /** A set of rows of a joint in space. */
+  struct FaceSet
   {
-    return own.joints.shares.data() +
-           (has_blocks() ? own.joints.first_set[e] : first_row(e));
-  }
+    /** 1: a pressure. 3: a pressure with its friction. 2: a disc of friction.
+     */
+    unsigned int size;
+    /** @{ */
+    /** Its first row and coefficient, counted from the first of the joint. */
+    unsigned int row, coefficient;
+    /** @} */
+    /** The part of the stiffness of the joint, or of its limits, that it has.
+     */
+    double share;
+    /** Of a disc. */
+    double strength;
+  };
+  /** Call @p f for each FaceSet of joint @p e. */
+  template <typename F>
+  void for_each_face_set(unsigned int e, const F &f) const;
   /** True if some set has more rows than one. */
   bool has_blocks() const { return !own.joints.set_sizes.empty(); }
   /**
@@ -315,6 +328,20 @@ void Structure::for_each_set(const unsigned int e, const F &f) const
     row += size;
     coefficient += size * size;
   }
+}
+
+template <typename F>
+void Structure::for_each_face_set(const unsigned int e, const F &f) const
+{
+  std::size_t k = has_blocks() ? own.joints.first_set[e] : first_row(e);
+  for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                      const unsigned int coefficient) {
+    const double share = own.joints.shares[k];
+    f(FaceSet{size, row, coefficient, share,
+              own.joints.set_strengths.empty() ? joints()[e].strength * share
+                                               : own.joints.set_strengths[k]});
+    ++k;
+  });
 }
 
 template <unsigned int T, unsigned int R>

@@ -30,9 +30,6 @@ public:
 private:
   FactorEntries entries;
 };
-
-/** A line for people on the factor and its bound. */
-std::string description_of(const LoadFactor &factor);
 } // namespace Voussoir
 
 #endif

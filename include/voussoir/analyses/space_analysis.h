@@ -7,6 +7,9 @@
 #include <voussoir/analyses/ranges/range_entries.h>
 #include <voussoir/analyses/space/answer.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
+#include <voussoir/statics/energy/coulomb_state.h>
+#include <voussoir/statics/energy/space_state.h>
+#include <voussoir/statics/paper/smoothed_faces.h>
 #include <voussoir/statics/problem/solver_controls.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -58,6 +61,12 @@ private:
     state,
     load_factor
   };
+  /** How one of the states is selected. */
+  enum class Selection
+  {
+    least_energy,
+    smoothed_friction
+  };
   /** The scene, and the one of live loads if they are asked for. */
   struct Scenes
   {
@@ -70,6 +79,8 @@ private:
   /** @throws InputError if what is asked besides cannot be. */
   void check_further(const SpaceSceneParameters &parameters,
                      const Packing<3> &packing) const;
+  /** What selects the state of a scene. */
+  const Formulation &formulation_for(const SpaceScene &scene) const;
   SpaceAnswer state_of(SpaceScene scene, Terminal &terminal) const;
   void look_further(SpaceAnswer &answer,
                     const SpaceSceneParameters &parameters,
@@ -82,7 +93,10 @@ private:
   FactorEntries factor;
   RangeEntries ranges;
   SolverControls controls;
-  LinearSolver linear_solver = LinearSolver::automatic;
+  Selection selection = Selection::least_energy;
+  LeastEnergyInSpace least_energy;
+  SmoothedFaces smoothed_friction;
+  CoulombState coulomb_state = CoulombState(least_energy);
 };
 } // namespace Voussoir
 

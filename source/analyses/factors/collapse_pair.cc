@@ -4,7 +4,7 @@
 #include <voussoir/analyses/factors/collapse_pair.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
-#include <voussoir/statics/energy/coulomb_state.h>
+#include <voussoir/statics/problem/coulomb_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,6 @@ private:
   bool start_with_least_pressure();
   double excess() const;
   void take_step(Step kind);
-  std::vector<double> pressures(std::vector<double> forces) const;
   std::vector<double> motion() const;
   /** What a programme maximises, without the cost. */
   SelfDual::Program program_of(const RowProblem &by_rows) const
@@ -123,12 +122,11 @@ bool PairSearch::maximise(const DiscreteProblem &of_programme,
   program.cost.assign(curvature.size(), 0.);
   program.has_curvature = true;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
-    {
+    problem.for_each_pressure(e, [&](const unsigned int r, const double share) {
       const unsigned int row = rows.first_row(e) + r;
-      curvature[row] = delta / problem.contact_stiffness(e);
+      curvature[row] = delta / (problem.joints()[e].stiffness() * share);
       program.cost[row] = -curvature[row] * before[problem.first_row(e) + r];
-    }
+    });
   ConicForces forces(rows, by_rows.forces().held_bodies(), curvature);
   forces.clear_without_force(program.cost);
   SelfDual search(forces, program);
@@ -189,23 +187,15 @@ double PairSearch::excess() const
   return largest / std::max(largest_component(dead), largest_component(live));
 }
 
-/** Forces without friction. */
-std::vector<double> PairSearch::pressures(std::vector<double> forces) const
-{
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    forces[problem.first_row(e) + problem.n_contacts(e)] = 0.;
-  return forces;
-}
-
 /** Move on from the forces before, along their change. */
 void PairSearch::take_step(const Step kind)
 {
   if (kind == Step::anderson)
   {
-    before = anderson.next(before, pressures(last.forces));
+    before = anderson.next(before, pressures_of(problem, last.forces));
     return;
   }
-  std::vector<double> change = pressures(last.forces);
+  std::vector<double> change = pressures_of(problem, last.forces);
   add(change, -1., before);
   if (!last_change.empty())
   {
@@ -224,7 +214,7 @@ void PairSearch::iterate(const std::vector<double> &start,
                          const double delta,
                          const Step kind)
 {
-  before = pressures(start);
+  before = pressures_of(problem, start);
   best = {};
   step = first_step;
   last_change.clear();

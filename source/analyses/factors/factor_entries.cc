@@ -3,7 +3,9 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace Voussoir
 {
@@ -36,6 +38,63 @@ LoadFactorControls FactorEntries::controls(const SolverControls &common) const
           common.n_max_iterations};
 }
 
+namespace
+{
+/** Up to which of the factors that were tried there are states. */
+std::string states_that_end(const FactorTrials &trials)
+{
+  const double without = trials.without_state.front();
+  const auto beyond =
+      std::find_if(trials.with_state.begin(), trials.with_state.end(),
+                   [without](const double factor) {
+                     return std::abs(factor) > std::abs(without);
+                   });
+  return beyond == trials.with_state.begin()
+             ? text("but ", text_to_copy(without), " has no state")
+             : text("but states are known up to ",
+                    text_to_copy(*std::prev(beyond)), " only, and ",
+                    text_to_copy(without), " has none");
+}
+
+/** What the factors that were tried say of each other. */
+template <typename SceneOf>
+std::string description_without_dilatancy(const FactorOf<SceneOf> &factor)
+{
+  const auto smaller = [&](const double tried) {
+    return std::abs(tried) < std::abs(factor.carried);
+  };
+  const FactorTrials &trials = factor.trials;
+  const unsigned int n_with = std::count_if(trials.with_state.begin(),
+                                            trials.with_state.end(), smaller);
+  const unsigned int n_without = std::count_if(
+      trials.without_state.begin(), trials.without_state.end(), smaller);
+  std::string words = text_to_copy(factor.carried);
+  if (factor.own_collapse)
+    words += text(
+        " is a collapse without dilatancy, by its own forces and mechanism, ",
+        n_without > 0
+            ? states_that_end(trials)
+            : text("and the ", n_with, " smaller factors tried have states"));
+  else if (n_without > 0)
+    words +=
+        text(" has a state without dilatancy, but of ", n_with + n_without,
+             " smaller factors tried ", n_without,
+             n_without > 1 ? " have none, the least of them " : " has none, ",
+             text_to_copy(trials.without_state.front()));
+  else
+    words += text(
+        " has a state without dilatancy, ",
+        n_with > 1 ? text("and so have the ", n_with, " smaller factors tried")
+        : n_with == 1 ? "and so has the one smaller factor tried"
+                      : "the only factor tried that has one");
+  words += "; of others nothing is known, since no theorem holds";
+  return std::isfinite(factor.bound)
+             ? text(words, "; ", text_to_copy(factor.bound),
+                    " collapses, with it or without, which is proven")
+             : words + "; no mechanism was found that bounds it";
+}
+
+/** A line for people on a factor between its proofs. */
 template <typename SceneOf>
 std::string words_of_proofs(const FactorOf<SceneOf> &factor)
 {
@@ -54,6 +113,7 @@ std::string words_of_proofs(const FactorOf<SceneOf> &factor)
   return words;
 }
 
+/** The same for summary.json, without words. */
 template <typename SceneOf>
 nlohmann::ordered_json json_of_proofs(const FactorOf<SceneOf> &factor)
 {
@@ -69,9 +129,32 @@ nlohmann::ordered_json json_of_proofs(const FactorOf<SceneOf> &factor)
     json["closing_violation"] = factor.proof.closing_violation;
   return json;
 }
+} // namespace
 
-template std::string words_of_proofs(const FactorOf<Scene> &);
-template std::string words_of_proofs(const FactorOf<SpaceScene> &);
-template nlohmann::ordered_json json_of_proofs(const FactorOf<Scene> &);
-template nlohmann::ordered_json json_of_proofs(const FactorOf<SpaceScene> &);
+template <typename SceneOf>
+std::string description_of(const FactorOf<SceneOf> &factor)
+{
+  return factor.trials.empty() ? words_of_proofs(factor)
+                               : description_without_dilatancy(factor);
+}
+
+template <typename SceneOf>
+nlohmann::ordered_json json_of(const FactorOf<SceneOf> &factor)
+{
+  nlohmann::ordered_json json = json_of_proofs(factor);
+  if (factor.own_collapse)
+    json["own_collapse"] = {
+        {"factor", factor.own_collapse->factor},
+        {"closing_violation", factor.own_collapse->closing_violation}};
+  if (!factor.trials.empty())
+    json["tried"] = {{"with_state", factor.trials.with_state},
+                     {"without_state", factor.trials.without_state}};
+  json["meaning"] = description_of(factor);
+  return json;
+}
+
+template std::string description_of(const FactorOf<Scene> &);
+template std::string description_of(const FactorOf<SpaceScene> &);
+template nlohmann::ordered_json json_of(const FactorOf<Scene> &);
+template nlohmann::ordered_json json_of(const FactorOf<SpaceScene> &);
 } // namespace Voussoir

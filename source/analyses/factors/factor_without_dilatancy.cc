@@ -4,8 +4,12 @@
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/scene/proofs/space_certificate.h>
+#include <voussoir/statics/conic/balance_within_limits.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/coulomb_limits.h>
 #include <voussoir/statics/problem/discretise.h>
+#include <voussoir/statics/problem/discretise_space.h>
 #include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
@@ -50,11 +54,13 @@ constexpr double share_of_inner = 0.9;
 constexpr double shares_of_blend[] = {0., 1e-6, 1e-5, 1e-4};
 
 /** The search for states at factors of the live loads; see CoulombState. */
+template <typename SceneOf>
 class StatesAtFactors
 {
 public:
-  StatesAtFactors(const Scene &dead,
-                  const Scene &live,
+  using MotionOfBlocks = typename SceneOf::MotionOfBlocks;
+  StatesAtFactors(const SceneOf &dead,
+                  const SceneOf &live,
                   const CoulombState &formulation,
                   const SolverControls &controls,
                   const double sense,
@@ -67,7 +73,7 @@ public:
   {}
 
   /** Put what was found in the place of the factor with dilatancy. */
-  void find(LoadFactor &factor);
+  void find(FactorOf<SceneOf> &factor);
 
 private:
   std::vector<double> loads_at(double factor) const
@@ -83,10 +89,10 @@ private:
   void look_for_end(double bound);
   std::vector<double> balanced(const std::vector<double> &forces,
                                double &alpha);
-  void find_collapse(const LoadFactor &factor);
+  void find_collapse(const FactorOf<SceneOf> &factor);
   FactorTrials trials() const;
 
-  const Scene &dead_scene, &live_scene;
+  const SceneOf &dead_scene, &live_scene;
   const DiscreteProblem problem;
   const std::vector<double> dead, live;
   const CoulombState &formulation;
@@ -101,11 +107,12 @@ private:
   unsigned int n_iterations = 0;
   /** The collapse, if one was found. */
   std::optional<FactorBound> collapse;
-  Motion motion;
+  MotionOfBlocks motion;
 };
 
 /** Look for a state, and keep it if it is that of the greatest factor. */
-bool StatesAtFactors::has_state(const double factor)
+template <typename SceneOf>
+bool StatesAtFactors<SceneOf>::has_state(const double factor)
 {
   const DiscreteProblem at_factor = problem.with_loads(loads_at(factor));
   std::string failure;
@@ -127,16 +134,20 @@ bool StatesAtFactors::has_state(const double factor)
   return true;
 }
 
-void StatesAtFactors::look_at(const double from,
-                              const double to,
-                              const std::vector<double> &shares)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::look_at(const double from,
+                                       const double to,
+                                       const std::vector<double> &shares)
 {
   for (const double share : shares)
     has_state(from + share * (to - from));
 }
 
 /** Bisect between a factor with a state and one without. */
-void StatesAtFactors::bisect(double carried, double beyond, const double width)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::bisect(double carried,
+                                      double beyond,
+                                      const double width)
 {
   while (std::abs(beyond - carried) > width)
   {
@@ -146,7 +157,8 @@ void StatesAtFactors::bisect(double carried, double beyond, const double width)
 }
 
 /** Look between the greatest factor with a state and the next one. */
-void StatesAtFactors::look_beside(const double bound)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::look_beside(const double bound)
 {
   double beyond = bound;
   for (const double factor : without_state)
@@ -156,7 +168,8 @@ void StatesAtFactors::look_beside(const double bound)
 }
 
 /** Look for the end of the factors that all have states, if there is one. */
-void StatesAtFactors::look_for_end(const double bound)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::look_for_end(const double bound)
 {
   double beyond = greatest, carried = 0.;
   for (const double factor : without_state)
@@ -184,18 +197,30 @@ Scene with_own_strengths(Scene scene, const InterfaceForces &forces)
   return scene;
 }
 
-/** How far friction is beyond its limit, over the largest load or more. */
-double excess_of_friction(const DiscreteProblem &problem,
-                          const std::vector<double> &forces)
+/** bound_with_own_strengths() in the plane. */
+FactorBound bound_with_own_strengths(const Scene &dead,
+                                     const Scene &live,
+                                     const InterfaceForces &forces,
+                                     const Motion &motion)
 {
-  const std::vector<double> limits = limits_of_coulomb(problem, forces);
-  double excess = 0.;
-  for (unsigned int e = 0; e < limits.size(); ++e)
-    excess = std::max(
-        excess, std::abs(forces[problem.first_row(e) + problem.n_contacts(e)]) -
-                    limits[e]);
-  return excess / std::max(1., largest_component(problem.loads()));
+  return bound_of_factor(with_own_strengths(dead, forces), live, motion);
 }
+
+/** @{ */
+/** nondimensional_forces() of a scene. */
+std::vector<double> forces_of_rows(const DiscreteProblem &problem,
+                                   const Scene & /*scene*/,
+                                   const InterfaceForces &forces)
+{
+  return nondimensional_forces(problem, forces);
+}
+std::vector<double> forces_of_rows(const DiscreteProblem &problem,
+                                   const SpaceScene &scene,
+                                   const FaceForces &forces)
+{
+  return nondimensional_forces(problem, scene, forces);
+}
+/** @} */
 
 /**
  * The forces of a collapse, balanced and within their limits to rounding, if
@@ -204,8 +229,10 @@ double excess_of_friction(const DiscreteProblem &problem,
  * @param alpha the factor, which becomes that much smaller.
  * @return nothing if that cannot be had.
  */
-std::vector<double> StatesAtFactors::balanced(const std::vector<double> &forces,
-                                              double &alpha)
+template <typename SceneOf>
+std::vector<double>
+StatesAtFactors<SceneOf>::balanced(const std::vector<double> &forces,
+                                   double &alpha)
 {
   const double of_collapse = alpha, of_inner = share_of_inner * alpha;
   std::vector<double> inner;
@@ -227,7 +254,7 @@ std::vector<double> StatesAtFactors::balanced(const std::vector<double> &forces,
     for (std::size_t k = 0; k < inner.size(); ++k)
       blend[k] += share * (inner[k] - blend[k]);
     const DiscreteProblem at_factor = problem.with_loads(loads_at(alpha));
-    blend = equilibrate(at_factor, blend, slack_beside_changes);
+    blend = balance_within_limits(at_factor, blend, terminal);
     if (largest_component(imbalance(at_factor, blend)) <= largest_imbalance &&
         excess_of_friction(at_factor, blend) <= largest_imbalance)
       return blend;
@@ -236,14 +263,15 @@ std::vector<double> StatesAtFactors::balanced(const std::vector<double> &forces,
 }
 
 /** Find a collapse from the forces at the factor with dilatancy. */
-void StatesAtFactors::find_collapse(const LoadFactor &factor)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::find_collapse(const FactorOf<SceneOf> &factor)
 {
   std::vector<double> live_of_size_one = live;
   for (double &load : live_of_size_one)
     load *= factor.unit;
   CollapsePair pair = find_collapse_pair(
       problem, dead, live_of_size_one, sense,
-      nondimensional_forces(problem, factor.forces),
+      forces_of_rows(problem, dead_scene, factor.forces),
       factor.carried / factor.unit,
       n_times_of_collapse * controls.n_max_iterations, terminal);
   n_iterations += pair.n_iterations;
@@ -255,10 +283,12 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   if (state.forces.empty())
     return;
   state.stop = Stop::Reason::converged;
-  const InterfaceForces forces = dimensional_forces(problem, state);
-  Motion found_motion = dimensional_motion(problem, pair.u, 1.);
-  const FactorBound proof = bound_of_factor(
-      with_own_strengths(dead_scene, forces), live_scene, found_motion);
+  const typename SceneOf::Forces forces =
+      dimensional_forces(problem, dead_scene, state);
+  MotionOfBlocks found_motion =
+      dimensional_motion(problem, dead_scene, pair.u, 1.);
+  const FactorBound proof =
+      bound_with_own_strengths(dead_scene, live_scene, forces, found_motion);
   terminal.iteration("Collapse without dilatancy",
                      text("factor ", alpha, ", ", pair.n_programmes,
                           " programmes, its motion proves it to ",
@@ -275,7 +305,8 @@ void StatesAtFactors::find_collapse(const LoadFactor &factor)
   found = std::move(state);
 }
 
-FactorTrials StatesAtFactors::trials() const
+template <typename SceneOf>
+FactorTrials StatesAtFactors<SceneOf>::trials() const
 {
   FactorTrials sorted = {with_state, without_state};
   for (auto *const factors : {&sorted.with_state, &sorted.without_state})
@@ -286,7 +317,8 @@ FactorTrials StatesAtFactors::trials() const
   return sorted;
 }
 
-void StatesAtFactors::find(LoadFactor &factor)
+template <typename SceneOf>
+void StatesAtFactors<SceneOf>::find(FactorOf<SceneOf> &factor)
 {
   // A factor that is not known well may have states beyond it.
   const double bound = factor.has_mechanism() && factor.width() > smallest_width
@@ -322,25 +354,41 @@ void StatesAtFactors::find(LoadFactor &factor)
   factor.trials = trials();
   factor.passes = found->passes;
   factor.n_iterations += n_iterations;
-  factor.forces = dimensional_forces(problem, *found);
+  factor.forces = dimensional_forces(problem, dead_scene, *found);
 }
 } // namespace
 
-LoadFactorAnswer
-find_factor_without_dilatancy(const Scene &dead,
-                              const Scene &live,
+template <typename SceneOf>
+FactorAnswerOf<SceneOf>
+find_factor_without_dilatancy(const SceneOf &dead,
+                              const SceneOf &live,
                               const CoulombState &formulation,
                               const SolverControls &controls,
                               const LoadFactorControls &factor_controls,
                               Terminal &terminal)
 {
-  LoadFactorAnswer answer =
+  FactorAnswerOf<SceneOf> answer =
       find_load_factor(dead, live, factor_controls, terminal);
   // Where pressure alone balances the live loads there is nothing to look for.
   if (answer.factor && !answer.factor->is_unbounded)
-    StatesAtFactors(dead, live, formulation, controls,
-                    factor_controls.greatest ? 1. : -1., terminal)
+    StatesAtFactors<SceneOf>(dead, live, formulation, controls,
+                             factor_controls.greatest ? 1. : -1., terminal)
         .find(*answer.factor);
   return answer;
 }
+
+template FactorAnswerOf<Scene>
+find_factor_without_dilatancy(const Scene &,
+                              const Scene &,
+                              const CoulombState &,
+                              const SolverControls &,
+                              const LoadFactorControls &,
+                              Terminal &);
+template FactorAnswerOf<SpaceScene>
+find_factor_without_dilatancy(const SpaceScene &,
+                              const SpaceScene &,
+                              const CoulombState &,
+                              const SolverControls &,
+                              const LoadFactorControls &,
+                              Terminal &);
 } // namespace Voussoir

@@ -10,6 +10,7 @@
 #include <voussoir/statics/problem/discretise_space.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Voussoir
@@ -56,6 +57,30 @@ const std::vector<dealii::Tensor<1, 3>> &loads_of(const SpaceScene &scene)
   return scene.loads.force;
 }
 /** @} */
+
+/**
+ * Forces near @p x, of any size, that balance by themselves: those that have a
+ * limit of their own are nothing beside it, and the others balance to rounding.
+ */
+std::vector<double> ray_near(const DiscreteProblem &problem,
+                             const std::vector<double> &x)
+{
+  const DiscreteProblem without_limits = problem.with_strengths_up_to(0.);
+  RowProblem by_rows(without_limits);
+  ConicForces &forces = by_rows.forces();
+  SelfDual::Point ray;
+  ray.x = x;
+  const double size = largest_component(x);
+  for (double &force : ray.x)
+    force /= size;
+  forces.clear_without_force(ray.x);
+  ray.s = forces.limits();
+  add(ray.s, -1., forces.at_slacks(ray.x));
+  ray.alpha = 0.;
+  SelfDual::Program nothing;
+  nothing.dead.assign(by_rows.rows().n_dofs(), 0.);
+  return state_near(forces, nothing, ray).x;
+}
 
 /** @{ */
 /** A function as one of the forces of the rows. */
@@ -119,6 +144,12 @@ FeasibleSetOf<SceneOf>::coefficients(const Function &function) const
 template <typename SceneOf>
 bool FeasibleSetOf<SceneOf>::is_ray(const std::vector<double> &x) const
 {
+  // What crushes has a limit too.
+  const std::vector<ForceRows::Bounds> &bounds = by_rows.rows().bounds();
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (std::isfinite(bounds[k].least) && std::isfinite(bounds[k].greatest) &&
+        std::abs(x[k]) > rounding_of_ray * largest_component(x))
+      return false;
   return largest_component(by_rows.forces().on_bodies(x)) <=
          rounding_of_ray * largest_component(x);
 }
@@ -231,8 +262,10 @@ FeasibleSetOf<SceneOf>::greatest(const Function &function,
                                  Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
-  const StateProgram::Optimum optimum =
+  StateProgram::Optimum optimum =
       greatest_force(by_rows, c, anchor(), terminal);
+  if (optimum.is_unbounded)
+    optimum.x = ray_near(problem, optimum.x);
   if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
     return {};
   Greatest value = judged(optimum, c, function);

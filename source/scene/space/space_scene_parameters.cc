@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
 
@@ -67,12 +66,6 @@ SpaceSceneParameters::blocks(Packing<3> of, Terminal &terminal) const
   contact.add_strengths(of, strengths);
   for (const std::string &warning : strengths.warnings)
     terminal.warning(warning);
-  if (!strengths.dilate)
-    throw InputError(
-        "'Friction/Law' is 'Coulomb', where blocks slide without lifting off, "
-        "and 'Dimension' is 3: in space set 'Friction/Law = associated "
-        "Coulomb' or 'Mohr-Coulomb'. What carries with them may not carry with "
-        "'Coulomb'; what collapses does.");
   return std::make_shared<const SpaceBlocks>(
       std::move(of), std::move(strengths),
       blocks_turn ? rotations_in_space() : translations_in_space(),

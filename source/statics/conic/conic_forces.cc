@@ -319,6 +319,8 @@ void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
         sum.find_inverse(block);
         return;
       }
+      if (cone == all_cones.size() || all_cones[cone].row != r)
+        return; // a disc without strength
       SumOfSquares sum;
       if (with_curvature)
       {

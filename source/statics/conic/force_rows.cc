@@ -139,24 +139,23 @@ void ForceRows::add_contacts(const unsigned int e, const Friction friction)
 void ForceRows::add_sets(const unsigned int e)
 {
   const Joint &joint = problem.joints()[e];
-  const double *share = problem.shares(e);
   const double strength =
       problem.normal_limits().empty()
           ? infinity
           : problem.tension(e) + problem.normal_limits()[e].crushing;
-  problem.for_each_set(
-      e, [&](const unsigned int size, unsigned int, unsigned int) {
-        const unsigned int row = of_rows.size();
-        if (size == 1)
-          of_rows.push_back({-strength * *share, 0.});
-        else
-          of_rows.insert(of_rows.end(), size, {-infinity, infinity});
-        if (size == 2)
-          all_discs.push_back({row, joint.strength * *share});
-        else if (size == 3)
-          all_cones.push_back({row, joint.coefficient, strength * *share});
-        ++share;
-      });
+  problem.for_each_face_set(e, [&](const FaceSet &set) {
+    const unsigned int row = of_rows.size();
+    if (set.size == 1)
+      of_rows.push_back({-strength * set.share, 0.});
+    else if (set.size == 2 && !(set.strength > 0.))
+      of_rows.insert(of_rows.end(), set.size, {0., 0.});
+    else
+      of_rows.insert(of_rows.end(), set.size, {-infinity, infinity});
+    if (set.size == 2 && set.strength > 0.)
+      all_discs.push_back({row, set.strength});
+    else if (set.size == 3)
+      all_cones.push_back({row, joint.coefficient, strength * set.share});
+  });
   own.joints.add(joint, problem.rows(e), kinematics(), problem.sets(e));
 }
 
@@ -189,6 +188,14 @@ std::vector<double> ForceRows::forces_of(const std::vector<double> &x) const
     forces.push_back(tangential);
   }
   return forces;
+}
+
+std::vector<double> ForceRows::rows_of(const std::vector<double> &forces) const
+{
+  AssertThrow(!problem.is_plane(), dealii::ExcNotImplemented());
+  std::vector<double> x = forces;
+  Voussoir::add(x, -1., tension());
+  return x;
 }
 
 void ForceRows::add_force(const unsigned int e,

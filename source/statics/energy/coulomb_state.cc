@@ -3,14 +3,14 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/statics/conic/balance_within_limits.h>
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/energy/coulomb_state.h>
-#include <voussoir/statics/problem/equilibrate.h>
+#include <voussoir/statics/problem/coulomb_limits.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -105,11 +105,9 @@ void FixedPoint::polish(const std::vector<double> &limits)
 std::vector<double>
 FixedPoint::needed_limits(const std::vector<double> &own) const
 {
-  std::vector<double> needed = own;
-  for (unsigned int e = 0; e < needed.size(); ++e)
-    needed[e] = std::max(
-        needed[e],
-        std::abs(state.forces[problem.first_row(e) + problem.n_contacts(e)]));
+  std::vector<double> needed = sizes_of_friction(problem, state.forces);
+  for (std::size_t e = 0; e < needed.size(); ++e)
+    needed[e] = std::max(needed[e], own[e]);
   return needed;
 }
 
@@ -168,29 +166,21 @@ std::optional<Solution> FixedPoint::find(const std::vector<double> &limits)
   polish(best.limits);
   // The strengths are its own to Best::change only, and forces that slide may
   // be beyond their limits by that.
-  state.forces = equilibrate(problem, state.forces, slack_beside_changes);
+  state.forces = balance_within_limits(problem, state.forces, terminal);
   state.passes = best.passes;
   state.n_iterations = iterations;
   state.n_evaluations = evaluations;
   return std::move(state);
 }
-} // namespace
 
-std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
-                                      const std::vector<double> &forces)
+/** The number of places of friction. */
+std::size_t n_frictions(const DiscreteProblem &problem)
 {
-  std::vector<double> limits;
-  limits.reserve(problem.joints().size());
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const Structure::Joint &joint = problem.joints()[e];
-    const auto first = forces.begin() + problem.first_row(e);
-    const double normal =
-        std::accumulate(first, first + problem.n_contacts(e), 0.);
-    limits.push_back(std::max(joint.strength - joint.coefficient * normal, 0.));
-  }
-  return limits;
+  return sizes_of_friction(problem,
+                           std::vector<double>(problem.n_all_rows(), 0.))
+      .size();
 }
+} // namespace
 
 Solution CoulombState::find(const DiscreteProblem &problem,
                             const SolverControls &controls,
@@ -204,7 +194,7 @@ Solution CoulombState::find(const DiscreteProblem &problem,
     return found;
   };
   if (std::optional<Solution> found =
-          from(std::vector<double>(problem.joints().size(), ample_strength)))
+          from(std::vector<double>(n_frictions(problem), ample_strength)))
     return std::move(*found);
   // Forces that are admitted are so whether blocks dilate or not: if there are
   // none, the mechanism of those that do is a proof; if there are, their

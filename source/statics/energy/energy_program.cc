@@ -7,7 +7,6 @@
 #include <voussoir/statics/conic/feasible_state.h>
 #include <voussoir/statics/conic/proven_factor.h>
 #include <voussoir/statics/energy/energy_program.h>
-#include <voussoir/statics/energy/face_joint.h>
 
 #include <algorithm>
 #include <limits>
@@ -92,14 +91,10 @@ EnergySearch::curvatures(const std::vector<JointCost> &costs) const
     if (problem.is_plane())
       of_joint[problem.n_contacts(e)] = costs[e].tangential_compliance;
     else
-    {
-      const double *share = problem.shares(e);
-      problem.for_each_set(e, [&](const unsigned int size,
-                                  const unsigned int row, unsigned int) {
-        std::fill_n(of_joint + row, size,
-                    costs[e].tangential_compliance / *share++);
+      problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
+        std::fill_n(of_joint + set.row, set.size,
+                    costs[e].tangential_compliance / set.share);
       });
-    }
     problem.for_each_pressure(
         e, [&](const unsigned int row, const double share) {
           of_joint[row] = costs[e].normal_compliance / share;
@@ -221,7 +216,7 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
     costs.push_back({compliance,
                      problem.is_plane()
                          ? compliance
-                         : compliance / tangential_part(problem, e),
+                         : compliance / problem.tangential_part(e),
                      0.});
   }
   return costs;

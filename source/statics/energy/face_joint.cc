@@ -116,33 +116,25 @@ struct ElasticCone
 };
 } // namespace
 
-double tangential_part(const DiscreteProblem &problem, const unsigned int e)
-{
-  const Joint &joint = problem.joints()[e];
-  return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
-}
-
 void FaceJoint::find_forces(const unsigned int e,
                             const double *jumps,
                             double *forces) const
 {
   const Joint &joint = problem.joints()[e];
-  const double *share = problem.shares(e);
-  const double part = tangential_part(problem, e);
-  problem.for_each_set(
-      e, [&](const unsigned int size, const unsigned int row, unsigned int) {
-        const double stiffness = joint.stiffness() * *share;
-        const double tension = problem.tension(e) * *share;
-        if (size == 1)
-          forces[row] = std::min(stiffness * jumps[row], tension);
-        else if (size == 2)
-          ElasticDisc{part * stiffness, joint.strength * *share}.find_forces(
-              jumps + row, forces + row);
-        else
-          ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
-              jumps + row, forces + row);
-        ++share;
-      });
+  const double part = problem.tangential_part(e);
+  problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
+    const double stiffness = joint.stiffness() * set.share;
+    const double tension = problem.tension(e) * set.share;
+    const double *const jump = jumps + set.row;
+    double *const force = forces + set.row;
+    if (set.size == 1)
+      *force = std::min(stiffness * *jump, tension);
+    else if (set.size == 2)
+      ElasticDisc{part * stiffness, set.strength}.find_forces(jump, force);
+    else
+      ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
+          jump, force);
+  });
 }
 
 bool FaceJoint::find_second_derivatives(const unsigned int e,
@@ -150,22 +142,20 @@ bool FaceJoint::find_second_derivatives(const unsigned int e,
                                         double *second) const
 {
   const Joint &joint = problem.joints()[e];
-  const double *share = problem.shares(e);
-  const double part = tangential_part(problem, e);
-  problem.for_each_set(e, [&](const unsigned int size, const unsigned int row,
-                              const unsigned int coefficient) {
-    const double stiffness = joint.stiffness() * *share;
-    const double tension = problem.tension(e) * *share;
-    double *const block = second + coefficient;
-    if (size == 1)
-      *block = stiffness * jumps[row] <= tension ? stiffness : 0.;
-    else if (size == 2)
-      ElasticDisc{part * stiffness, joint.strength * *share}
-          .find_second_derivatives(jumps + row, block);
+  const double part = problem.tangential_part(e);
+  problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
+    const double stiffness = joint.stiffness() * set.share;
+    const double tension = problem.tension(e) * set.share;
+    const double *const jump = jumps + set.row;
+    double *const block = second + set.coefficient;
+    if (set.size == 1)
+      *block = stiffness * *jump <= tension ? stiffness : 0.;
+    else if (set.size == 2)
+      ElasticDisc{part * stiffness, set.strength}.find_second_derivatives(
+          jump, block);
     else
       ElasticCone{stiffness, part, joint.coefficient, tension}
-          .find_second_derivatives(jumps + row, block);
-    ++share;
+          .find_second_derivatives(jump, block);
   });
   // At one point, or at two in the same place: k_e in all directions, or less.
   const double k = joint.stiffness();

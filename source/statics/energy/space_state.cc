@@ -162,8 +162,12 @@ void SpaceStateSearch::take(EnergyProgram program)
 Solution SpaceStateSearch::find()
 {
   const bool by_newton = !crushes();
-  if (by_newton && minimise_by_newton(std::vector<double>(problem.n_dofs(), 0.),
-                                      n_steps_before_doubt))
+  const bool has_start =
+      controls.start && controls.start->u.size() == problem.n_dofs();
+  if (by_newton &&
+      minimise_by_newton(has_start ? controls.start->u
+                                   : std::vector<double>(problem.n_dofs(), 0.),
+                         n_steps_before_doubt))
     return std::move(found);
   EnergyProgram program =
       minimise_by_program(by_newton ? error_of_start : error_of_end);

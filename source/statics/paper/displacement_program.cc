@@ -133,8 +133,10 @@ ProgramResult solve_program(const DiscreteProblem &problem,
   };
   const auto stops = [&](const unsigned int iteration,
                          const std::vector<double> &x) {
-    solution.mechanism = find_mechanism(
-        problem, std::vector<double>(x.begin(), x.begin() + problem.n_dofs()));
+    if (problem.is_plane())
+      solution.mechanism = find_mechanism(
+          problem,
+          std::vector<double>(x.begin(), x.begin() + problem.n_dofs()));
     if (!solution.mechanism && !has_doubted && iteration >= n_before_doubt)
       look_for_collapse();
     if (!solution.mechanism)

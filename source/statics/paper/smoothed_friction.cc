@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/linear/joint_blocks.h>
 #include <voussoir/algebra/newton.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/statics/energy/energy_program.h>
 #include <voussoir/statics/paper/compliant_start.h>
-#include <voussoir/statics/paper/displacement_program.h>
 #include <voussoir/statics/paper/hard_contact.h>
+#include <voussoir/statics/paper/joint_energy_program.h>
 #include <voussoir/statics/paper/smoothed_friction.h>
 #include <voussoir/statics/paper/smoothed_joint.h>
 #include <voussoir/statics/problem/find_opening.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -53,7 +51,7 @@ constexpr unsigned int n_sharpenings = 3;
 constexpr double imbalance_to_refine = 1e-12;
 
 /** The energy of SmoothedJoint; the unknowns are the displacements alone. */
-class SmoothedFrictionProgram : public DisplacementProgram
+class SmoothedFrictionProgram : public JointEnergyProgram
 {
 public:
   SmoothedFrictionProgram(const DiscreteProblem &problem,
@@ -61,7 +59,7 @@ public:
                           const SolverControls &controls,
                           const double barrier_parameter,
                           Terminal &terminal)
-      : problem(problem), of_joints(problem, false), contact(contact),
+      : JointEnergyProgram(problem, law), problem(problem), contact(contact),
         law(problem, contact), controls(controls),
         barrier_parameter(barrier_parameter), terminal(terminal)
   {
@@ -74,76 +72,12 @@ public:
 
   std::vector<double> start() const override { return of_start.displacement; }
 
-  double value(const double *x) override
-  {
-    // Close to the minimum the line search compares energies that differ by
-    // rounding alone; a longer sum keeps it from cutting good steps.
-    long double sum = -problem.work(x);
-    std::array<double, 3> jumps;
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    {
-      problem.find_jumps(e, x, jumps.data());
-      sum += law.energy(e, jumps.data());
-    }
-    return sum;
-  }
-
   std::vector<double> gradient(const double *x) override
   {
-    std::vector<double> g(problem.n_dofs());
-    for (unsigned int k = 0; k < g.size(); ++k)
-      g[k] = -problem.loads()[k];
-    std::array<double, 3> jumps, forces;
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    {
-      problem.find_jumps(e, x, jumps.data());
-      law.find_forces(e, jumps.data(), forces.data());
-      problem.add_jump_gradient(e, forces.data(), g.data());
-    }
+    std::vector<double> g = JointEnergyProgram::gradient(x);
     if (contact == Contact::compliant)
       keep_if_better(x, g);
     return g;
-  }
-
-  // First the lower triangle of each body's diagonal block, then the block of
-  // each joint with the rows of the higher body; c- < c+.
-  std::vector<Entry> hessian(const double *x) const override
-  {
-    const unsigned int n = problem.n_unknowns(), n_entries = n * (n + 1) / 2;
-    std::vector<Entry> entries;
-    entries.reserve(n_entries * problem.n_bodies() +
-                    n * n * problem.joints().size());
-    for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          entries.push_back({problem.dof(b, i), problem.dof(b, j), 0.});
-    std::vector<double> second(problem.n_all_rows());
-    std::array<double, 3> jumps;
-    JointBlocks::Blocks blocks;
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    {
-      problem.find_jumps(e, x, jumps.data());
-      law.find_second_derivatives(e, jumps.data(),
-                                  &second[problem.first_row(e)]);
-      of_joints.find(e, second.data(), blocks);
-      const DiscreteProblem::Joint &joint = problem.joints()[e];
-      unsigned int k = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-        {
-          entries.push_back({problem.dof(joint.cell_plus, i),
-                             problem.dof(joint.cell_minus, j),
-                             blocks.mixed[i * n + j]});
-          if (j > i)
-            continue;
-          entries[n_entries * joint.cell_minus + k].value +=
-              blocks.minus[i * n + j];
-          entries[n_entries * joint.cell_plus + k].value +=
-              blocks.plus[i * n + j];
-          ++k;
-        }
-    }
-    return entries;
   }
   unsigned int n_constraints() const override
   {
@@ -243,13 +177,7 @@ private:
     Solution solution = std::move(result.solution);
     if (solution.mechanism)
       return solution;
-    solution.forces.resize(problem.n_all_rows());
-    std::array<double, 3> jumps;
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    {
-      problem.find_jumps(e, x.data(), jumps.data());
-      law.find_forces(e, jumps.data(), &solution.forces[problem.first_row(e)]);
-    }
+    solution.forces = forces_at(x);
     // Ipopt's multiplier of y_e >= 0 is -p_e.
     if (contact == Contact::hard)
       set_normal_forces(problem, multipliers, solution.forces);
@@ -302,7 +230,6 @@ private:
   }
 
   const DiscreteProblem &problem;
-  const JointBlocks of_joints;
   const Contact contact;
   const SmoothedJoint law;
   const SolverControls &controls;

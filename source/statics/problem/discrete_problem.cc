@@ -115,6 +115,8 @@ void DiscreteProblem::hold_bodies(std::vector<double> &u) const
 DiscreteProblem
 DiscreteProblem::with_tresca(const std::vector<double> &limits) const
 {
+  if (!is_plane())
+    return with_discs(limits);
   DiscreteProblem problem(*this);
   for (unsigned int e = 0; e < limits.size(); ++e)
   {
@@ -124,12 +126,53 @@ DiscreteProblem::with_tresca(const std::vector<double> &limits) const
   return problem;
 }
 
+/** with_tresca() in space. */
+DiscreteProblem
+DiscreteProblem::with_discs(const std::vector<double> &strengths) const
+{
+  DiscreteProblem problem(*this);
+  JointRows rows;
+  rows.reserve(joints().size(), n_all_rows(), kinematics());
+  unsigned int n_discs = 0;
+  for (unsigned int e = 0; e < joints().size(); ++e)
+  {
+    Joint joint = joints()[e];
+    const double part = tangential_part(e);
+    std::vector<unsigned int> sizes;
+    std::vector<double> shares;
+    joint.strength = 0.;
+    joint.coefficient = 0.;
+    for_each_face_set(e, [&](const FaceSet &set) {
+      if (set.size != 2)
+      {
+        sizes.push_back(1);
+        shares.push_back(set.share);
+        rows.set_strengths.push_back(0.);
+      }
+      if (set.size == 1)
+        return;
+      sizes.push_back(2);
+      shares.push_back(part * set.share);
+      rows.set_strengths.push_back(strengths[n_discs]);
+      joint.strength += strengths[n_discs++];
+    });
+    rows.add(joint, this->rows(e), kinematics(), sizes, shares);
+  }
+  problem.own.joints = std::move(rows);
+  return problem;
+}
+
 DiscreteProblem
 DiscreteProblem::with_strengths_up_to(const double strength) const
 {
   DiscreteProblem problem(*this);
   for (Joint &joint : problem.own.joints.list)
     joint.strength = std::min(joint.strength, strength * joint.length);
+  std::vector<double> &of_sets = problem.own.joints.set_strengths;
+  for (unsigned int e = 0; e < joints().size() && !of_sets.empty(); ++e)
+    for (unsigned int k = own.joints.first_set[e];
+         k < own.joints.first_set[e + 1]; ++k)
+      of_sets[k] = std::min(of_sets[k], strength * joints()[e].length);
   return problem;
 }
 
@@ -151,9 +194,17 @@ DiscreteProblem DiscreteProblem::in_units_of(const double factor) const
     load /= factor;
   for (Joint &joint : problem.own.joints.list)
     joint.strength /= factor;
+  for (double &strength : problem.own.joints.set_strengths)
+    strength /= factor;
   for (NormalLimits &limits : problem.limits_of_joints)
     limits = {limits.tension / factor, limits.crushing / factor};
   return problem;
+}
+
+double DiscreteProblem::tangential_part(const unsigned int e) const
+{
+  const Joint &joint = joints()[e];
+  return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
 }
 
 double DiscreteProblem::largest_limit() const

@@ -272,4 +272,32 @@ FaceForces dimensional_forces(const DiscreteProblem &problem,
   }
   return forces;
 }
+
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const SpaceScene &scene,
+                                          const FaceForces &forces)
+{
+  const SpaceBlocks &blocks = *scene.blocks;
+  const double unit = force_unit_in_space(problem);
+  std::vector<double> of_rows;
+  of_rows.reserve(problem.n_all_rows());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const FaceFrame frame(blocks.packing.interfaces()[e]);
+    const unsigned int n_pressures = blocks.points[e].pressure.size();
+    const bool has_cones = problem.joints()[e].coefficient > 0.;
+    for (unsigned int k = forces.first[e]; k < forces.first[e + 1]; ++k)
+    {
+      const Tensor<1, 3> force = forces.list[k].force / unit;
+      const bool is_pressure = k < forces.first[e] + n_pressures;
+      if (is_pressure)
+        of_rows.push_back(force * frame.normal);
+      if (is_pressure && !has_cones)
+        continue;
+      of_rows.push_back(force * frame.first);
+      of_rows.push_back(force * frame.second);
+    }
+  }
+  return of_rows;
+}
 } // namespace Voussoir

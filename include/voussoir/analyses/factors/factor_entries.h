@@ -44,13 +44,16 @@ struct FactorEntries
   Direction direction = Direction::greatest;
 };
 
-/** A line for people on a factor between its proofs. */
+/**
+ * A line for people on a factor between its proofs, or without dilatancy on the
+ * factors that were tried.
+ */
 template <typename SceneOf>
-std::string words_of_proofs(const FactorOf<SceneOf> &factor);
+std::string description_of(const FactorOf<SceneOf> &factor);
 
-/** The same for summary.json, without words. */
+/** The same for summary.json. */
 template <typename SceneOf>
-nlohmann::ordered_json json_of_proofs(const FactorOf<SceneOf> &factor);
+nlohmann::ordered_json json_of(const FactorOf<SceneOf> &factor);
 } // namespace Voussoir
 
 #endif

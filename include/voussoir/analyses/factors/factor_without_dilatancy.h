@@ -21,7 +21,8 @@ namespace Voussoir
  * move the blocks, that a greater factor has no other state, or that a smaller
  * one has any. LoadFactor::trials says which factors were tried.
  *
- * @param dead the scene with the dead loads, with a coefficient of friction.
+ * @param dead the scene with the dead loads, with a coefficient of friction, in
+ *   the plane or in space.
  * @param live the same scene with the live loads instead.
  * @param formulation selects the states.
  * @param controls of both methods.
@@ -33,9 +34,10 @@ namespace Voussoir
  * @throws InputError, SolverError as find_load_factor() does, or if there is no
  *   state at all.
  */
-LoadFactorAnswer
-find_factor_without_dilatancy(const Scene &dead,
-                              const Scene &live,
+template <typename SceneOf>
+FactorAnswerOf<SceneOf>
+find_factor_without_dilatancy(const SceneOf &dead,
+                              const SceneOf &live,
                               const CoulombState &formulation,
                               const SolverControls &controls,
                               const LoadFactorControls &factor_controls,

@@ -122,6 +122,8 @@ public:
   const DiscreteProblem &of() const { return problem; }
   /** Of each row of each joint of the structure, from those of these rows. */
   std::vector<double> forces_of(const std::vector<double> &x) const;
+  /** In space: the x of these forces. */
+  std::vector<double> rows_of(const std::vector<double> &forces) const;
   /**
    * Add @p factor times the coefficients of row @p r of joint @p e of the
    * structure, as a linear function of x, to @p c; see forces_of().

@@ -11,29 +11,16 @@
 namespace Voussoir
 {
 /**
- * The distance from a limit, as in equilibrate(), that no change of strengths
- * uses up where they are nearly their own.
- */
-inline constexpr double slack_beside_changes = 1e-3;
-
-/**
- * The strengths c_e |e| + mu_e p_e that @p forces (of each row of each joint)
- * give to the joints, nondimensional; tension takes from cohesion.
- */
-std::vector<double> limits_of_coulomb(const DiscreteProblem &problem,
-                                      const std::vector<double> &forces);
-
-/**
  * The fixed point
  *
  *     s_e |e|  <-  c_e |e| + mu_e p_e
  *
- * of the strengths of Tresca's friction, with the compression p_e of the state
- * that a formulation selects with them, accelerated by Anderson: Coulomb's
- * friction without dilatancy, where blocks slide along their joints and do not
- * lift. There may be none, or several: the limits depend on the state itself,
- * and no theorem of limit analysis holds. It starts from joints that do not
- * slide.
+ * of the strengths of Tresca's friction (in space of each pressure and disc,
+ * see limits_of_coulomb()), with the compression p_e of the state that a
+ * formulation selects with them, accelerated by Anderson: Coulomb's friction
+ * without dilatancy, where blocks slide along their joints and do not lift.
+ * There may be none, or several: the limits depend on the state itself, and no
+ * theorem of limit analysis holds. It starts from joints that do not slide.
  */
 class CoulombState : public Formulation
 {

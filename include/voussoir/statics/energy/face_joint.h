@@ -8,12 +8,6 @@
 namespace Voussoir
 {
 /**
- * The part of the stiffness along a joint in space that each of its two kinds
- * of sets has: all of it, or half where cones of friction and discs share it.
- */
-double tangential_part(const DiscreteProblem &problem, unsigned int e);
-
-/**
  * The law of elastic joints in space that open, slide and bear tension, by the
  * sets of their rows: the stiffness k_e = |e| / d_e has each by its share, and
  * the force is the nearest one that the set admits, in the energy, to that of a

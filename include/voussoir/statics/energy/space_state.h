@@ -3,6 +3,7 @@
 #define voussoir_statics_energy_space_state_h
 
 #include <voussoir/algebra/linear/joint_system.h>
+#include <voussoir/statics/problem/formulation.h>
 #include <voussoir/statics/problem/solution.h>
 #include <voussoir/statics/problem/solver_controls.h>
 #include <voussoir/terminal/terminal.h>
@@ -23,6 +24,32 @@ Solution find_space_state(const DiscreteProblem &problem,
                           const SolverControls &controls,
                           LinearSolver linear_solver,
                           Terminal &terminal);
+
+/** The formulation that selects this state. */
+class LeastEnergyInSpace : public Formulation
+{
+public:
+  std::string name() const override { return "least energy"; }
+  std::string meaning() const override
+  {
+    return "least energy of elastic joints, by Newton's method and an interior "
+           "point.";
+  }
+  std::string selection() const override
+  {
+    return "the state of least energy of elastic joints";
+  }
+  /** The linear solver of Newton's method. */
+  LinearSolver linear_solver = LinearSolver::automatic;
+
+private:
+  Solution select(const DiscreteProblem &problem,
+                  const SolverControls &controls,
+                  Terminal &terminal) const override
+  {
+    return find_space_state(problem, controls, linear_solver, terminal);
+  }
+};
 } // namespace Voussoir
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef voussoir_statics_paper_smoothed_joint_h
 #define voussoir_statics_paper_smoothed_joint_h
 
-#include <voussoir/algebra/joint_law.h>
+#include <voussoir/statics/paper/joint_energy_program.h>
 #include <voussoir/statics/problem/discrete_problem.h>
 
 namespace Voussoir
@@ -29,14 +29,13 @@ enum class Contact
  * s_e |e| x / sqrt(x^2 + eps_e^2) never exceeds the strength. All
  * nondimensional.
  */
-class SmoothedJoint : public JointLaw
+class SmoothedJoint : public EnergyLaw
 {
 public:
   /** @param problem has the joints; it must outlive this object. */
   SmoothedJoint(const DiscreteProblem &problem, Contact contact);
 
-  /** The energy of joint @p e. */
-  double energy(unsigned int e, const double *jumps) const;
+  double energy(unsigned int e, const double *jumps) const override;
   void find_forces(unsigned int e,
                    const double *jumps,
                    double *forces) const override;

@@ -129,14 +129,18 @@ public:
         f(r, 1. / n_contacts(e));
       return;
     }
-    const double *share = shares(e);
-    for_each_set(
-        e, [&](const unsigned int size, const unsigned int row, unsigned int) {
-          if (size != 2)
-            f(row, *share);
-          ++share;
-        });
+    for_each_face_set(e, [&](const FaceSet &set) {
+      if (set.size != 2)
+        f(set.row, set.share);
+    });
   }
+
+  /**
+   * The part of the stiffness along joint @p e in space that each of its two
+   * kinds of sets has: all of it, or half where cones of friction and discs
+   * share it.
+   */
+  double tangential_part(unsigned int e) const;
 
   /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
@@ -151,8 +155,9 @@ public:
   void hold_bodies(std::vector<double> &u) const;
 
   /**
-   * This problem with Tresca's friction, |f_e^t| at most @p limits, one for
-   * each joint, nondimensional.
+   * This problem with Tresca's friction, |f_e^t| at most @p limits,
+   * nondimensional: one for each joint; in space one for each set with
+   * friction, which a set of three rows then leaves to a disc of its own.
    */
   DiscreteProblem with_tresca(const std::vector<double> &limits) const;
 
@@ -185,6 +190,7 @@ public:
   double rounding_of_coordinates() const { return coordinate_rounding; }
 
 private:
+  DiscreteProblem with_discs(const std::vector<double> &strengths) const;
   void balance_loads();
   /** The rigid motion of a connected group. */
   struct RigidMotion

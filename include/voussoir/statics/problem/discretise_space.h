@@ -53,6 +53,11 @@ SpaceMotion dimensional_motion(const DiscreteProblem &problem,
 FaceForces dimensional_forces(const DiscreteProblem &problem,
                               const SpaceScene &scene,
                               const Solution &solution);
+
+/** Forces of each row, as in Solution::forces, of those of the user. */
+std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
+                                          const SpaceScene &scene,
+                                          const FaceForces &forces);
 } // namespace Voussoir
 
 #endif
