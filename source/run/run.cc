@@ -65,7 +65,8 @@ void Run::read(const ParameterSources &sources)
                     "2: the blocks are polygons in the plane. 3: they are "
                     "polyhedra in space, with parameters of their own, which "
                     "'voussoir --print-parameters --set Dimension=3' lists; "
-                    "its states and load factors are found as in the plane.");
+                    "its states, load factors and ranges are found as in the "
+                    "plane.");
   declare(load_cases_in(inputs, sources));
   assigned.watch(prm);
   for (const ParameterInput &input : inputs)
