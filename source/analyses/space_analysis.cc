@@ -124,7 +124,7 @@ void keep_factor(SpaceAnswer &answer,
 {
   answer.summary["load_factor"] = json_of_proofs(found);
   answer.summary["load_factor"]["meaning"] = words_of_proofs(found);
-  answer.summary["iterations"] = found.n_iterations;
+  answer.summary["solver"] = {{"iterations", found.n_iterations}};
   terminal.stage("Load factor", words_of_proofs(found));
   answer.forces = std::move(found.forces);
   answer.motion = std::move(found.mechanism);
@@ -234,7 +234,7 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
       {"selection", solution.selection.empty()
                         ? "the state of least energy of elastic joints"
                         : solution.selection},
-      {"iterations", solution.n_iterations}};
+      {"solver", {{"iterations", solution.n_iterations}}}};
   terminal.stage("Statics", text(answer.status.description(), " after ",
                                  counted(solution.n_iterations, "iteration")));
   return answer;
