@@ -2,9 +2,12 @@
 #include <voussoir/base/text.h>
 #include <voussoir/python/arrays.h>
 
+#include <cstdint>
 #include <map>
 #include <pybind11/stl.h>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace Voussoir
 {

@@ -159,10 +159,10 @@ void add_scene_class(py::module_ &module)
   py::class_<PyScene>(
       module, "Scene",
       "A packing with its supports, loads and strengths: a SceneInPlane or, "
-      "with 'Dimension' = 3 or polyhedra, a SceneInSpace. The packing is made "
-      "when it is first needed, and again only if an entry that it is made "
-      "from is changed: 'Rotations' in the plane, or one of 'Packing' or "
-      "'Supports'.")
+      "with 'Dimension' = 3 or polyhedra, a SceneInSpace, which both have "
+      "solve(). The packing is made when it is first needed, and again only if "
+      "an entry that it is made from is changed: 'Rotations' in the plane, or "
+      "one of 'Packing' or 'Supports'.")
       .def_static(
           "__new__", &new_scene, py::arg("type"), py::arg("file") = py::none(),
           py::kw_only(), py::arg("text") = "", py::arg("polygons") = py::list(),
