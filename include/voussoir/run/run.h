@@ -71,7 +71,8 @@ public:
    * Declare all parameters, with the load cases that the sources name, and read
    * them; to be called once.
    *
-   * @throws InputError as ParameterInput and assign() do.
+   * @throws InputError as ParameterInput and assign() do; that of make_run() is
+   *   of the right kind.
    */
   void read(const ParameterSources &sources);
   /**
