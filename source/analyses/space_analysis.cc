@@ -55,7 +55,7 @@ void keep_factor(SpaceAnswer &answer,
                  Terminal &terminal)
 {
   answer.summary["load_factor"] = json_of(found);
-  answer.summary["iterations"] = found.n_iterations;
+  answer.summary["solver"] = {{"iterations", found.n_iterations}};
   terminal.stage("Load factor", description_of(found));
   answer.forces = std::move(found.forces);
   answer.motion = std::move(found.mechanism);
@@ -202,9 +202,9 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
                     {"selection", solution.selection.empty()
                                       ? formulation.selection()
                                       : solution.selection},
-                    {"iterations", solution.n_iterations}};
+                    {"solver", {{"iterations", solution.n_iterations}}}};
   if (solution.passes.n > 0)
-    answer.summary["passes"] = {{"number", solution.passes.n},
+    answer.summary["solver"]["passes"] = {{"number", solution.passes.n},
                                 {"rate", solution.passes.rate}};
   terminal.stage("Statics", text(answer.status.description(), " after ",
                                  counted(solution.n_iterations, "iteration")));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/output/summary/summary.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/scene/proofs/reactions.h>
@@ -28,7 +29,7 @@ void AnalysisRun::declare(const std::set<std::string> &load_cases)
 
 std::shared_ptr<const Packing<2>>
 AnalysisRun::shared_packing(const std::filesystem::path &directory,
-                            SharedPackings &packings) const
+                            SharedPackings<Packing<2>> &packings) const
 {
   return packings.get(
       SceneParameters::packing_key(tree()),
@@ -44,19 +45,37 @@ void AnalysisRun::validate(const std::filesystem::path &directory) const
   terminal.stage("Valid", "nothing was solved, and nothing written");
 }
 
-std::string AnalysisRun::carry_out(const std::filesystem::path &directory)
+RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
+                                  const bool writes,
+                                  PackingsOfRuns *const packings)
 {
-  return run(directory, true).message;
-}
-
-RunOutcome AnalysisRun::run(const std::filesystem::path &directory,
-                            const bool writes,
-                            SharedPackings *const packings)
-{
-  timer.reset(); // what an exception in a run before has left
   warn_of_unused();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
+  RunResult result =
+      find(directory, files.get(), packings ? &packings->in_plane : nullptr);
+  RunOutcome outcome;
+  outcome.status = result.status();
+  if (files)
+    outcome.message = std::visit(
+        [&](auto &of) { return writer.write(*files, of, prm); }, result.found);
+  outcome.summary =
+      std::visit([](const auto &of) { return summary_of(of); }, result.found);
+  return outcome;
+}
+
+RunResult AnalysisRun::answer(const std::filesystem::path &directory,
+                              SharedPackings<Packing<2>> &packings)
+{
+  warn_of_unused();
+  return find(directory, nullptr, &packings);
+}
+
+RunResult AnalysisRun::find(const std::filesystem::path &directory,
+                            ResultDirectory *const files,
+                            SharedPackings<Packing<2>> *const packings)
+{
+  timer.reset(); // what an exception in a run before has left
   std::optional<EarlierRun> earlier = analysis.earlier_run();
   if (processes.size() > 1)
     terminal.stage("Processes", std::to_string(processes.size()));
@@ -65,17 +84,12 @@ RunOutcome AnalysisRun::run(const std::filesystem::path &directory,
   terminal.begin("Packing");
   SceneData data =
       analysis.data(packings ? *shared_packing(directory, *packings)
-                             : read_packing(directory, files.get()));
+                             : read_packing(directory, files));
   timer.leave_subsection();
-  RunOutcome outcome = {analysis.answer(std::move(data), std::move(earlier)),
-                        {}};
-  auto &found = outcome.result.found;
-  if (auto *const carried = std::get_if<Results>(&found))
+  RunResult result = analysis.answer(std::move(data), std::move(earlier));
+  if (auto *const carried = std::get_if<Results>(&result.found))
     carried->reactions = reactions(carried->scene, carried->forces);
-  if (files)
-    outcome.message = std::visit(
-        [&](auto &of) { return writer.write(*files, of, prm); }, found);
-  return outcome;
+  return result;
 }
 
 std::unique_ptr<ResultDirectory>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/run/run.h>
 #include <voussoir/run/unused_settings.h>
@@ -14,19 +13,6 @@ namespace Voussoir
 {
 namespace
 {
-const std::string dimension_entry = "Dimension";
-
-/** What is written in files and texts. */
-std::vector<ParameterInput> inputs_of(const ParameterSources &sources)
-{
-  std::vector<ParameterInput> inputs;
-  if (sources.file)
-    inputs.emplace_back(*sources.file);
-  if (!sources.text.empty())
-    inputs.emplace_back(sources.text, "the text");
-  return inputs;
-}
-
 /** The load cases of the sources. */
 std::set<std::string> load_cases_in(const std::vector<ParameterInput> &inputs,
                                     const ParameterSources &sources)
@@ -44,23 +30,19 @@ std::set<std::string> load_cases_in(const std::vector<ParameterInput> &inputs,
 }
 } // namespace
 
-unsigned int dimension_of(const ParameterSources &sources)
+std::vector<ParameterInput> ParameterSources::inputs() const
 {
-  std::string value;
-  for (const ParameterInput &input : inputs_of(sources))
-    value = input.value_of(dimension_entry).value_or(value);
-  for (const std::string &text : sources.assignments)
-  {
-    const Assignment assignment = assignment_of_text(text);
-    if (assignment.to.section.empty() && assignment.to.entry == dimension_entry)
-      value = assignment.value;
-  }
-  return value == "3" ? 3 : 2;
+  std::vector<ParameterInput> inputs;
+  if (file)
+    inputs.emplace_back(*file);
+  if (!text.empty())
+    inputs.emplace_back(text, "the text");
+  return inputs;
 }
 
 void Run::read(const ParameterSources &sources)
 {
-  const std::vector<ParameterInput> inputs = inputs_of(sources);
+  const std::vector<ParameterInput> inputs = sources.inputs();
   prm.declare_entry(dimension_entry, "2", dealii::Patterns::Integer(2, 3),
                     "2: the blocks are polygons in the plane. 3: they are "
                     "polyhedra in space, with parameters of their own, which "
@@ -74,16 +56,25 @@ void Run::read(const ParameterSources &sources)
       assigned.forget_unchanged();
   for (const std::string &assignment : sources.assignments)
     assign_parameter(prm, assignment);
-  if (prm.get_integer(dimension_entry) != dimension())
-    throw InputError("'Dimension' is " + prm.get(dimension_entry) +
-                     ": blocks in space are for 'voussoir FILE.prm' alone; "
-                     "--sweep, --find and Python are for packings in the "
-                     "plane.");
+  check_dimension();
 }
 
 void Run::assign(const std::string &assignment)
 {
   assign_parameter(prm, assignment);
+  check_dimension();
+}
+
+void Run::check_dimension()
+{
+  const std::string own = std::to_string(dimension());
+  const std::string value = prm.get(dimension_entry);
+  if (prm.get_integer(dimension_entry) == dimension())
+    return;
+  prm.set(dimension_entry, own);
+  throw InputError("'Dimension' is " + value +
+                   ", and this scene has been made with " + own +
+                   "; make another one for it.");
 }
 
 void Run::print(std::ostream &out,

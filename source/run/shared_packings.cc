@@ -7,10 +7,11 @@
 
 namespace Voussoir
 {
-std::shared_ptr<const Packing<2>>
-SharedPackings::get(const std::string &key,
-                    const std::function<Packing<2>()> &make,
-                    Terminal &terminal)
+template <typename Kind>
+std::shared_ptr<const Kind>
+SharedPackings<Kind>::get(const std::string &key,
+                          const std::function<Kind()> &make,
+                          Terminal &terminal)
 {
   const auto has_key = [&key](const Kept &one) { return one.key == key; };
   std::promise<Made> promise;
@@ -37,7 +38,7 @@ SharedPackings::get(const std::string &key,
   try
   {
     const std::size_t n_before = terminal.warnings().size();
-    auto packing = std::make_shared<const Packing<2>>(make());
+    auto packing = std::make_shared<const Kind>(make());
     promise.set_value(
         {std::move(packing),
          {terminal.warnings().begin() + n_before, terminal.warnings().end()}});
@@ -51,4 +52,7 @@ SharedPackings::get(const std::string &key,
   }
   return made.get().packing;
 }
+
+template class SharedPackings<Packing<2>>;
+template class SharedPackings<CheckedPacking>;
 } // namespace Voussoir

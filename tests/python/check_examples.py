@@ -17,7 +17,7 @@ def expect(what, condition):
 def main():
     page = open(f"{SOURCE}/doc/python.md").read()
     examples = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-    expect("number of examples", len(examples) == 7)
+    expect("number of examples", len(examples) == 9)
     # They name files of the project.
     if not os.path.exists("prm"):
         os.symlink(f"{SOURCE}/prm", "prm")

@@ -2,33 +2,40 @@
 #ifndef voussoir_python_arrays_h
 #define voussoir_python_arrays_h
 
+#include <voussoir/packing/packing.h>
 #include <voussoir/packing/polygons/polygon_list.h>
+#include <voussoir/packing/polyhedra/models/block_mesh.h>
+#include <voussoir/packing/polyhedra/packing.h>
 
 #include <pybind11/numpy.h>
 #include <vector>
 
 namespace Voussoir
 {
-/** The polygons given as arrays of their corners, of shape (n, 2). */
-inline PolygonList
-list_of(const std::vector<pybind11::array_t<double>> &polygons)
-{
-  PolygonList list;
-  list.file = "the arrays";
-  list.record_name = "polygon";
-  for (const auto &corners : polygons)
-  {
-    if (corners.ndim() != 2 || corners.shape(1) != 2)
-      throw pybind11::value_error("Each polygon is an array of shape (n, 2), "
-                                  "with the x and y of its corners.");
-    list.polygons.emplace_back();
-    PolygonList::Polygon &polygon = list.polygons.back();
-    polygon.record = list.polygons.size();
-    for (pybind11::ssize_t i = 0; i < corners.shape(0); ++i)
-      polygon.ring.emplace_back(corners.at(i, 0), corners.at(i, 1));
-  }
-  return list;
-}
+/**
+ * The polygons given as arrays of their corners, of shape (n, 2).
+ *
+ * @throws pybind11::value_error on another shape.
+ */
+PolygonList list_of(const std::vector<pybind11::array_t<double>> &polygons);
+
+/**
+ * The polyhedra given as pairs: an array of vertices, of shape (n, 3), and the
+ * faces as sequences of the numbers of vertices.
+ *
+ * @throws pybind11::value_error on anything else, with the number of the first.
+ */
+BlockMeshes meshes_of(const pybind11::sequence &polyhedra);
+
+/** The corners of each cell of a packing. */
+std::vector<pybind11::array_t<double>> polygons_of(const Packing<2> &packing);
+
+/** The polyhedra of a packing, as meshes_of() takes them. */
+pybind11::list polyhedra_of(const Packing<3> &packing);
+
+/** The vertices of each interface of a packing. */
+std::vector<pybind11::array_t<double>>
+interface_polygons_of(const Packing<3> &packing);
 } // namespace Voussoir
 
 #endif

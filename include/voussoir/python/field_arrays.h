@@ -20,7 +20,7 @@ pybind11::array_t<double> view_of(const BoundField &field,
 
 /**
  * The values of @p field of @p n elements: a list of texts, or an array, of
- * integers, marks or real numbers, of shape (n), (n, 2) or (n, 2, 2).
+ * integers, marks or real numbers, of shape (n), (n, 2), (n, 3) or (n, 2, 2).
  */
 pybind11::object copy_of(const BoundField &field, std::size_t n);
 
@@ -30,7 +30,7 @@ pybind11::object copy_of(const BoundField &field, std::size_t n);
  * @param get the data of the table as a std::shared_ptr that keeps them, given
  *   an object and the name of what they are needed for; it throws where there
  *   are none.
- * @param n the number of elements of a packing.
+ * @param n the number of elements, given the data.
  */
 template <typename Class, typename Data, typename Get, typename Number>
 void add_fields(Class &of,
@@ -55,7 +55,7 @@ void add_fields(Class &of,
           const BoundField bound = field.bound(*data);
           if (bound.memory.stride > 0)
             return view_of(bound, data);
-          return copy_of(bound, n(part_of<Packing<2>>(*data)));
+          return copy_of(bound, n(*data));
         },
         help_on(field).c_str());
   }

@@ -2,67 +2,62 @@
 #ifndef voussoir_python_scene_h
 #define voussoir_python_scene_h
 
-#include <voussoir/output/fields/moving_scene.h>
-#include <voussoir/run/analysis_run.h>
+#include <voussoir/run/run.h>
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <pybind11/numpy.h>
+#include <pybind11/pytypes.h>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
 {
-/** What was found, with the packing and the scene that it belongs to. */
+/** What was found, as far as that is the same in the plane and in space. */
 class PyResults
 {
 public:
-  /** @param warnings what the program would print. */
-  PyResults(RunResult found, std::vector<std::string> warnings);
-
-  /** The packing of the scene; the pointer keeps all that was found. */
-  std::shared_ptr<const Packing<2>> packing() const
-  {
-    return {findings, &findings->scene->packing};
-  }
-  /**
-   * The state that carries the loads, which @p what needs; the pointer keeps
-   * it.
-   *
-   * @throws pybind11::attribute_error if there is none.
-   */
-  std::shared_ptr<const Results> state(const std::string &what) const;
-  /** The scene with its displacements, or the mechanism, kept likewise. */
-  std::shared_ptr<const MovingScene> moving() const;
+  virtual ~PyResults() = default;
   /** summary.json, without what belongs to the files. */
   pybind11::object summary() const;
-  /** "solved", "carried to within" or "collapse". */
-  std::string status() const { return findings->status().word(); }
+  /** The status in that, such as "solved". */
+  virtual std::string status() const { return json().at("status"); }
 
   std::vector<std::string> warnings; /**< what the program would print */
 
-private:
-  const Motion &motion() const;
-
-  std::shared_ptr<RunResult> findings;
+protected:
+  /** @param warnings what the program would print. */
+  explicit PyResults(std::vector<std::string> warnings)
+      : warnings(std::move(warnings))
+  {}
+  /** The summary. */
+  virtual nlohmann::ordered_json json() const = 0;
 };
 
-/** A scene with its parameters, of which the packing is kept. */
+/** What a scene is made from, beside its blocks. */
+struct PySources
+{
+  std::optional<std::filesystem::path> file; /**< of parameters, if any */
+  std::string text;                          /**< lines of a .prm file */
+  pybind11::dict settings; /**< by their names, as in "Friction/Strength" */
+
+  /** As a run reads them, behind the @p assignments that the blocks need. */
+  ParameterSources with(std::vector<std::string> assignments) const;
+};
+
+/** A scene, as far as it is the same in the plane and in space. */
 class PyScene
 {
 public:
-  /**
-   * @param given a file of parameters, if there is one.
-   * @param text lines as in a .prm file, or empty.
-   * @param polygons the corners of each block, arrays of shape (n, 2).
-   * @param settings by their names, as in "Friction/Strength".
-   */
-  PyScene(const std::optional<std::filesystem::path> &given,
-          const std::string &text,
-          const std::vector<pybind11::array_t<double>> &polygons,
-          const pybind11::dict &settings);
+  virtual ~PyScene() = default;
+  /** @{ */
+  /** Not copied: a run has a reference to the terminal. */
+  PyScene(const PyScene &) = delete;
+  PyScene &operator=(const PyScene &) = delete;
+  /** @} */
 
   /** Change an entry. */
   void set(const std::string &name, const pybind11::handle &value);
@@ -72,17 +67,24 @@ public:
    * @throws pybind11::key_error if there is none of that name.
    */
   std::string get(const std::string &name) const;
-  /** The packing, made anew if what it is made from has changed. */
-  std::shared_ptr<const Packing<2>> get_packing();
-  /** Find what the parameters ask for. */
-  PyResults solve();
+
+protected:
+  /** One whose relative paths begin where the file of @p sources is. */
+  explicit PyScene(const PySources &sources);
+  /** The warnings on what was done since the last call. */
+  std::vector<std::string> take_warnings();
+  /** @{ */
+  /** The run that has the parameters. */
+  virtual Run &parameters() = 0;
+  virtual const Run &parameters() const = 0;
+  /** @} */
 
 private:
   std::ostringstream output;
-  Terminal terminal;
-  AnalysisRun run;
-  std::filesystem::path directory = ".";
-  SharedPackings packings;
+
+protected:
+  Terminal terminal;               /**< of the run */
+  std::filesystem::path directory; /**< where paths begin */
 };
 } // namespace Voussoir
 

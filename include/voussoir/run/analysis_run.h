@@ -6,7 +6,6 @@
 #include <voussoir/run/result_writer.h>
 #include <voussoir/run/run.h>
 #include <voussoir/run/scene_analysis.h>
-#include <voussoir/run/shared_packings.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/timer.h>
@@ -14,23 +13,11 @@
 #include <filesystem>
 #include <memory>
 #include <set>
-#include <string>
 #include <utility>
+#include <vector>
 
 namespace Voussoir
 {
-/** What a run ends with that has found an answer. */
-struct RunOutcome
-{
-  /** The answer. */
-  RunResult result;
-  /**
-   * If the load is not carried and the files are written: by what, and which of
-   * them show it. Empty otherwise.
-   */
-  std::string message;
-};
-
 /**
  * A run in the plane: packing, analysis, stress, output. The program has one, a
  * sweep one for each of its runs, and a scene of Python's one that it runs
@@ -49,16 +36,20 @@ public:
   /** Take polygons as the packing; see PackingParameters::give(). */
   void give(PolygonList polygons) { analysis.give(std::move(polygons)); }
 
-  /** What the terminal is to show; 0 to 2. */
+  unsigned int dimension() const override { return 2; }
   unsigned int verbosity() const override { return writer.verbosity(); }
-
-  /** @{ */
-  /** @param directory that of the file of parameters, where paths begin. */
-  /** Files that the scene is read from. */
-  auto input_files(const std::filesystem::path &directory) const
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const override
   {
     return analysis.input_files(directory);
   }
+  void validate(const std::filesystem::path &directory) const override;
+  RunOutcome carry_out(const std::filesystem::path &directory,
+                       bool writes,
+                       PackingsOfRuns *packings = nullptr) override;
+
+  /** @{ */
+  /** @param directory that of the file of parameters, where paths begin. */
   /**
    * The packing with its supports, from those that are shared if they have it.
    *
@@ -66,32 +57,29 @@ public:
    */
   std::shared_ptr<const Packing<2>>
   shared_packing(const std::filesystem::path &directory,
-                 SharedPackings &packings) const;
+                 SharedPackings<Packing<2>> &packings) const;
   /**
-   * Read the scene and show what was understood; nothing is solved, and nothing
-   * written.
+   * Answer the question of the parameters, and write nothing.
    *
-   * @throws InputError.
-   */
-  void validate(const std::filesystem::path &directory) const override;
-  /**
-   * Answer the question of the parameters.
-   *
-   * @param writes whether the results are written, with the parameters beside
-   *   them.
-   * @param packings that are shared with other runs, if there are any.
    * @throws InputError, SolverError.
    */
-  RunOutcome run(const std::filesystem::path &directory,
-                 bool writes,
-                 SharedPackings *packings = nullptr);
-  std::string carry_out(const std::filesystem::path &directory) override;
+  RunResult answer(const std::filesystem::path &directory,
+                   SharedPackings<Packing<2>> &packings);
   /** @} */
 
 protected:
   void declare(const std::set<std::string> &load_cases) override;
 
 private:
+  /**
+   * Answer the question.
+   *
+   * @param files for what shows the faults of a drawing, or null.
+   * @param packings that are shared, or null.
+   */
+  RunResult find(const std::filesystem::path &directory,
+                 ResultDirectory *files,
+                 SharedPackings<Packing<2>> *packings);
   /** Where results go, with the files protected that the scene is read from. */
   std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
   /**

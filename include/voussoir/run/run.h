@@ -2,8 +2,11 @@
 #ifndef voussoir_run_run_h
 #define voussoir_run_run_h
 
+#include <voussoir/analyses/state/status.h>
 #include <voussoir/base/parameters/assigned_entries.h>
+#include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/print_parameters.h>
+#include <voussoir/run/shared_packings.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -19,6 +22,9 @@
 
 namespace Voussoir
 {
+/** The name of the entry that says what kind of run it is. */
+inline const std::string dimension_entry = "Dimension";
+
 /** The places that the parameters of a run are written in, in their order. */
 struct ParameterSources
 {
@@ -28,17 +34,29 @@ struct ParameterSources
   std::string text = {};
   /** Assignments as in --set. */
   std::vector<std::string> assignments = {};
+
+  /** The file and the text, as they are written. */
+  std::vector<ParameterInput> inputs() const;
+};
+
+/** What a run ends with that has found an answer. */
+struct RunOutcome
+{
+  /** What it says of the loads; none if nothing but a packing was made. */
+  std::optional<Status> status;
+  /** What summary.json has, without what belongs to the output. */
+  nlohmann::ordered_json summary;
+  /**
+   * If the load is not carried and the files are written: by what, and which of
+   * them show it. Empty otherwise.
+   */
+  std::string message;
 };
 
 /**
- * The entry `Dimension` as the sources have it, 2 or 3; 2 if it is not there,
- * or is neither, which reading them refuses.
- *
- * @throws InputError as ParameterInput does.
+ * One run, from the parameters to the files, in the plane or in space: see
+ * make_run().
  */
-unsigned int dimension_of(const ParameterSources &sources);
-
-/** One run, from the parameters to the files. */
 class Run
 {
 public:
@@ -53,14 +71,15 @@ public:
    * Declare all parameters, with the load cases that the sources name, and read
    * them; to be called once.
    *
-   * @throws InputError as ParameterInput and assign() do, or if `Dimension` is
-   *   that of another kind of run.
+   * @throws InputError as ParameterInput and assign() do; that of make_run() is
+   *   of the right kind.
    */
   void read(const ParameterSources &sources);
   /**
    * Carry out one more assignment "Section/Name=value".
    *
-   * @throws InputError as assign_parameter() does.
+   * @throws InputError as assign_parameter() does, or if it changes `Dimension`
+   *   to that of another kind of run.
    */
   void assign(const std::string &assignment);
 
@@ -80,9 +99,16 @@ public:
              Detail detail);
 
   /** The value of `Dimension` that this is for. */
-  virtual unsigned int dimension() const { return 2; }
+  virtual unsigned int dimension() const = 0;
   /** What the terminal is to show; 0 to 2. */
   virtual unsigned int verbosity() const = 0;
+  /**
+   * Files that the scene is read from.
+   *
+   * @param directory that of the file of parameters, where paths begin.
+   */
+  virtual std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const = 0;
   /**
    * Show what was understood; nothing is solved, and nothing written.
    *
@@ -91,14 +117,17 @@ public:
    */
   virtual void validate(const std::filesystem::path &directory) const = 0;
   /**
-   * Do what the parameters ask for, and write the results.
+   * Do what the parameters ask for.
    *
    * @param directory that of the file of parameters, where paths begin.
-   * @return if the load is not carried by what, and which files show it; else
-   *   nothing.
+   * @param writes whether the results are written, with the parameters beside
+   *   them.
+   * @param packings that are shared with other runs, if there are any.
    * @throws InputError, SolverError.
    */
-  virtual std::string carry_out(const std::filesystem::path &directory) = 0;
+  virtual RunOutcome carry_out(const std::filesystem::path &directory,
+                               bool writes,
+                               PackingsOfRuns *packings = nullptr) = 0;
 
 protected:
   /** @param terminal sees what the run notices. */
@@ -114,6 +143,9 @@ protected:
   dealii::ParameterHandler prm;
 
 private:
+  /** @throws InputError if `Dimension` is not dimension(), as it is then. */
+  void check_dimension();
+
   AssignedEntries assigned;
 };
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 #define voussoir_run_shared_packings_h
 
 #include <voussoir/packing/packing.h>
+#include <voussoir/run/checked_packing.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <cstddef>
@@ -19,7 +20,10 @@ namespace Voussoir
 /**
  * Packings that runs share, in any number of threads: each is made once, and
  * kept under a key, the values that it is made from, with the warnings on it.
+ *
+ * @tparam Kind Packing<2>, or CheckedPacking in space.
  */
+template <typename Kind>
 class SharedPackings
 {
 public:
@@ -34,15 +38,15 @@ public:
    *   if another run has made it.
    * @throws InputError if it cannot be made.
    */
-  std::shared_ptr<const Packing<2>> get(const std::string &key,
-                                        const std::function<Packing<2>()> &make,
-                                        Terminal &terminal);
+  std::shared_ptr<const Kind> get(const std::string &key,
+                                  const std::function<Kind()> &make,
+                                  Terminal &terminal);
 
 private:
   /** A packing, and what was noticed when it was made. */
   struct Made
   {
-    std::shared_ptr<const Packing<2>> packing;
+    std::shared_ptr<const Kind> packing;
     std::vector<std::string> warnings;
   };
   /** One that is there, or that another thread makes. */
@@ -56,6 +60,18 @@ private:
   std::mutex of_list;
   /** The one that was used last is the first. */
   std::list<Kept> kept;
+};
+
+/** The packings of runs of which some may be in the plane, some in space. */
+struct PackingsOfRuns
+{
+  /** @param n_most see SharedPackings; of each dimension. */
+  explicit PackingsOfRuns(const std::size_t n_most)
+      : in_plane(n_most), in_space(n_most)
+  {}
+
+  SharedPackings<Packing<2>> in_plane;     /**< of runs in the plane */
+  SharedPackings<CheckedPacking> in_space; /**< of runs in space */
 };
 } // namespace Voussoir
 

@@ -42,89 +42,130 @@ places_and_normals(const std::vector<Surface> &(InSpace::*const list)() const,
       Field<InSpace>("area", "L^2", "the area " + what, member(&Surface::area))
           .with_attribute("areas")};
 }
+
+int number_of(const InSpace &, const unsigned int c)
+{
+  return int(c);
+}
+
+const dealii::Point<3> &centre_of(const InSpace &p, const unsigned int c)
+{
+  return p.centre(c);
+}
+
+double volume_of(const InSpace &p, const unsigned int c)
+{
+  return p.volume(c);
+}
+
+int n_faces_of(const InSpace &p, const unsigned int c)
+{
+  const auto &first = p.polyhedra().first_face;
+  return int(first[c + 1] - first[c]);
+}
+
+bool is_fixed(const InSpace &p, const unsigned int c)
+{
+  return c >= p.ground();
+}
+
+int group_of(const InSpace &p, const unsigned int c)
+{
+  return int(p.group(c));
+}
+
+const std::vector<std::string> &names_of_groups(const InSpace &p)
+{
+  return p.group_names();
+}
+
+int cell_minus_of(const InSpace &p, const unsigned int e)
+{
+  return int(p.interfaces()[e].cell_minus);
+}
+
+int cell_plus_of(const InSpace &p, const unsigned int e)
+{
+  const InSpace::Interface &i = p.interfaces()[e];
+  return i.cell_plus != p.ground()       ? int(i.cell_plus)
+         : i.fixed_cell != invalid_index ? int(i.fixed_cell)
+                                         : -1;
+}
+
+bool is_support(const InSpace &p, const unsigned int e)
+{
+  return p.interfaces()[e].cell_plus == p.ground();
+}
+
+double distance_of(const InSpace &p, const unsigned int e)
+{
+  return p.distance(p.interfaces()[e]);
+}
+
+/** What the polyhedra of a packing have. */
+Fields<InSpace> polyhedra()
+{
+  return {Field<InSpace>("cell", "", "the number of the cell", number_of)
+              .with_columns({"id"})
+              .with_attribute(""),
+          vector_in_columns({"centre", "L", "its centre", centre_of},
+                            place_columns, "centres")
+              .only_in_table(),
+          Field<InSpace>("volume", "L^3", "its volume", volume_of)
+              .with_attribute("volumes"),
+          Field<InSpace>("faces", "", "the number of its faces", n_faces_of),
+          Field<InSpace>("fixed", "",
+                         "1 if it does not move, as a part of the ground",
+                         is_fixed),
+          Field<InSpace>("group", "", "the name of the cell's group", group_of)
+              .numbering(names_of_groups)
+              .with_attribute("groups")
+              .saying_in_grid(
+                  "its number in the list in `summary.json`, from 0; that of "
+                  "the ground is the next")};
+}
+
+/** What the interfaces of a packing have. */
+Fields<InSpace> face_interfaces()
+{
+  const std::string cells =
+      "the cells c- and c+; -1 is the ground without a shape";
+  return together<InSpace>(
+      {{{"cell_minus", "", cells, cell_minus_of},
+        {"cell_plus", "", cells, cell_plus_of},
+        {"support", "", "1 if it is a support", is_support}},
+       places_and_normals(&InSpace::interfaces, "x_e of the polygon",
+                          "n_e, from c- to c+"),
+       {{"distance", "L", "d_e, of the centres along n_e", distance_of}}});
+}
 } // namespace
 
 const FieldTable<SpaceAnswer> &polyhedron_fields()
 {
-  static const FieldTable<SpaceAnswer> table(
-      "cell group volume faces fixed",
-      Fields<InSpace>{
-          Field<InSpace>(
-              "cell", "", "the number of the cell",
-              [](const InSpace &, const unsigned int c) {
-    return int(c); })
-              .with_columns({"id"})
-              .with_attribute(""),
-          vector_in_columns(
-              {"centre", "L", "its centre",
-               [](const InSpace &p, const unsigned int c) -> const auto & {
-                 return p.centre(c);
-               }
-},
-              place_columns, "centres")
-              .only_in_table(),
-          Field<InSpace>("volume", "L^3", "its volume",
-                         [](const InSpace &p, const unsigned int c) {
-  return p.volume(c);
-                         })
-              .with_attribute("volumes"),
-          Field<InSpace>("faces", "", "the number of its faces",
-                         [](const InSpace &p, const unsigned int c) {
-  const auto &first = p.polyhedra().first_face;
-  return int(first[c + 1] - first[c]);
-                         }),
-          Field<InSpace>("fixed", "",
-                         "1 if it does not move, as a part of the ground",
-                         [](const InSpace &p, const unsigned int c) {
-  return c >= p.ground();
-                         }),
-          Field<InSpace>("group", "", "the name of the cell's group",
-                         [](const InSpace &p, const unsigned int c) {
-  return int(p.group(c));
-                         })
-              .numbering([](const InSpace &p) -> const auto & {
-  return p.group_names();
-              })
-              .with_attribute("groups")
-              .saying_in_grid(
-                  "its number in the list in `summary.json`, from 0; that of "
-                  "the ground is the next")
-} // namespace Voussoir
-,
-polyhedron_loads(), polyhedron_motion());
-return table;
+  static const FieldTable<SpaceAnswer> table("cell group volume faces fixed",
+                                             polyhedra(), polyhedron_loads(),
+                                             polyhedron_motion());
+  return table;
 }
 
 const FieldTable<SpaceAnswer> &face_interface_fields()
 {
-  const std::string cells =
-      "the cells c- and c+; -1 is the ground without a shape";
   static const FieldTable<SpaceAnswer> table(
       "normal_force shear_force normal_stress utilisation cell_minus "
       "cell_plus area distance normal",
-      Fields<InSpace>{{"cell_minus", "", cells,
-                       [](const InSpace &p, const unsigned int e) {
-                         return int(p.interfaces()[e].cell_minus);
-                       }},
-                      {"cell_plus", "", cells,
-                       [](const InSpace &p, const unsigned int e) {
-                         const InSpace::Interface &i = p.interfaces()[e];
-                         return i.cell_plus != p.ground() ? int(i.cell_plus)
-                                : i.fixed_cell != invalid_index
-                                    ? int(i.fixed_cell)
-                                    : -1;
-                       }},
-                      {"support", "", "1 if it is a support",
-                       [](const InSpace &p, const unsigned int e) {
-                         return p.interfaces()[e].cell_plus == p.ground();
-                       }}},
-      places_and_normals(&InSpace::interfaces, "x_e of the polygon",
-                         "n_e, from c- to c+"),
-      Fields<InSpace>{{"distance", "L", "d_e, of the centres along n_e",
-                       [](const InSpace &p, const unsigned int e) {
-                         return p.distance(p.interfaces()[e]);
-                       }}},
-      face_forces(), face_ranges(), face_jumps());
+      face_interfaces(), face_forces(), face_ranges(), face_jumps());
+  return table;
+}
+
+const FieldTable<Packing<3>> &packing_polyhedron_fields()
+{
+  static const FieldTable<InSpace> table("", polyhedra());
+  return table;
+}
+
+const FieldTable<Packing<3>> &packing_face_fields()
+{
+  static const FieldTable<InSpace> table("", face_interfaces());
   return table;
 }
 

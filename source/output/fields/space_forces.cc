@@ -158,11 +158,13 @@ Fields<SpaceAnswer> polyhedron_loads()
       {vector_field("load", "S L^2", "the sum of the loads on it",
                     [](const SpaceAnswer &a, const unsigned int c) {
                       return of_cell(a.scene.loads.force, c);
-                    }),
+                    })
+           .with_attribute("loads"),
        vector_field("torque", "S L^3", "their moment about its centre",
                     [](const SpaceAnswer &a, const unsigned int c) {
                       return of_cell(a.scene.loads.torque, c);
-                    })});
+                    })
+           .with_attribute("load_torque")});
 }
 
 Fields<SpaceAnswer> polyhedron_motion()

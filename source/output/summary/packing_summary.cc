@@ -153,17 +153,12 @@ void add_answer(const SpaceAnswer &answer, Json &summary)
   else if (answer.is_mechanism)
     summary["mechanism"] = {
         {"closing_violation", answer.proof.closing_violation},
-        {"work_over_dissipation",
-         std::isfinite(answer.proof.work_over_dissipation)
-             ? Json(answer.proof.work_over_dissipation)
-             : Json("infinite")}};
+        {"work_over_dissipation", answer.proof.work_over_dissipation}};
 }
 } // namespace
 
-void write_summary_json(std::ostream &out,
-                        const SpaceAnswer &answer,
-                        const std::string &title,
-                        const std::vector<CellDefect> &defects)
+Json summary_of(const SpaceAnswer &answer,
+                const std::vector<CellDefect> &defects)
 {
   const Packing<3> &packing = answer.scene.packing();
   std::vector<unsigned int> sizes(packing.group_names().size(), 0);
@@ -174,8 +169,9 @@ void write_summary_json(std::ostream &out,
     groups.push_back({{"name", packing.group_names()[g]}, {"cells", sizes[g]}});
   const dealii::BoundingBox<3> box = packing.box();
   Json summary;
-  summary["title"] = title;
   summary["status"] = answer.is_analysed ? answer.status.word() : "packing";
+  if (answer.status.kind == Status::Kind::carried_within)
+    summary["within"] = answer.status.within;
   summary["dimension"] = 3;
   summary["packing"] = {
       {"cells", packing.n_cells()},
@@ -195,6 +191,16 @@ void write_summary_json(std::ostream &out,
   if (answer.is_analysed)
     add_answer(answer, summary);
   summary["versions"] = library_versions();
-  out << summary.dump(2) << '\n';
+  return summary;
+}
+
+void write_summary_json(std::ostream &out,
+                        const SpaceAnswer &answer,
+                        const std::string &title,
+                        const std::vector<CellDefect> &defects)
+{
+  Json summary = {{"title", title}};
+  summary.update(summary_of(answer, defects));
+  out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 } // namespace Voussoir

@@ -7,7 +7,6 @@
 #include <voussoir/packing/polyhedra/generators/stairs.h>
 #include <voussoir/packing/polyhedra/generators/vault.h>
 #include <voussoir/packing/polyhedra/generators/wall.h>
-#include <voussoir/packing/polyhedra/models/model.h>
 #include <voussoir/packing/polyhedra/packing_parameters.h>
 #include <voussoir/packing/polyhedra/voronoi/voronoi.h>
 
@@ -26,7 +25,7 @@ PackingParameters<3>::PackingParameters()
   generators.add<VaultGenerator>();
   generators.add<DomeGenerator>();
   generators.add<CrossVaultGenerator>();
-  generators.add<ModelGenerator>();
+  models = generators.add<ModelGenerator>();
 }
 
 void PackingParameters<3>::add_parameters(dealii::ParameterHandler &prm)

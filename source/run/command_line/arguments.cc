@@ -26,8 +26,10 @@ po::options_description visible_options(Arguments &arguments)
       "assign a parameter, as in --set \"Section/Name=value\"; repeatable")(
       "sweep", po::value(&arguments.sweeps)->value_name("RANGE"),
       "run with many values, as in --sweep \"Friction/Strength=0.1:1:20\" "
-      "(20 values), 0.1:1:20:log or \"a | b\", and write sweep.csv; repeatable "
-      "for all combinations")(
+      "(20 values), 0.1:1:20:log, \"a | b\", or any of these for a word of a "
+      "text, \"Loads/Body force=sin(a); -1 for a=0:1:20\", and write "
+      "sweep.csv; "
+      "repeatable for all combinations")(
       "find", po::value(&arguments.find)->value_name("RANGE"),
       "look for the value at which the answer changes, as in --find "
       "\"Friction/Strength=0:1:1e-6\", to this share of it")(

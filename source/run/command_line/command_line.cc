@@ -2,11 +2,10 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/print_parameters.h>
 #include <voussoir/base/parameters/reference.h>
-#include <voussoir/run/analysis_run.h>
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
-#include <voussoir/run/packing_run.h>
+#include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/version.h>
@@ -96,16 +95,6 @@ std::optional<std::string> text_to_print(const Arguments &arguments)
   return {};
 }
 
-/** A run of the kind that the parameters ask for. */
-std::unique_ptr<Run> make_run(const ParameterSources &sources,
-                              Terminal &terminal,
-                              const ProcessGroup &processes)
-{
-  if (dimension_of(sources) == 3)
-    return std::make_unique<PackingRun>(terminal);
-  return std::make_unique<AnalysisRun>(terminal, processes);
-}
-
 /** One that tells of the parameters. */
 std::optional<std::string> text_of_parameters(const Arguments &arguments,
                                               Run &run)
@@ -159,7 +148,6 @@ ExitStatus run(const Arguments &arguments,
     sources.assignments.push_back(load_cases_section +
                                   "/case/Boundary load=traction");
   const std::unique_ptr<Run> run = make_run(sources, terminal, processes);
-  run->read(sources);
   if (const auto text = text_of_parameters(arguments, *run))
     return print(streams.out, *text);
   if (arguments.file.empty())
@@ -176,7 +164,7 @@ ExitStatus run(const Arguments &arguments,
     return ExitStatus::solved;
   }
   terminal.set_verbosity(run->verbosity());
-  const std::string message = run->carry_out(directory);
+  const std::string message = run->carry_out(directory, true).message;
   return message.empty() ? ExitStatus::solved
                          : fail(streams, ExitStatus::load_not_carried, message);
 }

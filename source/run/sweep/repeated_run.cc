@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/output/summary/summary.h>
+#include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/repeated_run.h>
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <sstream>
 #include <thread>
 #include <utility>
-#include <variant>
 
 namespace Voussoir
 {
 RepeatedRun::RepeatedRun(std::filesystem::path file_in,
                          std::vector<std::string> assignments_in,
-                         std::vector<std::string> names_in)
+                         std::vector<ChangingEntry> changing_in)
     : file(std::move(file_in)), assignments(std::move(assignments_in)),
-      names(std::move(names_in)),
+      changing(std::move(changing_in)),
       // As many as there are runs at a time.
       packings(std::max(1U, std::thread::hardware_concurrency()))
 {
-  AnalysisRun analysis(Terminal::silent());
-  analysis.read({file, {}, assignments});
+  const std::unique_ptr<Run> scene =
+      make_run({file, {}, assignments}, Terminal::silent());
   origin = std::filesystem::proximate(
       std::filesystem::canonical(file).parent_path());
-  directory = analysis.entries().get("Output directory");
-  inputs = analysis.input_files(origin);
+  directory = scene->entries().get("Output directory");
+  inputs = scene->input_files(origin);
 }
 
 SweepRun RepeatedRun::run(const std::vector<std::string> &values,
@@ -33,30 +33,29 @@ SweepRun RepeatedRun::run(const std::vector<std::string> &values,
 {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::string> all = assignments;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    all.push_back(names[k] + '=' + values[k]);
+  for (std::size_t k = 0; k < changing.size(); ++k)
+    all.push_back(changing[k].assignment(values[k]));
   if (!results.empty())
     all.push_back("Output directory=" + results);
   std::ostringstream nowhere;
   Terminal terminal(nowhere);
-  AnalysisRun analysis(terminal);
-  analysis.read({file, {}, all});
 
   SweepRun outcome;
   outcome.values = values;
   try
   {
-    const RunResult result =
-        analysis.run(origin, !results.empty(), &packings).result;
+    const std::unique_ptr<Run> scene = make_run({file, {}, all}, terminal);
+    RunOutcome found = scene->carry_out(origin, !results.empty(), &packings);
     outcome.has_answer = true;
-    outcome.answer = result.status().kind;
-    outcome.summary = std::visit(
-        [](const auto &found) { return summary_of(found); }, result.found);
+    if (found.status)
+      outcome.verdict = found.status->kind;
+    outcome.summary = std::move(found.summary);
   }
   catch (const InputError &error)
   {
     const std::string reason = error.what();
-    throw InputError("With " + words_of(names, values) + ": " + reason);
+    throw InputError("With " + words_of(names_of(changing), values) + ": " +
+                     reason);
   }
   catch (const SolverError &error)
   {
@@ -67,6 +66,14 @@ SweepRun RepeatedRun::run(const std::vector<std::string> &values,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();
   return outcome;
+}
+
+std::vector<std::string> names_of(const std::vector<ChangingEntry> &changing)
+{
+  std::vector<std::string> names;
+  for (const ChangingEntry &entry : changing)
+    names.push_back(entry.name());
+  return names;
 }
 
 std::string words_of(const std::vector<std::string> &names,

@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -24,6 +25,14 @@ namespace Voussoir
 namespace
 {
 using Kind = Status::Kind;
+/** A verdict; none of a packing without loads. */
+using Verdict = std::optional<Kind>;
+
+/** True if a verdict is that the load is carried, or that it collapses. */
+bool is_certain(const Verdict verdict)
+{
+  return verdict == Kind::solved || verdict == Kind::collapse;
+}
 
 /**
  * Do @p work for 0, ..., n - 1, as many at a time as there are cores. The first
@@ -91,10 +100,10 @@ class Runner
 {
 public:
   Runner(const ManyRuns &wanted,
-         const std::vector<std::string> &names,
+         const std::vector<ChangingEntry> &changing,
          Terminal &terminal)
-      : wanted(wanted), names(names), terminal(terminal),
-        scene(wanted.file, wanted.assignments, names),
+      : wanted(wanted), names(names_of(changing)), terminal(terminal),
+        scene(wanted.file, wanted.assignments, changing),
         files(scene.output_directory(), {{sweep_csv, sweep_html}}, terminal)
   {
     for (const std::string &result : wanted.results)
@@ -224,19 +233,19 @@ void sweep(const ManyRuns &wanted,
            const std::vector<SweepAxis> &axes,
            Terminal &terminal)
 {
-  std::vector<std::string> names;
+  std::vector<ChangingEntry> changing;
   for (const SweepAxis &axis : axes)
-    names.push_back(axis.name);
+    changing.push_back(axis.of);
   terminal.begin("Sweep");
-  Runner runner(wanted, names, terminal);
+  Runner runner(wanted, changing, terminal);
   runner.run(points_of(axes));
   terminal.stage("Sweep", counted(runner.runs().size(), "run") + ": " +
                               counts(runner.runs()));
   runner.write();
   for (const SweepRun &run : runner.runs())
     if (!run.has_answer)
-      throw SolverError("With " + words_of(names, run.values) + ": " +
-                        run.reason);
+      throw SolverError("With " + words_of(names_of(changing), run.values) +
+                        ": " + run.reason);
   runner.check_results();
 }
 
@@ -244,9 +253,9 @@ void search(const ManyRuns &wanted,
             const SearchRange &range,
             Terminal &terminal)
 {
-  const std::vector<std::string> names = {range.name};
+  const std::string &name = range.of.name();
   terminal.begin("Search");
-  Runner runner(wanted, names, terminal);
+  Runner runner(wanted, {range.of}, terminal);
   const auto run = [&](const std::vector<double> &values) {
     std::vector<std::vector<std::string>> points;
     for (const double value : values)
@@ -256,7 +265,7 @@ void search(const ManyRuns &wanted,
       if (!runner.runs()[k].has_answer)
       {
         runner.write();
-        throw SolverError("With " + words_of(names, points[k - first]) + ": " +
+        throw SolverError("With " + words_of({name}, points[k - first]) + ": " +
                           runner.runs()[k].reason);
       }
     return first;
@@ -264,19 +273,18 @@ void search(const ManyRuns &wanted,
 
   std::vector<double> values = {range.low, range.high};
   run(values);
-  std::vector<Kind> kinds = {runner.runs()[0].answer, runner.runs()[1].answer};
-  if (kinds[0] == kinds[1] || kinds[0] == Kind::carried_within ||
-      kinds[1] == Kind::carried_within)
+  const Verdict at_low = runner.runs()[0].verdict;
+  const Verdict at_high = runner.runs()[1].verdict;
+  if (at_low == at_high || !is_certain(at_low) || !is_certain(at_high))
   {
     runner.write();
-    throw InputError(
-        "--find: with " + range.name + " = " + value_text(range.low) +
-        " the answer is '" + word_of(runner.runs()[0]) + "', with " +
-        value_text(range.high) + " it is '" + word_of(runner.runs()[1]) +
-        "'; give ends of which one is carried and the other "
-        "collapses.");
+    throw InputError("--find: with " + name + " = " + value_text(range.low) +
+                     " the answer is '" + word_of(runner.runs()[0]) +
+                     "', with " + value_text(range.high) + " it is '" +
+                     word_of(runner.runs()[1]) +
+                     "'; give ends of which one is carried and the other "
+                     "collapses.");
   }
-  const Kind at_low = kinds[0];
   double low = range.low, high = range.high;
   bool is_open = false;
   const std::size_t n_at_once =
@@ -291,10 +299,10 @@ void search(const ManyRuns &wanted,
     const double old_low = low, old_high = high;
     for (std::size_t k = 0; k < values.size() && high == old_high; ++k)
     {
-      const Kind kind = runner.runs()[first + k].answer;
-      if (kind == at_low)
+      const Verdict verdict = runner.runs()[first + k].verdict;
+      if (verdict == at_low)
         low = values[k];
-      else if (kind != Kind::carried_within)
+      else if (verdict == at_high)
         high = values[k];
     }
     is_open = low == old_low && high == old_high;
@@ -303,7 +311,7 @@ void search(const ManyRuns &wanted,
   runner.write();
   const bool low_carries = at_low == Kind::solved;
   terminal.summary("Found",
-                   range.name + " = " + value_text(low_carries ? low : high) +
+                   name + " = " + value_text(low_carries ? low : high) +
                        " is carried, " + value_text(low_carries ? high : low) +
                        " collapses" +
                        (is_open ? "; between them the answer is open" : ""));

@@ -63,9 +63,9 @@ std::vector<PlotPoint> plotted_points(const std::string &path,
                                                point.y) &&
         std::isfinite(point.y))
     {
-      point.kind = run.answer == Status::Kind::solved     ? "carried"
-                   : run.answer == Status::Kind::collapse ? "collapse"
-                                                          : "within";
+      point.kind = run.verdict == Status::Kind::collapse         ? "collapse"
+                   : run.verdict == Status::Kind::carried_within ? "within"
+                                                                 : "carried";
       points.push_back(point);
     }
   }
@@ -102,7 +102,8 @@ bool is_by_ratio(const std::vector<PlotPoint> &points)
 
 std::string word_of(const SweepRun &run)
 {
-  return run.has_answer ? Status{run.answer, 0.}.word() : "failed";
+  return run.has_answer ? run.summary.at("status").get<std::string>()
+                        : "failed";
 }
 
 std::string SharedWarning::description(const std::vector<std::string> &names,

@@ -8,6 +8,7 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <cmath>
+#include <regex>
 
 namespace Voussoir
 {
@@ -26,6 +27,12 @@ const std::string forms_of_search =
     "give NAME=LOW:HIGH or NAME=LOW:HIGH:WIDTH, such as "
     "\"Friction/Strength=0:1:1e-6\".";
 
+/** Finds a variable where it is a word, with an operator in front of it. */
+std::regex word(const std::string &variable)
+{
+  return std::regex("([-+*/^]\\s*)?\\b" + variable + "\\b");
+}
+
 struct NameAndValues
 {
   NameAndValues(const std::string &option,
@@ -36,11 +43,25 @@ struct NameAndValues
     if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
       throw InputError(option + " '" + text +
                        "' must have a parameter and its values: " + forms);
-    name = dealii::Utilities::trim(text.substr(0, equals));
+    of.entry = dealii::Utilities::trim(text.substr(0, equals));
     values = text.substr(equals + 1);
+    static const std::regex variable("(.*\\S)\\s+for\\s+(\\w+)\\s*=(.*)");
+    if (std::smatch parts; std::regex_match(values, parts, variable))
+    {
+      of.text = dealii::Utilities::trim(parts[1]);
+      of.variable = parts[2];
+      values = parts[3].str();
+      if (!std::regex_search(of.text, word(of.variable)))
+        throw InputError(option + " '" + text + "' has values of '" +
+                         of.variable + "', which must be a word of '" +
+                         of.text +
+                         "', as in \"Loads/Body force=sin(a); -cos(a) for "
+                         "a=0:0.5:6\".");
+    }
   }
 
-  std::string name, values;
+  ChangingEntry of;
+  std::string values;
 };
 
 /** The finite numbers between colons, or none of them. */
@@ -54,6 +75,28 @@ std::vector<double> numbers(const std::vector<std::string> &words)
   return read;
 }
 } // namespace
+
+std::string ChangingEntry::assignment(const std::string &value) const
+{
+  if (text.empty())
+    return entry + '=' + value;
+  // A sign behind an operator needs parentheses.
+  const bool has_sign = value.front() == '-' || value.front() == '+';
+  std::string with_value;
+  const std::regex place = word(variable);
+  std::sregex_iterator found(text.begin(), text.end(), place), end;
+  auto rest = text.begin();
+  for (; found != end; ++found)
+  {
+    const std::string before = (*found)[1];
+    with_value.append(rest, text.begin() + found->position());
+    with_value +=
+        before + (has_sign && !before.empty() ? '(' + value + ')' : value);
+    rest = text.begin() + found->position() + found->length();
+  }
+  with_value.append(rest, text.end());
+  return entry + '=' + with_value;
+}
 
 std::string value_text(const double value)
 {
@@ -70,7 +113,7 @@ SweepAxis read_sweep_axis(const std::string &text)
   if (by_ratio)
     words.pop_back();
   if (words.size() == 1)
-    return {given.name, split_string_list(given.values, '|')};
+    return {given.of, split_string_list(given.values, '|')};
   const std::vector<double> of = numbers(words);
   if (of.size() != 3 || of[2] < 2. || of[2] > most_values ||
       of[2] != std::floor(of[2]) || (by_ratio && !(of[0] * of[1] > 0.)))
@@ -79,7 +122,7 @@ SweepAxis read_sweep_axis(const std::string &text)
                      "'log' of one sign: " +
                      forms_of_sweep);
   const unsigned int n = of[2];
-  SweepAxis axis = {given.name, {}};
+  SweepAxis axis = {given.of, {}};
   for (unsigned int k = 0; k < n; ++k)
   {
     const double share = double(k) / (n - 1);
@@ -122,7 +165,7 @@ SearchRange read_search_range(const std::string &text)
                      "' cannot be read; LOW must be less than HIGH, and WIDTH "
                      "between 0 and 1: " +
                      forms_of_search);
-  SearchRange range = {given.name, of[0], of[1]};
+  SearchRange range = {given.of, of[0], of[1]};
   if (of.size() == 3)
     range.width = of[2];
   return range;

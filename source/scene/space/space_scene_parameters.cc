@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/parameters/parameter_tree.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
 
@@ -50,6 +51,12 @@ void SpaceSceneParameters::add_parameters(dealii::ParameterHandler &prm)
       "exact without.",
       dealii::Patterns::Integer(1, 16));
   prm.leave_subsection();
+}
+
+std::string
+SpaceSceneParameters::packing_key(const nlohmann::ordered_json &tree)
+{
+  return values_in(tree.at("Packing")) + values_in(tree.at("Supports"));
 }
 
 Packing<3>

@@ -14,6 +14,10 @@ namespace Voussoir
 const FieldTable<SpaceAnswer> &polyhedron_fields();
 /** The quantities of interfaces. */
 const FieldTable<SpaceAnswer> &face_interface_fields();
+/** The quantities of polyhedra that a packing alone has. */
+const FieldTable<Packing<3>> &packing_polyhedron_fields();
+/** The quantities of interfaces that a packing alone has. */
+const FieldTable<Packing<3>> &packing_face_fields();
 /** The quantities of boundary faces, and in grids of their parts. */
 const FieldTable<Packing<3>> &boundary_face_fields();
 } // namespace Voussoir

@@ -6,8 +6,11 @@
 #include <voussoir/packing/polyhedra/packing.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -15,10 +18,14 @@ namespace Voussoir
 void show_packing(Terminal &terminal, const Packing<3> &packing);
 
 /**
- * Write what blocks in space consist of, and what was found, as JSON.
+ * What blocks in space consist of, and what was found, for programs; numbers
+ * may be infinite.
  *
- * @param defects of the blocks, of which kinds and numbers are written.
+ * @param defects of the blocks, of which kinds and numbers are in it.
  */
+nlohmann::ordered_json summary_of(const SpaceAnswer &answer,
+                                  const std::vector<CellDefect> &defects);
+/** Write that with a title as JSON, with null for what is not finite. */
 void write_summary_json(std::ostream &out,
                         const SpaceAnswer &answer,
                         const std::string &title,

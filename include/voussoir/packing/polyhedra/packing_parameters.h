@@ -4,10 +4,12 @@
 
 #include <voussoir/packing/generators/generator_choice.h>
 #include <voussoir/packing/packing_parameters.h>
+#include <voussoir/packing/polyhedra/models/model.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -22,6 +24,9 @@ public:
 
   /** Declare the section, with those of the generators, and bind it. */
   void add_parameters(dealii::ParameterHandler &prm);
+
+  /** ModelGenerator::give(); it is used if that is the generator chosen. */
+  void give(BlockMeshes given) { models->give(std::move(given)); }
 
   /** The files that make_packing() reads. */
   std::vector<std::filesystem::path>
@@ -44,6 +49,7 @@ public:
 
 private:
   GeneratorChoice<3> generators;
+  ModelGenerator *models; // one of them
   std::string groups;
 };
 } // namespace Voussoir

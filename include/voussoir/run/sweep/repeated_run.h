@@ -3,12 +3,13 @@
 #define voussoir_run_sweep_repeated_run_h
 
 #include <voussoir/analyses/state/status.h>
-#include <voussoir/run/analysis_run.h>
 #include <voussoir/run/shared_packings.h>
+#include <voussoir/run/sweep/sweep_values.h>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,9 @@ struct SweepRun
   std::vector<std::string> values;
   /** False if the solver failed. */
   bool has_answer = false;
-  /** The answer. */
-  Status::Kind answer = Status::Kind::solved;
-  /** summary_of() what was found, without what belongs to the output. */
+  /** RunOutcome::status; none either if the solver failed. */
+  std::optional<Status::Kind> verdict;
+  /** RunOutcome::summary. */
   nlohmann::ordered_json summary;
   /** What a run alone would print. */
   std::vector<std::string> warnings;
@@ -34,8 +35,9 @@ struct SweepRun
 };
 
 /**
- * A scene that is run again and again with other values of some parameters, in
- * any number of threads. Runs of the same packing share it.
+ * A scene, in the plane or in space, that is run again and again with other
+ * values of some parameters, in any number of threads. Runs of the same packing
+ * share it.
  */
 class RepeatedRun
 {
@@ -43,11 +45,11 @@ public:
   /**
    * @param file of parameters.
    * @param assignments as in --set, which come before the values.
-   * @param names of the parameters that change, as in "Friction/Strength".
+   * @param changing what changes from run to run.
    */
   RepeatedRun(std::filesystem::path file,
               std::vector<std::string> assignments,
-              std::vector<std::string> names);
+              std::vector<ChangingEntry> changing);
 
   /** The entry `Output directory`. */
   const std::string &output_directory() const { return directory; }
@@ -58,7 +60,7 @@ public:
   }
 
   /**
-   * Run it with @p values, one for each name.
+   * Run it with @p values, one for each that changes.
    *
    * @param results the directory in which the files of this run are put; empty
    *   to write none.
@@ -69,13 +71,17 @@ public:
 
 private:
   const std::filesystem::path file;
-  const std::vector<std::string> assignments, names;
+  const std::vector<std::string> assignments;
+  const std::vector<ChangingEntry> changing;
   /** Where relative paths begin. */
   std::filesystem::path origin;
   std::string directory;
   std::vector<std::filesystem::path> inputs;
-  SharedPackings packings;
+  PackingsOfRuns packings;
 };
+
+/** The names of what changes. */
+std::vector<std::string> names_of(const std::vector<ChangingEntry> &changing);
 
 /** "Friction/Strength = 0.2, Rotations = true". */
 std::string words_of(const std::vector<std::string> &names,

@@ -7,18 +7,37 @@
 
 namespace Voussoir
 {
+/** A parameter that changes, or a number in its text that does. */
+struct ChangingEntry
+{
+  /** As in "Friction/Strength". */
+  std::string entry;
+  /** A text with a variable, as in "cos(a); sin(a)"; empty: the value itself.
+   */
+  std::string text = {};
+  /** That variable. */
+  std::string variable = {};
+
+  /** What table and messages call it. */
+  const std::string &name() const { return text.empty() ? entry : variable; }
+  /** The assignment with a @p value, as in --set. */
+  std::string assignment(const std::string &value) const;
+};
+
 /** A parameter and the values that it takes in a sweep. */
 struct SweepAxis
 {
-  /** As in "Friction/Strength". */
-  std::string name;
+  /** What changes. */
+  ChangingEntry of;
   /** As they would stand in a .prm file. */
   std::vector<std::string> values;
 };
 
 /**
  * Read "Section/Name=VALUES", where VALUES are "start:end:n", n values with
- * equal steps; "start:end:n:log", with equal ratios; or a list "a | b | c".
+ * equal steps; "start:end:n:log", with equal ratios; or a list "a | b | c". Or
+ * "Section/Name=TEXT for a=VALUES", where each value stands for the word a in
+ * the text.
  *
  * @throws InputError if it is none of these.
  */
@@ -32,8 +51,8 @@ points_of(const std::vector<SweepAxis> &axes);
  */
 struct SearchRange
 {
-  /** As in "Friction/Strength". */
-  std::string name;
+  /** What changes. */
+  ChangingEntry of;
   double low;  /**< one end */
   double high; /**< the other, larger */
   /** The distance of the two values to stop at, over the larger size. */
@@ -41,7 +60,8 @@ struct SearchRange
 };
 
 /**
- * Read "Section/Name=low:high" or "Section/Name=low:high:width".
+ * Read "Section/Name=low:high" or "Section/Name=low:high:width", or the same of
+ * a variable, see read_sweep_axis().
  *
  * @throws InputError if it is neither.
  */

@@ -12,8 +12,12 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace Voussoir
 {
@@ -29,8 +33,18 @@ public:
   {
     return packing.input_files(directory);
   }
+  /** Take blocks as the packing; see PackingParameters::give(). */
+  void give(BlockMeshes blocks) { packing.give(std::move(blocks)); }
   /**
-   * Make the packing, with its supports.
+   * The values of all entries that read_packing() looks at: where they are the
+   * same, and the files are, so is the packing.
+   *
+   * @param tree all sections and entries, as tree_of() gives them.
+   */
+  static std::string packing_key(const nlohmann::ordered_json &tree);
+  /**
+   * Make the packing, with its supports. What it is made of stands in
+   * packing_key(), too.
    *
    * @param directory where relative paths begin.
    * @param terminal sees what is noticed.

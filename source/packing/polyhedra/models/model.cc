@@ -43,7 +43,7 @@ void ModelGenerator::add_parameters(dealii::ParameterHandler &prm)
 CellFaces ModelGenerator::generate(const std::filesystem::path &directory,
                                    Terminal &terminal) const
 {
-  if (file.empty())
+  if (file.empty() && !given)
     throw InputError("'Packing/Generator' is 'model', but 'Packing/model/File' "
                      "names no file.");
   if (!(scale > 0. && std::isfinite(scale)))
@@ -54,7 +54,8 @@ CellFaces ModelGenerator::generate(const std::filesystem::path &directory,
     throw InputError("'Packing/model/Tolerance' must be finite: a tolerance "
                      "over the size of a block.");
   terminal.progress("reading blocks");
-  const BlockMeshes meshes = read_model((directory / file).lexically_normal());
+  const BlockMeshes meshes =
+      given ? *given : read_model((directory / file).lexically_normal());
   terminal.progress("mending blocks");
   return cells_of_model(meshes, {scale, tolerance, uses_supports}).cells;
 }
@@ -62,7 +63,7 @@ CellFaces ModelGenerator::generate(const std::filesystem::path &directory,
 std::vector<std::filesystem::path>
 ModelGenerator::input_files(const std::filesystem::path &directory) const
 {
-  if (file.empty())
+  if (file.empty() || given)
     return {};
   return {directory / file};
 }

@@ -3,8 +3,11 @@
 #define voussoir_packing_polyhedra_models_model_h
 
 #include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/polyhedra/models/block_mesh.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace Voussoir
 {
@@ -23,7 +26,11 @@ public:
   std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const override;
 
+  /** Take these blocks, and not those of the file. */
+  void give(BlockMeshes blocks) { given = std::move(blocks); }
+
 private:
+  std::optional<BlockMeshes> given;
   std::string file;
   double scale = 1.;
   double tolerance = 0.;

@@ -16,8 +16,9 @@
 #include <voussoir/output/vtu/pvd.h>
 #include <voussoir/packing/polyhedra/cell_overlaps.h>
 #include <voussoir/packing/polyhedra/models/writers.h>
-#include <voussoir/run/packing_run.h>
+#include <voussoir/run/space_run.h>
 
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -59,7 +60,7 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
 }
 } // namespace
 
-void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
+void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
 {
   output.add_entries(prm);
   analysis.add_entries(prm);
@@ -85,7 +86,7 @@ void PackingRun::declare(const std::set<std::string> & /*load_cases*/)
   prm.leave_subsection();
 }
 
-void PackingRun::validate(const std::filesystem::path &directory) const
+void SpaceRun::validate(const std::filesystem::path &directory) const
 {
   warn_of_unused();
   analysis.check(of_scene,
@@ -94,27 +95,65 @@ void PackingRun::validate(const std::filesystem::path &directory) const
   terminal.stage("Valid", "nothing was solved, and nothing written");
 }
 
-std::string PackingRun::carry_out(const std::filesystem::path &directory)
+RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
+                               const bool writes,
+                               PackingsOfRuns *const packings)
 {
   warn_of_unused();
-  ResultDirectory files(output.directory, files_of_all_runs(), terminal);
-  for (const auto &file : of_scene.input_files(directory))
-    files.protect(file);
-  CheckedPacking checked = read_packing(directory);
-  const SpaceAnswer answer = analysis.answer(
-      of_scene, of_scene.blocks(std::move(checked.packing), terminal),
-      terminal);
+  std::optional<ResultDirectory> files;
+  if (writes)
+  {
+    files.emplace(output.directory, files_of_all_runs(), terminal);
+    for (const auto &file : input_files(directory))
+      files->protect(file);
+  }
+  const SpaceResult result =
+      answer_on(packings ? *shared_packing(directory, packings->in_space)
+                         : read_packing(directory));
+  const SpaceAnswer &answer = result.answer;
   show_reactions(terminal, answer);
-  write(files, answer, checked.defects);
-  return answer.message.empty()
-             ? answer.message
-             : answer.message + " In " + output.directory + ", " +
-                   (reports ? report_html + " shows it in a browser, " : "") +
-                   blocks_vtu + " in ParaView.";
+  RunOutcome outcome;
+  if (answer.is_analysed)
+    outcome.status = answer.status;
+  outcome.summary = summary_of(answer, result.defects);
+  if (files)
+  {
+    write(*files, result);
+    if (!answer.message.empty())
+      outcome.message =
+          answer.message + " In " + output.directory + ", " +
+          (reports ? report_html + " shows it in a browser, " : "") +
+          blocks_vtu + " in ParaView.";
+  }
+  return outcome;
 }
 
-PackingRun::CheckedPacking
-PackingRun::read_packing(const std::filesystem::path &directory) const
+SpaceResult SpaceRun::answer(const std::filesystem::path &directory,
+                             SharedPackings<CheckedPacking> &packings) const
+{
+  warn_of_unused();
+  return answer_on(*shared_packing(directory, packings));
+}
+
+SpaceResult SpaceRun::answer_on(CheckedPacking checked) const
+{
+  SpaceAnswer answer = analysis.answer(
+      of_scene, of_scene.blocks(std::move(checked.packing), terminal),
+      terminal);
+  return {std::move(answer), std::move(checked.defects)};
+}
+
+std::shared_ptr<const CheckedPacking>
+SpaceRun::shared_packing(const std::filesystem::path &directory,
+                         SharedPackings<CheckedPacking> &packings) const
+{
+  return packings.get(
+      SpaceSceneParameters::packing_key(tree()),
+      [&] { return read_packing(directory); }, terminal);
+}
+
+CheckedPacking
+SpaceRun::read_packing(const std::filesystem::path &directory) const
 {
   terminal.begin("Packing");
   Packing<3> packing = of_scene.read_packing(directory, terminal);
@@ -132,11 +171,11 @@ PackingRun::read_packing(const std::filesystem::path &directory) const
   return {std::move(packing), std::move(defects)};
 }
 
-void PackingRun::write(ResultDirectory &files,
-                       const SpaceAnswer &answer,
-                       const std::vector<CellDefect> &defects) const
+void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
 {
   terminal.begin("Output");
+  const SpaceAnswer &answer = result.answer;
+  const std::vector<CellDefect> &defects = result.defects;
   const Packing<3> &packing = answer.scene.packing();
   using Writer = void (*)(std::ostream &, const SpaceAnswer &);
   const auto add = [&](const std::string &name, const Writer writer) {
@@ -175,8 +214,8 @@ void PackingRun::write(ResultDirectory &files,
                      results_pvd + " in ParaView");
 }
 
-void PackingRun::write_packing(ResultDirectory &files,
-                               const SpaceAnswer &answer) const
+void SpaceRun::write_packing(ResultDirectory &files,
+                             const SpaceAnswer &answer) const
 {
   const Packing<3> &packing = answer.scene.packing();
   const CellFaces &cells = packing.polyhedra();

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_run_space_run_h
+#define voussoir_run_space_run_h
+
+#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/packing/polyhedra/models/block_mesh.h>
+#include <voussoir/run/output_entries.h>
+#include <voussoir/run/run.h>
+#include <voussoir/scene/space/space_scene_parameters.h>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+/** What was found of blocks in space. */
+struct SpaceResult
+{
+  SpaceAnswer answer;              /**< on the question of the parameters */
+  std::vector<CellDefect> defects; /**< of the blocks */
+};
+
+/**
+ * A run in space: the packing is made or read, checked and supported, what is
+ * asked of it under its loads is answered, and both are written.
+ */
+class SpaceRun : public Run
+{
+public:
+  /** @param terminal sees what the run notices. */
+  explicit SpaceRun(Terminal &terminal) : Run(terminal) {}
+
+  unsigned int dimension() const override { return 3; }
+  unsigned int verbosity() const override { return output.verbosity; }
+  std::vector<std::filesystem::path>
+  input_files(const std::filesystem::path &directory) const override
+  {
+    return of_scene.input_files(directory);
+  }
+  void validate(const std::filesystem::path &directory) const override;
+  RunOutcome carry_out(const std::filesystem::path &directory,
+                       bool writes,
+                       PackingsOfRuns *packings = nullptr) override;
+
+  /** Take blocks as the packing; see PackingParameters::give(). */
+  void give(BlockMeshes blocks) { of_scene.give(std::move(blocks)); }
+  /** @{ */
+  /** @param directory that of the file of parameters, where paths begin. */
+  /**
+   * The packing with its supports, from those that are shared if they have it.
+   *
+   * @throws InputError.
+   */
+  std::shared_ptr<const CheckedPacking>
+  shared_packing(const std::filesystem::path &directory,
+                 SharedPackings<CheckedPacking> &packings) const;
+  /**
+   * Answer the question of the parameters, and write nothing.
+   *
+   * @throws InputError, SolverError.
+   */
+  SpaceResult answer(const std::filesystem::path &directory,
+                     SharedPackings<CheckedPacking> &packings) const;
+  /** @} */
+
+protected:
+  void declare(const std::set<std::string> &load_cases) override;
+
+private:
+  /** The file in which the packing is written, too. */
+  enum class PackingFile
+  {
+    none,
+    off,
+    obj,
+    compas
+  };
+
+  /** Make the packing, check it, and show what was understood of a file. */
+  CheckedPacking read_packing(const std::filesystem::path &directory) const;
+  /** Answer the question on a packing. */
+  SpaceResult answer_on(CheckedPacking checked) const;
+  void write(ResultDirectory &files, const SpaceResult &result) const;
+  void write_packing(ResultDirectory &files, const SpaceAnswer &answer) const;
+
+  OutputEntries output;
+  SpaceSceneParameters of_scene;
+  SpaceAnalysis analysis;
+  PackingFile packing_file = PackingFile::none;
+  bool reports = true;
+};
+} // namespace Voussoir
+
+#endif
