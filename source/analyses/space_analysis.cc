@@ -205,7 +205,7 @@ SpaceAnswer SpaceAnalysis::state_of(SpaceScene scene, Terminal &terminal) const
                     {"solver", {{"iterations", solution.n_iterations}}}};
   if (solution.passes.n > 0)
     answer.summary["solver"]["passes"] = {{"number", solution.passes.n},
-                                {"rate", solution.passes.rate}};
+                                          {"rate", solution.passes.rate}};
   terminal.stage("Statics", text(answer.status.description(), " after ",
                                  counted(solution.n_iterations, "iteration")));
   return answer;
