@@ -160,8 +160,8 @@ void strengths()
             random() < 0.2 ? 0.
                            : std::pow(10., exponent * (2. * random() - 1.)));
     };
-    draw(4.);
-    proven_factor(text("Strengths of 0, 1e-4 to 1e4", turns ? ", turning" : ""),
+    draw(6.);
+    proven_factor(text("Strengths of 0, 1e-6 to 1e6", turns ? ", turning" : ""),
                   of, dead, live);
     draw(9.);
     std::cout << "Strengths of 0, 1e-9 to 1e9" << (turns ? ", turning: " : ": ")
