@@ -4,6 +4,7 @@
 
 #include "room.h"
 
+#include <voussoir/base/blas.h>
 #include <voussoir/base/memory.h>
 
 #include <cstdlib>
@@ -11,7 +12,9 @@
 
 int main()
 {
+  // As the program does.
   Voussoir::keep_memory();
+  Voussoir::prepare_blas();
   const char *const name = std::getenv("VOUSSOIR_TEST");
   const auto found = RoomTest::all().find(name ? name : "");
   if (found == RoomTest::all().end())

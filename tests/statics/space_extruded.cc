@@ -146,23 +146,8 @@ void uniform_stress()
       of.turns = turns;
       of.mu = mu;
       of.strength = mu > 0. ? 0. : 1.;
-      const SpaceScene scene(of.blocks(), tractions(of.packing, S));
-      const DiscreteProblem problem = discretise(scene);
-      const Solution solution = find_space_state(
-          problem, {}, LinearSolver::automatic, Terminal::silent());
-      const FaceForces forces = dimensional_forces(problem, scene, solution);
-      double error = 0.;
-      for (unsigned int e = 0; e < of.packing.interfaces().size(); ++e)
-      {
-        const auto &i = of.packing.interfaces()[e];
-        error = std::max(error, (forces.resultant(of.packing, e).force -
-                                 i.area * (S * i.normal))
-                                    .norm());
-      }
-      check_error(text("uniform stress, ", turns ? "turning, " : "", "mu ", mu,
-                       ": forces"),
-                  error, 1e-9);
-      check("  in one step", solution.n_iterations == 1);
+      check_uniform_stress(
+          text("uniform stress, ", turns ? "turning, " : "", "mu ", mu), of, S);
     }
 }
 

@@ -51,16 +51,9 @@ void strength_factors()
     SpaceCase block = box(1., 0.5, 0.5);
     block.mu = is_dry ? 0.6 : 0.;
     block.strength = is_dry ? 0. : 0.4;
-    const SpaceScene scene(block.blocks(),
-                           body_force(block.packing, vector(s, 0., -c)));
-    const auto answer = find_strength_factor(scene, {true}, Terminal::silent());
     const double expected = is_dry ? 0.6 * c / s : 0.4 / (0.5 * s);
-    check_error("Strength factor: carried",
-                std::abs(answer.factor->carried / expected - 1.), 1e-8);
-    check_error("  and bound", std::abs(answer.factor->bound / expected - 1.),
-                1e-8);
-    const SpaceScene at = with_strengths_divided(scene, answer.factor->carried);
-    check_error("  balance", certify(at, answer.factor->forces).error(), 1e-10);
+    check_strength_factor("Strength factor", expected, block,
+                          body_force(block.packing, vector(s, 0., -c)));
   }
 }
 
@@ -139,22 +132,6 @@ void walls()
     check_factor("Ferris and Tin-Loi, Tresca", of_tresca[k], wall, weight,
                  body_force(wall.packing, vector(10., 0., 0.)));
   }
-}
-
-SpaceCase dome(const unsigned int n_courses,
-               const unsigned int n_sectors,
-               const double thickness)
-{
-  DomeGenerator generator;
-  dealii::ParameterHandler prm;
-  generator.add_parameters(prm);
-  prm.set("Mean radius", 1.);
-  prm.set("Thickness", thickness);
-  prm.set("Embrace", 180.);
-  prm.set("Courses", static_cast<long int>(n_courses));
-  prm.set("Sectors", static_cast<long int>(n_sectors));
-  prm.set("Bond", "stack");
-  return SpaceCase(Packing<3>(generator.generate("", Terminal::silent())));
 }
 
 void domes()
