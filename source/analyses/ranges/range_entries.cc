@@ -25,14 +25,6 @@ std::vector<std::string> variables()
                   : std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz"};
 }
 
-/** They and where they are, for the user. */
-template <int dim>
-std::string place_in_words()
-{
-  return dim == 2 ? "midpoint x, y of each, with its unit normal nx, ny"
-                  : "centroid x, y, z of each, with its unit normal nx, ny, nz";
-}
-
 /** Choose the interfaces where the condition holds. */
 template <int dim>
 void choose_where(const Packing<dim> &packing,
@@ -53,11 +45,16 @@ void choose_where(const Packing<dim> &packing,
     any |= chosen[e];
   }
   if (!any)
-    throw InputError("The condition '" + where + "' of '" + parameter_where +
-                     "' holds on no interface. It is asked at the " +
-                     place_in_words<dim>() + "; where rounding matters write " +
-                     (dim == 2 ? "y < 1e-9 rather than y == 0."
-                               : "z < 1e-9 rather than z == 0."));
+    throw InputError(
+        "The condition '" + where + "' of '" + parameter_where +
+        "' holds on no interface. " +
+        (dim == 2
+             ? "It is asked at the midpoint x, y of each, with its unit normal "
+               "nx, ny; where rounding matters write y < 1e-9 rather than y == "
+               "0."
+             : "It is asked at the centroid x, y, z of each, with its unit "
+               "normal nx, ny, nz; where rounding matters write z < 1e-9 "
+               "rather than z == 0."));
 }
 
 /** For each cell and the ground, whether it has the name. */
