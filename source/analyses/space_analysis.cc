@@ -22,12 +22,7 @@ namespace
 SpaceLoads sum_of(const SpaceLoads &a, const double factor, const SpaceLoads &b)
 {
   SpaceLoads sum = a;
-  for (unsigned int c = 0; c < sum.size.size(); ++c)
-  {
-    sum.force[c] += factor * b.force[c];
-    sum.torque[c] += factor * b.torque[c];
-    sum.size[c] += std::abs(factor) * b.size[c];
-  }
+  sum.add(factor, b);
   return sum;
 }
 

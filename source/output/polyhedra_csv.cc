@@ -8,7 +8,7 @@
 
 namespace Voussoir
 {
-void write_interfaces_csv(std::ostream &out, const SpaceAnswer &answer)
+void write_interfaces_csv(std::ostream &out, const SpaceResults &answer)
 {
   write_table(out, face_interface_fields().columns(answer),
               answer.scene.packing().interfaces().size());
@@ -20,13 +20,13 @@ void write_boundary_csv(std::ostream &out, const Packing<3> &packing)
               packing.boundary_faces().size());
 }
 
-void write_cells_csv(std::ostream &out, const SpaceAnswer &answer)
+void write_cells_csv(std::ostream &out, const SpaceResults &answer)
 {
   write_table(out, polyhedron_fields().columns(answer),
               answer.scene.packing().polyhedra().n_cells());
 }
 
-void write_interface_points_csv(std::ostream &out, const SpaceAnswer &answer)
+void write_interface_points_csv(std::ostream &out, const SpaceResults &answer)
 {
   const ForcePoints points(answer);
   write_table(out, force_point_fields().columns(points), points.list.size());

@@ -20,6 +20,7 @@ std::vector<py::ssize_t> shape_of(const FieldDescription &field,
   case FieldShape::number: return {py::ssize_t(n)};
   case FieldShape::tensor: return {py::ssize_t(n), 2, 2};
   case FieldShape::space_vector: return {py::ssize_t(n), 3};
+  case FieldShape::space_tensor: return {py::ssize_t(n), 3, 3};
   default: return {py::ssize_t(n), 2};
   }
 }
@@ -45,8 +46,9 @@ std::string help_on(const FieldDescription &field)
       field.condition.empty() ? "" : field.condition + " only: ";
   const std::string shape = field.shape == FieldShape::number   ? ""
                             : field.shape == FieldShape::tensor ? "(n, 2, 2)"
-                            : field.shape == FieldShape::space_vector
-                                ? "(n, 3)"
+                            : field.shape == FieldShape::space_vector ? "(n, 3)"
+                            : field.shape == FieldShape::space_tensor
+                                ? "(n, 3, 3)"
                                 : "(n, 2)";
   return condition + std::regex_replace(field.words, link, "$1") +
          (shape.empty() ? "" : "; shape " + shape) +
@@ -62,7 +64,7 @@ py::array_t<double> view_of(const BoundField &field,
   const std::vector<py::ssize_t> shape = shape_of(*field.about, field.memory.n);
   std::vector<py::ssize_t> strides(shape.size(), sizeof(double));
   if (shape.size() == 3)
-    strides[1] = 2 * sizeof(double);
+    strides[1] = shape[2] * sizeof(double);
   strides[0] = field.memory.stride;
   py::array_t<double> array(shape, strides, field.memory.first, keeper);
   py::detail::array_proxy(array.ptr())->flags &=

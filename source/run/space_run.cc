@@ -7,6 +7,7 @@
 #include <voussoir/output/report/report.h>
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/space_ground_summary.h>
+#include <voussoir/output/summary/space_stress_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/vtu/blocks_vtu.h>
 #include <voussoir/output/vtu/defects_vtu.h>
@@ -64,6 +65,14 @@ void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
 {
   output.add_entries(prm);
   analysis.add_entries(prm);
+  add_choice<Accuracy>(
+      prm, "Accuracy", accuracy,
+      {{Accuracy::draft, "draft",
+        "the mean stress of each block, from the forces alone."},
+       {Accuracy::fine, "fine",
+        "besides, the linear stress in each block whose forces and moments "
+        "through all faces come closest to those that were found."}},
+      "What is computed of the stress inside the blocks.");
   of_scene.add_parameters(prm);
   analysis.add_sections(prm);
   prm.enter_subsection("Output");
@@ -110,7 +119,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   const SpaceResult result =
       answer_on(packings ? *shared_packing(directory, packings->in_space)
                          : read_packing(directory));
-  const SpaceAnswer &answer = result.answer;
+  const SpaceResults &answer = result.answer;
   show_reactions(terminal, answer);
   RunOutcome outcome;
   if (answer.is_analysed)
@@ -137,9 +146,18 @@ SpaceResult SpaceRun::answer(const std::filesystem::path &directory,
 
 SpaceResult SpaceRun::answer_on(CheckedPacking checked) const
 {
-  SpaceAnswer answer = analysis.answer(
+  SpaceResults answer(analysis.answer(
       of_scene, of_scene.blocks(std::move(checked.packing), terminal),
-      terminal);
+      terminal));
+  if (!answer.forces.empty())
+  {
+    terminal.begin("Stress");
+    answer.mean_stresses = cell_mean_stresses(answer.scene, answer.forces);
+    if (accuracy == Accuracy::fine)
+      answer.stresses =
+          linear_stresses(answer.scene, answer.forces, answer.mean_stresses);
+    show_stress(terminal, answer);
+  }
   return {std::move(answer), std::move(checked.defects)};
 }
 
@@ -174,10 +192,10 @@ SpaceRun::read_packing(const std::filesystem::path &directory) const
 void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
 {
   terminal.begin("Output");
-  const SpaceAnswer &answer = result.answer;
+  const SpaceResults &answer = result.answer;
   const std::vector<CellDefect> &defects = result.defects;
   const Packing<3> &packing = answer.scene.packing();
-  using Writer = void (*)(std::ostream &, const SpaceAnswer &);
+  using Writer = void (*)(std::ostream &, const SpaceResults &);
   const auto add = [&](const std::string &name, const Writer writer) {
     files.write(name, [&](std::ostream &out) { writer(out, answer); });
   };
@@ -215,7 +233,7 @@ void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
 }
 
 void SpaceRun::write_packing(ResultDirectory &files,
-                             const SpaceAnswer &answer) const
+                             const SpaceResults &answer) const
 {
   const Packing<3> &packing = answer.scene.packing();
   const CellFaces &cells = packing.polyhedra();

@@ -110,12 +110,7 @@ inline Voussoir::SpaceLoads together(Voussoir::SpaceLoads a,
                                      const double factor,
                                      const Voussoir::SpaceLoads &b)
 {
-  for (unsigned int c = 0; c < a.size.size(); ++c)
-  {
-    a.force[c] += factor * b.force[c];
-    a.torque[c] += factor * b.torque[c];
-    a.size[c] += std::abs(factor) * b.size[c];
-  }
+  a.add(factor, b);
   return a;
 }
 

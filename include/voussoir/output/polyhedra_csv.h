@@ -2,7 +2,7 @@
 #ifndef voussoir_output_polyhedra_csv_h
 #define voussoir_output_polyhedra_csv_h
 
-#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/output/space_results.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
 #include <iosfwd>
@@ -13,13 +13,13 @@ namespace Voussoir
 // The tables of blocks in space, in files of the names that csv.h has.
 
 /** One line per interface, in their order, with face_interface_fields(). */
-void write_interfaces_csv(std::ostream &out, const SpaceAnswer &answer);
+void write_interfaces_csv(std::ostream &out, const SpaceResults &answer);
 
 /** One line per boundary face, with boundary_face_fields(). */
 void write_boundary_csv(std::ostream &out, const Packing<3> &packing);
 
 /** One line per cell, then one per fixed cell, with polyhedron_fields(). */
-void write_cells_csv(std::ostream &out, const SpaceAnswer &answer);
+void write_cells_csv(std::ostream &out, const SpaceResults &answer);
 
 /** The name of the table of the points of interfaces. */
 inline const std::string interface_points_csv = "interface_points.csv";
@@ -30,7 +30,7 @@ inline const std::string interface_points_csv = "interface_points.csv";
  * friction alone, its share of the area, the place (L), and if there are forces
  * that on c- (S L^2).
  */
-void write_interface_points_csv(std::ostream &out, const SpaceAnswer &answer);
+void write_interface_points_csv(std::ostream &out, const SpaceResults &answer);
 } // namespace Voussoir
 
 #endif

@@ -22,7 +22,7 @@ public:
 
   /** @{ */
   /** Parts of what was found; the pointers keep all of it. */
-  std::shared_ptr<const SpaceAnswer> answer() const
+  std::shared_ptr<const SpaceResults> answer() const
   {
     return {findings, &findings->result.answer};
   }

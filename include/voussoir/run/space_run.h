@@ -19,7 +19,7 @@ namespace Voussoir
 /** What was found of blocks in space. */
 struct SpaceResult
 {
-  SpaceAnswer answer;              /**< on the question of the parameters */
+  SpaceResults answer;             /**< on the question of the parameters */
   std::vector<CellDefect> defects; /**< of the blocks */
 };
 
@@ -79,16 +79,24 @@ private:
     compas
   };
 
+  /** What is computed of the stress inside. */
+  enum class Accuracy
+  {
+    draft,
+    fine
+  };
+
   /** Make the packing, check it, and show what was understood of a file. */
   CheckedPacking read_packing(const std::filesystem::path &directory) const;
   /** Answer the question on a packing. */
   SpaceResult answer_on(CheckedPacking checked) const;
   void write(ResultDirectory &files, const SpaceResult &result) const;
-  void write_packing(ResultDirectory &files, const SpaceAnswer &answer) const;
+  void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 
   OutputEntries output;
   SpaceSceneParameters of_scene;
   SpaceAnalysis analysis;
+  Accuracy accuracy = Accuracy::fine;
   PackingFile packing_file = PackingFile::none;
   bool reports = true;
 };

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace Voussoir
@@ -23,6 +24,38 @@ constexpr double larger_alpha = 10., largest_alpha = 1e6;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_load_factor = 1e-3;
+
+/**
+ * The largest force that a joint bears without pressure, over the loads, with
+ * which the search keeps all its digits, and what stronger joints are taken for
+ * at first: they hardly ever slide.
+ */
+constexpr double largest_plain_limit = 1e6, sufficient_limit = 1e4;
+
+/** @{ */
+/** A scene whose strengths are no larger than @p most; S. */
+Scene with_strengths_up_to(Scene scene, const double most)
+{
+  for (auto *const strengths :
+       {&scene.strength, &scene.tensile_strength, &scene.compressive_strength})
+    for (double &strength : *strengths)
+      strength = std::min(strength, most);
+  return scene;
+}
+SpaceScene with_strengths_up_to(const SpaceScene &scene, const double most)
+{
+  Strengths lowered = scene.blocks->strengths;
+  for (auto *const strengths :
+       {&lowered.of_interface, &lowered.tensile, &lowered.compressive})
+    for (double &strength : *strengths)
+      strength = std::min(strength, most);
+  SpaceScene result = scene;
+  auto blocks = std::make_shared<SpaceBlocks>(*scene.blocks);
+  blocks->strengths = std::move(lowered);
+  result.blocks = std::move(blocks);
+  return result;
+}
+/** @} */
 
 /**
  * The problem of the dead loads; without any of the live ones, whose own size
@@ -260,12 +293,76 @@ double FactorOf<SceneOf>::width() const
   return size > 0. ? std::abs(bound - carried) / size : 0.;
 }
 
+namespace
+{
+/**
+ * The search with strengths that are as good as those of much stronger joints:
+ * forces within lower limits are within the given ones, and what the mechanism
+ * proves with these is computed anew.
+ */
+template <typename SceneOf>
+FactorAnswerOf<SceneOf>
+find_with_sufficient_strengths(const SceneOf &dead,
+                               const SceneOf &live,
+                               const double most,
+                               const LoadFactorControls &controls,
+                               Terminal &terminal)
+{
+  const auto find = [&](const SceneOf &a, const SceneOf &b) {
+    return LoadFactorSearch<SceneOf>(a, b, controls, terminal).find();
+  };
+  FactorAnswerOf<SceneOf> inner =
+      find(with_strengths_up_to(dead, most), with_strengths_up_to(live, most));
+  if (!inner.factor || inner.factor->is_unbounded ||
+      !inner.factor->has_mechanism())
+    return find(dead, live);
+  FactorOf<SceneOf> &found = *inner.factor;
+  found.proof = bound_of_factor(dead, live, found.mechanism);
+  found.bound = found.proof.factor;
+  if (found.width() <= controls.tolerance)
+    return inner;
+  try
+  {
+    FactorAnswerOf<SceneOf> outer = find(dead, live);
+    if (!outer.factor || outer.factor->is_unbounded)
+      return outer;
+    const double sense = controls.greatest ? 1. : -1.;
+    const FactorOf<SceneOf> &other = *outer.factor;
+    if (sense * (other.carried - found.carried) > 0.)
+    {
+      found.carried = other.carried;
+      found.forces = other.forces;
+    }
+    if (other.has_mechanism() && sense * (found.bound - other.bound) > 0.)
+    {
+      found.bound = other.bound;
+      found.mechanism = other.mechanism;
+      found.proof = other.proof;
+    }
+    found.n_iterations += other.n_iterations;
+  }
+  catch (const SolverError &)
+  {
+    // What is known stands: both are proofs.
+  }
+  found.stop = found.width() <= controls.tolerance ? Stop::Reason::converged
+                                                   : Stop::Reason::rounding;
+  return inner;
+}
+} // namespace
+
 template <typename SceneOf>
 FactorAnswerOf<SceneOf> find_load_factor(const SceneOf &dead,
                                          const SceneOf &live,
                                          const LoadFactorControls &controls,
                                          Terminal &terminal)
 {
+  if (dead.is_loaded())
+    if (const DiscreteProblem problem = discretise(dead);
+        problem.largest_limit() > largest_plain_limit)
+      return find_with_sufficient_strengths(
+          dead, live, sufficient_limit * problem.stress_scale(), controls,
+          terminal);
   return LoadFactorSearch<SceneOf>(dead, live, controls, terminal).find();
 }
 

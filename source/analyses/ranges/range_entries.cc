@@ -44,17 +44,16 @@ void choose_where(const Packing<dim> &packing,
     chosen[e] = holds(values);
     any |= chosen[e];
   }
+  if (!any && dim == 2)
+    throw InputError("The condition '" + where + "' of '" + parameter_where +
+                     "' holds on no interface. It is asked at the midpoint x, "
+                     "y of each, with its unit normal nx, ny; where rounding "
+                     "matters write y < 1e-9 rather than y == 0.");
   if (!any)
-    throw InputError(
-        "The condition '" + where + "' of '" + parameter_where +
-        "' holds on no interface. " +
-        (dim == 2
-             ? "It is asked at the midpoint x, y of each, with its unit normal "
-               "nx, ny; where rounding matters write y < 1e-9 rather than y == "
-               "0."
-             : "It is asked at the centroid x, y, z of each, with its unit "
-               "normal nx, ny, nz; where rounding matters write z < 1e-9 "
-               "rather than z == 0."));
+    throw InputError("The condition '" + where + "' of '" + parameter_where +
+                     "' holds on no interface. It is asked at the centroid x, "
+                     "y, z of each, with its unit normal nx, ny, nz; where "
+                     "rounding matters write z < 1e-9 rather than z == 0.");
 }
 
 /** For each cell and the ground, whether it has the name. */

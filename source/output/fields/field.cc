@@ -29,6 +29,9 @@ FieldDescription::component_names(const std::string &of) const
   case FieldShape::space_vector: return {of + "_x", of + "_y", of + "_z"};
   case FieldShape::tensor:
     return {of + "_xx", of + "_xy", of + "_yx", of + "_yy"};
+  case FieldShape::space_tensor:
+    return {of + "_xx", of + "_xy", of + "_xz", of + "_yx", of + "_yy",
+            of + "_yz", of + "_zx", of + "_zy", of + "_zz"};
   }
   return {};
 }

@@ -3,7 +3,7 @@
 
 namespace Voussoir
 {
-ForcePoints::ForcePoints(const SpaceAnswer &answer)
+ForcePoints::ForcePoints(const SpaceResults &answer)
     : have_forces(!answer.forces.empty())
 {
   if (!answer.is_analysed)

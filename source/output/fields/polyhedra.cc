@@ -2,6 +2,7 @@
 #include <voussoir/output/fields/polyhedra.h>
 #include <voussoir/output/fields/space_forces.h>
 #include <voussoir/output/fields/space_ranges.h>
+#include <voussoir/output/fields/space_stress.h>
 
 #include <utility>
 
@@ -140,17 +141,17 @@ Fields<InSpace> face_interfaces()
 }
 } // namespace
 
-const FieldTable<SpaceAnswer> &polyhedron_fields()
+const FieldTable<SpaceResults> &polyhedron_fields()
 {
-  static const FieldTable<SpaceAnswer> table("cell group volume faces fixed",
-                                             polyhedra(), polyhedron_loads(),
-                                             polyhedron_motion());
+  static const FieldTable<SpaceResults> table(
+      "cell group volume faces fixed", polyhedra(), polyhedron_loads(),
+      polyhedron_motion(), polyhedron_stress());
   return table;
 }
 
-const FieldTable<SpaceAnswer> &face_interface_fields()
+const FieldTable<SpaceResults> &face_interface_fields()
 {
-  static const FieldTable<SpaceAnswer> table(
+  static const FieldTable<SpaceResults> table(
       "normal_force shear_force normal_stress utilisation cell_minus "
       "cell_plus area distance normal",
       face_interfaces(), face_forces(), face_ranges(), face_jumps());

@@ -12,7 +12,8 @@ using dealii::Tensor;
 
 namespace
 {
-const Packing<3>::Interface &face_of(const SpaceAnswer &a, const unsigned int e)
+const Packing<3>::Interface &face_of(const SpaceResults &a,
+                                     const unsigned int e)
 {
   return a.scene.packing().interfaces()[e];
 }
@@ -20,7 +21,7 @@ const Packing<3>::Interface &face_of(const SpaceAnswer &a, const unsigned int e)
 /** The resultant of an interface, its force along n_e taken apart. */
 struct FaceForce
 {
-  FaceForce(const SpaceAnswer &a, const unsigned int e)
+  FaceForce(const SpaceResults &a, const unsigned int e)
       : resultant(a.forces.resultant(a.scene.packing(), e)),
         normal(resultant.force * face_of(a, e).normal),
         shear(resultant.force - normal * face_of(a, e).normal)
@@ -30,21 +31,21 @@ struct FaceForce
   Tensor<1, 3> shear;
 };
 
-FieldCondition<SpaceAnswer> with_forces()
+FieldCondition<SpaceResults> with_forces()
 {
   return {"with loads that are carried",
-          [](const SpaceAnswer &a) { return !a.forces.empty(); }};
+          [](const SpaceResults &a) { return !a.forces.empty(); }};
 }
 
-FieldCondition<SpaceAnswer> with_motion()
+FieldCondition<SpaceResults> with_motion()
 {
   return {"with loads",
-          [](const SpaceAnswer &a) { return !a.motion.displacement.empty(); }};
+          [](const SpaceResults &a) { return !a.motion.displacement.empty(); }};
 }
 
-FieldCondition<SpaceAnswer> with_loads()
+FieldCondition<SpaceResults> with_loads()
 {
-  return {"with loads", [](const SpaceAnswer &a) { return a.is_analysed; }};
+  return {"with loads", [](const SpaceResults &a) { return a.is_analysed; }};
 }
 
 /** The value of a cell that moves, or zero. */
@@ -61,12 +62,12 @@ std::vector<std::string> components(const std::string &name)
 
 /** A field of a vector with its three columns. */
 template <typename Value>
-Field<SpaceAnswer> vector_field(const std::string &name,
-                                const std::string &unit,
-                                const std::string &words,
-                                const Value &value)
+Field<SpaceResults> vector_field(const std::string &name,
+                                 const std::string &unit,
+                                 const std::string &words,
+                                 const Value &value)
 {
-  return Field<SpaceAnswer>(name, unit, words, value)
+  return Field<SpaceResults>(name, unit, words, value)
       .with_columns(components(name));
 }
 
@@ -74,7 +75,7 @@ Field<SpaceAnswer> vector_field(const std::string &name,
 template <typename Of>
 auto jumps_by(const Of &of)
 {
-  return [of](const SpaceAnswer &a) {
+  return [of](const SpaceResults &a) {
     const auto jumps = std::make_shared<const std::vector<FaceJump>>(
         jumps_of_faces(*a.scene.blocks, a.motion));
     return [jumps, of](const unsigned int e) { return of((*jumps)[e]); };
@@ -85,18 +86,18 @@ auto jumps_by(const Of &of)
 template <typename Of>
 auto force_by(const Of &of)
 {
-  return [of](const SpaceAnswer &a, const unsigned int e) {
+  return [of](const SpaceResults &a, const unsigned int e) {
     return of(FaceForce(a, e), face_of(a, e));
   };
 }
 } // namespace
 
-Fields<SpaceAnswer> face_forces()
+Fields<SpaceResults> face_forces()
 {
   using Interface = Packing<3>::Interface;
-  return when<SpaceAnswer>(
+  return when<SpaceResults>(
       with_forces(),
-      {Field<SpaceAnswer>(
+      {Field<SpaceResults>(
            "normal_force", "S L^2",
            "the force on c- along n_e, negative in compression",
            force_by([](const FaceForce &force, const Interface &) {
@@ -123,59 +124,59 @@ Fields<SpaceAnswer> face_forces()
                               force.normal
                         : Tensor<1, 3>();
            })),
-       Field<SpaceAnswer>(
+       Field<SpaceResults>(
            "normal_stress", "S", "the normal force over |e|",
            force_by([](const FaceForce &force, const Interface &i) {
              return force.normal / i.area;
            }))
            .only_in_grid(),
-       Field<SpaceAnswer>(
+       Field<SpaceResults>(
            "utilisation", "",
            "the size of the shear force over c_e |e| + mu_e N, the strength "
            "against sliding",
-           [](const SpaceAnswer &a, const unsigned int e) {
+           [](const SpaceResults &a, const unsigned int e) {
              return utilisation_of_face(*a.scene.blocks, a.forces, e);
            })});
 }
 
-Fields<SpaceAnswer> face_jumps()
+Fields<SpaceResults> face_jumps()
 {
-  return when<SpaceAnswer>(
+  return when<SpaceResults>(
       with_motion(),
-      {Field<SpaceAnswer>(
+      {Field<SpaceResults>(
            "opening", "L",
            "the least opening at a vertex, negative where blocks approach",
            jumps_by([](const FaceJump &jump) { return jump.least_opening; })),
-       Field<SpaceAnswer>(
+       Field<SpaceResults>(
            "sliding", "L", "the largest size of the sliding at a vertex",
            jumps_by([](const FaceJump &jump) { return jump.largest_slip; }))});
 }
 
-Fields<SpaceAnswer> polyhedron_loads()
+Fields<SpaceResults> polyhedron_loads()
 {
-  return when<SpaceAnswer>(
+  return when<SpaceResults>(
       with_loads(),
       {vector_field("load", "S L^2", "the sum of the loads on it",
-                    [](const SpaceAnswer &a, const unsigned int c) {
+                    [](const SpaceResults &a, const unsigned int c) {
                       return of_cell(a.scene.loads.force, c);
                     })
            .with_attribute("loads"),
        vector_field("torque", "S L^3", "their moment about its centre",
-                    [](const SpaceAnswer &a, const unsigned int c) {
+                    [](const SpaceResults &a, const unsigned int c) {
                       return of_cell(a.scene.loads.torque, c);
                     })
            .with_attribute("load_torque")});
 }
 
-Fields<SpaceAnswer> polyhedron_motion()
+Fields<SpaceResults> polyhedron_motion()
 {
   const std::string words =
       "displacement of the centre: of elastic joints with the modulus 1, or of "
       "the mechanism, of any size";
-  return when<SpaceAnswer>(
+  return when<SpaceResults>(
       with_motion(),
       {vector_field("displacement", "L", words,
-                    [](const SpaceAnswer &a, const unsigned int c) {
+                    [](const SpaceResults &a, const unsigned int c) {
                       return of_cell(a.motion.displacement, c);
                     })
            .at(FieldDescription::Place::points)
@@ -183,7 +184,7 @@ Fields<SpaceAnswer> polyhedron_motion()
        vector_field("rotation", "",
                     "the vector of the angle, in the unit of the displacement "
                     "over one of length; zero where blocks do not turn",
-                    [](const SpaceAnswer &a, const unsigned int c) {
+                    [](const SpaceResults &a, const unsigned int c) {
                       return of_cell(a.motion.rotation, c);
                     })});
 }

@@ -13,26 +13,26 @@ namespace
 constexpr double not_among_those = std::numeric_limits<double>::quiet_NaN();
 
 /** The force on c- of an interface along n_e, and across it. */
-dealii::Tensor<1, 3> force_on_face(const SpaceAnswer &a, const unsigned int e)
+dealii::Tensor<1, 3> force_on_face(const SpaceResults &a, const unsigned int e)
 {
   return a.forces.resultant(a.scene.packing(), e).force;
 }
 
 /** One end of the range of the normal force. */
-Field<SpaceAnswer> end_of_normal(const std::string &name,
-                                 double Range::*const end)
+Field<SpaceResults> end_of_normal(const std::string &name,
+                                  double Range::*const end)
 {
-  return Field<SpaceAnswer>(
+  return Field<SpaceResults>(
              name, "S L^2",
              "the least and the greatest normal force over [all admissible "
              "states](theory.md#ranges-of-forces), inf without bound; empty "
              "where not asked for",
-             [end](const SpaceAnswer &a, const unsigned int e) {
+             [end](const SpaceResults &a, const unsigned int e) {
                return a.ranges->wanted[e] ? a.ranges->normal[e].*end
                                           : not_among_those;
              })
       .instead_in_grid(
-          [](const SpaceAnswer &a, const unsigned int e) {
+          [](const SpaceResults &a, const unsigned int e) {
             return force_on_face(a, e) *
                    a.scene.packing().interfaces()[e].normal;
           },
@@ -41,13 +41,13 @@ Field<SpaceAnswer> end_of_normal(const std::string &name,
 }
 
 /** One end of the ranges of the components of the shear force. */
-Field<SpaceAnswer> end_of_shear(const std::string &name,
-                                double Range::*const end)
+Field<SpaceResults> end_of_shear(const std::string &name,
+                                 double Range::*const end)
 {
-  return Field<SpaceAnswer>(
+  return Field<SpaceResults>(
              name, "S L^2",
              "the same of each component of the shear force, each by itself",
-             [end](const SpaceAnswer &a, const unsigned int e) {
+             [end](const SpaceResults &a, const unsigned int e) {
                dealii::Tensor<1, 3> ends;
                for (unsigned int i = 0; i < 3; ++i)
                  ends[i] = a.ranges->wanted[e] ? a.ranges->shear[e][i].*end
@@ -59,25 +59,25 @@ Field<SpaceAnswer> end_of_shear(const std::string &name,
 }
 } // namespace
 
-Fields<SpaceAnswer> face_ranges()
+Fields<SpaceResults> face_ranges()
 {
-  return when<SpaceAnswer>(
+  return when<SpaceResults>(
       {"with `Ranges`",
-       [](const SpaceAnswer &a) { return a.ranges.has_value(); }},
+       [](const SpaceResults &a) { return a.ranges.has_value(); }},
       {end_of_normal("normal_force_min", &Range::least),
        end_of_normal("normal_force_max", &Range::greatest),
        end_of_shear("shear_force_min", &Range::least),
        end_of_shear("shear_force_max", &Range::greatest),
-       Field<SpaceAnswer>(
+       Field<SpaceResults>(
            "determined", "",
            "1 where all ranges vanish, so that all states have this force",
-           [](const SpaceAnswer &a, const unsigned int e) {
+           [](const SpaceResults &a, const unsigned int e) {
              return a.ranges->wanted[e] ? double(a.ranges->is_determined(e))
                                         : not_among_those;
            })
            .as_integer()
            .instead_in_grid(
-               [](const SpaceAnswer &, unsigned int) { return -1.; },
+               [](const SpaceResults &, unsigned int) { return -1.; },
                "-1 where none is asked for")});
 }
 } // namespace Voussoir

@@ -16,13 +16,13 @@ namespace
 {
 /** The quantities of a table that are numbers, and the sizes of vectors, but
  * for those of @p others. */
-std::vector<SpaceField> numbers_of(const FieldTable<SpaceAnswer> &table,
-                                   const SpaceAnswer &answer,
+std::vector<SpaceField> numbers_of(const FieldTable<SpaceResults> &table,
+                                   const SpaceResults &answer,
                                    const std::size_t n,
                                    const std::set<std::string> &others)
 {
   std::vector<SpaceField> fields;
-  for (const Field<SpaceAnswer> &field : table.all())
+  for (const Field<SpaceResults> &field : table.all())
   {
     const bool is_vector = field.shape == FieldShape::space_vector;
     if ((!is_vector && field.shape != FieldShape::number) ||
@@ -43,7 +43,7 @@ std::vector<SpaceField> numbers_of(const FieldTable<SpaceAnswer> &table,
 }
 
 /** The motion of all blocks; fixed ones are at rest. */
-std::vector<SpaceReport::BlockMotion> motion_of(const SpaceAnswer &answer)
+std::vector<SpaceReport::BlockMotion> motion_of(const SpaceResults &answer)
 {
   const Packing<3> &packing = answer.scene.packing();
   std::vector<SpaceReport::BlockMotion> motion(packing.polyhedra().n_cells());
@@ -58,7 +58,7 @@ std::vector<SpaceReport::BlockMotion> motion_of(const SpaceAnswer &answer)
 }
 
 /** What was found, for the table below the picture. */
-void add_answer(const SpaceAnswer &answer, SpaceReport &report)
+void add_answer(const SpaceResults &answer, SpaceReport &report)
 {
   const auto add = [&](const std::string &label, const std::string &value) {
     report.summary.emplace_back(label, value);
@@ -83,7 +83,7 @@ void add_answer(const SpaceAnswer &answer, SpaceReport &report)
 } // namespace
 
 void write_packing_report(std::ostream &out,
-                          const SpaceAnswer &answer,
+                          const SpaceResults &answer,
                           const std::string &title,
                           const std::vector<std::string> &warnings,
                           const std::vector<CellDefect> &defects)

@@ -2,6 +2,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/space_ground_summary.h>
+#include <voussoir/output/summary/space_stress_summary.h>
 #include <voussoir/output/summary/versions.h>
 #include <voussoir/packing/connected_groups.h>
 
@@ -114,7 +115,7 @@ Json json_of_vector(const dealii::Tensor<1, 3> &v)
 }
 
 /** What was found, of blocks under loads. */
-void add_answer(const SpaceAnswer &answer, Json &summary)
+void add_answer(const SpaceResults &answer, Json &summary)
 {
   const SpaceScene &scene = answer.scene;
   const Strengths &strengths = scene.blocks->strengths;
@@ -149,6 +150,8 @@ void add_answer(const SpaceAnswer &answer, Json &summary)
         on_ground -= answer.forces.resultant(packing, e).force;
     summary["force_on_ground"] = json_of_vector(on_ground);
     summary["reactions"] = json_of_reactions(answer);
+    if (!answer.mean_stresses.empty())
+      summary["stress"] = json_of_stress(answer);
   }
   else if (answer.is_mechanism)
     summary["mechanism"] = {
@@ -157,7 +160,7 @@ void add_answer(const SpaceAnswer &answer, Json &summary)
 }
 } // namespace
 
-Json summary_of(const SpaceAnswer &answer,
+Json summary_of(const SpaceResults &answer,
                 const std::vector<CellDefect> &defects)
 {
   const Packing<3> &packing = answer.scene.packing();
@@ -195,7 +198,7 @@ Json summary_of(const SpaceAnswer &answer,
 }
 
 void write_summary_json(std::ostream &out,
-                        const SpaceAnswer &answer,
+                        const SpaceResults &answer,
                         const std::string &title,
                         const std::vector<CellDefect> &defects)
 {

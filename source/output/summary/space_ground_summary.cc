@@ -42,7 +42,7 @@ nlohmann::ordered_json json_of(const Tensor<1, 3> &v)
 }
 } // namespace
 
-nlohmann::ordered_json json_of_reactions(const SpaceAnswer &answer)
+nlohmann::ordered_json json_of_reactions(const SpaceResults &answer)
 {
   const std::vector<SpaceReaction> all =
       reactions(answer.scene.packing(), answer.forces);
@@ -58,7 +58,7 @@ nlohmann::ordered_json json_of_reactions(const SpaceAnswer &answer)
   return list;
 }
 
-void show_reactions(Terminal &terminal, const SpaceAnswer &answer)
+void show_reactions(Terminal &terminal, const SpaceResults &answer)
 {
   if (answer.forces.empty() || answer.scene.packing().n_supports() == 0)
     return;

@@ -9,8 +9,8 @@ namespace Voussoir
 {
 namespace
 {
-/** Elements whose values are asked for at a time. */
-constexpr std::size_t at_a_time = 64;
+/** Elements whose values are asked for at a time, and components at most. */
+constexpr std::size_t at_a_time = 64, most_components = 9;
 
 /**
  * Add an array of the components @p of, by their numbers, where -1
@@ -25,7 +25,7 @@ void add_array(VtuFile &file,
   const auto fill = [values = field.drawn(), of,
                      in_plane = field.about->n_components()](
                         std::size_t e, const std::size_t end, Number *place) {
-    std::array<double, 4 * at_a_time> all;
+    std::array<double, most_components * at_a_time> all;
     for (std::size_t next; e < end; e = next)
     {
       next = std::min(e + at_a_time, end);
@@ -76,6 +76,10 @@ void add_fields(VtuFile &file, const BoundFields &fields)
     case FieldShape::tensor:
       add_array<double, 9>(file, about.name, field,
                            {{0, 1, -1, 2, 3, -1, -1, -1, -1}});
+      break;
+    case FieldShape::space_tensor:
+      add_array<double, 9>(file, about.name, field,
+                           {{0, 1, 2, 3, 4, 5, 6, 7, 8}});
       break;
     }
   }

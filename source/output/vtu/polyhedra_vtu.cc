@@ -102,43 +102,62 @@ VtuFile grid_of_polyhedra(const CellFaces &cells,
       {points->first_number.back(), faces},
       {cells.n_cells(), ends_in(&PolyhedronPoints::first_number)});
 }
-/** The displacement of each point with its cell; fixed cells do not move. */
+/**
+ * What each point has with its cell.
+ *
+ * @param of a function of the cell and the place, with components to copy.
+ */
+template <typename Of>
 VtuFile::Fill<double>
-displacement_of(const SpaceAnswer &answer,
-                const std::shared_ptr<const PolyhedronPoints> &points)
+values_of_points(const CellFaces &cells,
+                 const std::shared_ptr<const PolyhedronPoints> &points,
+                 const Of &of)
 {
-  return
-      [&answer, points](std::size_t i, const std::size_t end, double *values) {
-        const Packing<3> &packing = answer.scene.packing();
-        const CellFaces &cells = packing.polyhedra();
-        for (unsigned int c = VtuValues::cell_of(
-                 i, cells.n_cells(),
-                 [&](const unsigned int k) { return points->first[k]; });
-             i < end; ++c)
-          for (; i < std::min(end, points->first[c + 1]); ++i)
-          {
-            dealii::Tensor<1, 3> u;
-            if (c < packing.n_cells())
-              u = answer.motion.at(c, cells.vertices[points->vertices[i]] -
-                                          packing.centre(c));
-            values = std::copy(u.begin_raw(), u.end_raw(), values);
-          }
-      };
+  return [&cells, points, of](std::size_t i, const std::size_t end,
+                              double *values) {
+    for (unsigned int c = VtuValues::cell_of(
+             i, cells.n_cells(),
+             [&](const unsigned int k) { return points->first[k]; });
+         i < end; ++c)
+      for (; i < std::min(end, points->first[c + 1]); ++i)
+      {
+        const auto value = of(c, cells.vertices[points->vertices[i]]);
+        values = std::copy(value.begin_raw(), value.end_raw(), values);
+      }
+  };
 }
 } // namespace
 
-void write_blocks_vtu(std::ostream &out, const SpaceAnswer &answer)
+void write_blocks_vtu(std::ostream &out, const SpaceResults &answer)
 {
   const CellFaces &cells = answer.scene.packing().polyhedra();
   const auto points = std::make_shared<const PolyhedronPoints>(cells);
   VtuFile grid = grid_of_polyhedra(cells, points);
   if (!answer.motion.displacement.empty())
-    grid.add_point_vector("displacement", displacement_of(answer, points));
+    grid.add_point_vector(
+        "displacement",
+        values_of_points(cells, points,
+                         [&](const unsigned int c, const dealii::Point<3> &x) {
+                           const Packing<3> &packing = answer.scene.packing();
+                           return c < packing.n_cells()
+                                      ? answer.motion.at(c,
+                                                         x - packing.centre(c))
+                                      : dealii::Tensor<1, 3>();
+                         }));
+  if (!answer.stresses.empty())
+    grid.add_point_tensor(
+        "stress",
+        values_of_points(cells, points,
+                         [&](const unsigned int c, const dealii::Point<3> &x) {
+                           return c < answer.stresses.size()
+                                      ? answer.stresses[c].at(x)
+                                      : dealii::Tensor<2, 3>();
+                         }));
   add_fields(grid, polyhedron_fields().arrays(answer));
   grid.write(out);
 }
 
-void write_interfaces_vtu(std::ostream &out, const SpaceAnswer &answer)
+void write_interfaces_vtu(std::ostream &out, const SpaceResults &answer)
 {
   const SpacePolygons &polygons = answer.scene.packing().polygons();
   const auto places = [&](std::size_t i, std::size_t end, double *place) {

@@ -73,7 +73,7 @@ VectorExpression vector_in_space(const std::string &formulas,
   return expression;
 }
 
-/** A vector and its moment about the centre of a cell, as six values. */
+/** A vector f and f (x) (x - x_c), of the centre of a cell: twelve values. */
 class ForceDensity
 {
 public:
@@ -91,9 +91,10 @@ public:
     Tensor<1, 3> force;
     for (unsigned int i = 0; i < 3; ++i)
       force[i] = f.component(i, variables, x, where);
-    const Tensor<1, 3> moment = cross_product_3d(x - about, force);
     values.assign(force.begin_raw(), force.end_raw());
-    values.insert(values.end(), moment.begin_raw(), moment.end_raw());
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        values.push_back(force[i] * (x[j] - about[j]));
   }
 
 private:
@@ -103,15 +104,35 @@ private:
   const std::string where;
 };
 
+/** An integral of ForceDensity. */
+struct IntegratedForce
+{
+  explicit IntegratedForce(const SimplexIntegral &integral)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      force[i] = integral.values[i];
+      for (unsigned int j = 0; j < 3; ++j)
+        first_moment[i][j] = integral.values[3 + 3 * i + j];
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
+      torque[i] = first_moment[k][j] - first_moment[j][k];
+    }
+  }
+  Tensor<1, 3> force, torque;
+  Tensor<2, 3> first_moment;
+};
+
 void add_integral(const SimplexIntegral &integral,
                   const unsigned int cell,
                   SpaceLoads &loads)
 {
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    loads.force[cell][i] += integral.values[i];
-    loads.torque[cell][i] += integral.values[3 + i];
-  }
+  const IntegratedForce of(integral);
+  loads.force[cell] += of.force;
+  loads.torque[cell] += of.torque;
+  loads.first_moment[cell] += of.first_moment;
   loads.size[cell] += integral.size;
 }
 
@@ -270,8 +291,10 @@ void SpaceLoadParameters::add_tractions(
   const Condition where(loaded_where, places_on_faces, name + "/Where");
   Inaccuracies inaccuracies(parameter, largest_error_in_space);
   bool is_any = false;
-  for (const Packing<3>::BoundaryFace &face : packing.boundary_faces())
+  const auto &faces = packing.boundary_faces();
+  for (unsigned int b = 0; b < faces.size(); ++b)
   {
+    const Packing<3>::BoundaryFace &face = faces[b];
     const Point<3> &x = face.centroid;
     const Tensor<1, 3> &n = face.normal;
     if (!where({x[0], x[1], x[2], n[0], n[1], n[2]}))
@@ -281,6 +304,7 @@ void SpaceLoadParameters::add_tractions(
     if (is_uniform)
     {
       loads.add(face.cell, face.area * (S * n), x - centre);
+      loads.add_on_face(b, faces.size(), face.area * (S * n), {});
       continue;
     }
     const ForceDensity density(g, centre, {n[0], n[1], n[2]},
@@ -299,6 +323,9 @@ void SpaceLoadParameters::add_tractions(
       return text("on the face at ", text_of_point(x), " of cell ", face.cell);
     });
     add_integral(sum, face.cell, loads);
+    const IntegratedForce of(sum);
+    loads.add_on_face(b, faces.size(), of.force,
+                      of.torque - cross_product_3d(x - centre, of.force));
   }
   if (!is_any)
     throw InputError("The condition '" + loaded_where + "' of '" + name +

@@ -70,7 +70,36 @@ void SpaceLoads::add(const unsigned int cell,
 {
   force[cell] += f;
   torque[cell] += cross_product_3d(arm, f);
+  first_moment[cell] += outer_product(f, arm);
   size[cell] += f.norm();
+}
+
+void SpaceLoads::add_on_face(const unsigned int face,
+                             const std::size_t n_faces,
+                             const Tensor<1, 3> &f,
+                             const Tensor<1, 3> &moment)
+{
+  on_faces.resize(n_faces);
+  on_faces[face].force += f;
+  on_faces[face].moment += moment;
+}
+
+void SpaceLoads::add(const double factor, const SpaceLoads &others)
+{
+  for (unsigned int c = 0; c < size.size(); ++c)
+  {
+    force[c] += factor * others.force[c];
+    torque[c] += factor * others.torque[c];
+    first_moment[c] += factor * others.first_moment[c];
+    size[c] += std::abs(factor) * others.size[c];
+  }
+  if (!others.on_faces.empty())
+    on_faces.resize(others.on_faces.size());
+  for (std::size_t b = 0; b < others.on_faces.size(); ++b)
+  {
+    on_faces[b].force += factor * others.on_faces[b].force;
+    on_faces[b].moment += factor * others.on_faces[b].moment;
+  }
 }
 
 SpaceScene::SpaceScene(std::shared_ptr<const SpaceBlocks> blocks_in,

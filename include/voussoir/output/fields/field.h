@@ -55,6 +55,7 @@ struct FieldDescription
   {
     return shape == FieldShape::number         ? 1
            : shape == FieldShape::space_vector ? 3
+           : shape == FieldShape::space_tensor ? 9
            : shape == FieldShape::tensor       ? 4
                                                : 2;
   }

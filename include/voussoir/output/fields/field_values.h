@@ -36,7 +36,8 @@ enum class FieldShape
   pair,         /**< the numbers of the start and of the end of an edge */
   vector,       /**< two components, x and y */
   space_vector, /**< three components, x, y and z */
-  tensor        /**< four components: xx, xy, yx, yy */
+  tensor,       /**< four components: xx, xy, yx, yy */
+  space_tensor  /**< nine components: xx, xy, xz, yx, ... zz */
 };
 
 /** How the values of a quantity are written. */
@@ -80,6 +81,7 @@ constexpr FieldShape shape_of_values =
     std::is_arithmetic_v<Value>                      ? FieldShape::number
     : std::is_same_v<Value, std::array<double, 2>>   ? FieldShape::pair
     : std::is_base_of_v<dealii::Tensor<2, 2>, Value> ? FieldShape::tensor
+    : std::is_base_of_v<dealii::Tensor<2, 3>, Value> ? FieldShape::space_tensor
     : std::is_base_of_v<dealii::Tensor<1, 3>, Value> ? FieldShape::space_vector
                                                      : FieldShape::vector;
 
@@ -100,6 +102,9 @@ FieldValues values_of_each(const Function &value)
       else if constexpr (shape == FieldShape::space_vector)
         for (const unsigned int i : {0, 1, 2})
           *place++ = v[i];
+      else if constexpr (shape == FieldShape::space_tensor)
+        for (unsigned int i = 0; i < 9; ++i)
+          *place++ = v[i / 3][i % 3];
       else
         for (const unsigned int i : {0, 1})
           *place++ = v[i];

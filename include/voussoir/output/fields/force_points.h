@@ -2,8 +2,8 @@
 #ifndef voussoir_output_fields_force_points_h
 #define voussoir_output_fields_force_points_h
 
-#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/output/fields/field_table.h>
+#include <voussoir/output/space_results.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -26,7 +26,7 @@ struct ForcePoint
 struct ForcePoints
 {
   /** Those of @p answer; none if nothing was asked. */
-  explicit ForcePoints(const SpaceAnswer &answer);
+  explicit ForcePoints(const SpaceResults &answer);
 
   std::vector<ForcePoint> list; /**< the points */
   bool have_forces;             /**< false if the loads are not carried */

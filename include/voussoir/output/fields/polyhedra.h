@@ -2,8 +2,8 @@
 #ifndef voussoir_output_fields_polyhedra_h
 #define voussoir_output_fields_polyhedra_h
 
-#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/output/fields/field_table.h>
+#include <voussoir/output/space_results.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
 namespace Voussoir
@@ -11,9 +11,9 @@ namespace Voussoir
 // All quantities in space, in explicit lists.
 
 /** The quantities of all polyhedra, fixed cells included. */
-const FieldTable<SpaceAnswer> &polyhedron_fields();
+const FieldTable<SpaceResults> &polyhedron_fields();
 /** The quantities of interfaces. */
-const FieldTable<SpaceAnswer> &face_interface_fields();
+const FieldTable<SpaceResults> &face_interface_fields();
 /** The quantities of polyhedra that a packing alone has. */
 const FieldTable<Packing<3>> &packing_polyhedron_fields();
 /** The quantities of interfaces that a packing alone has. */

@@ -2,21 +2,21 @@
 #ifndef voussoir_output_fields_space_forces_h
 #define voussoir_output_fields_space_forces_h
 
-#include <voussoir/analyses/space_analysis.h>
 #include <voussoir/output/fields/field.h>
+#include <voussoir/output/space_results.h>
 
 namespace Voussoir
 {
 // The quantities in space that follow from forces and motions.
 
 /** Of interfaces: the resultants of their forces, and what they use. */
-Fields<SpaceAnswer> face_forces();
+Fields<SpaceResults> face_forces();
 /** Of interfaces: how they open and slide in a motion. */
-Fields<SpaceAnswer> face_jumps();
+Fields<SpaceResults> face_jumps();
 /** Of cells: the loads on them, and fixed cells without. */
-Fields<SpaceAnswer> polyhedron_loads();
+Fields<SpaceResults> polyhedron_loads();
 /** Of cells: their motion. */
-Fields<SpaceAnswer> polyhedron_motion();
+Fields<SpaceResults> polyhedron_motion();
 } // namespace Voussoir
 
 #endif

@@ -2,13 +2,13 @@
 #ifndef voussoir_output_fields_space_ranges_h
 #define voussoir_output_fields_space_ranges_h
 
-#include <voussoir/analyses/space/answer.h>
 #include <voussoir/output/fields/field.h>
+#include <voussoir/output/space_results.h>
 
 namespace Voussoir
 {
 /** Of interfaces in space: their forces among all states. */
-Fields<SpaceAnswer> face_ranges();
+Fields<SpaceResults> face_ranges();
 } // namespace Voussoir
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef voussoir_output_report_packing_report_h
 #define voussoir_output_report_packing_report_h
 
-#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/output/space_results.h>
 
 #include <iosfwd>
 #include <string>
@@ -19,7 +19,7 @@ namespace Voussoir
  * @param defects of the blocks, below these.
  */
 void write_packing_report(std::ostream &out,
-                          const SpaceAnswer &answer,
+                          const SpaceResults &answer,
                           const std::string &title,
                           const std::vector<std::string> &warnings,
                           const std::vector<CellDefect> &defects);

@@ -2,7 +2,7 @@
 #ifndef voussoir_output_summary_packing_summary_h
 #define voussoir_output_summary_packing_summary_h
 
-#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/output/space_results.h>
 #include <voussoir/packing/polyhedra/packing.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -23,11 +23,11 @@ void show_packing(Terminal &terminal, const Packing<3> &packing);
  *
  * @param defects of the blocks, of which kinds and numbers are in it.
  */
-nlohmann::ordered_json summary_of(const SpaceAnswer &answer,
+nlohmann::ordered_json summary_of(const SpaceResults &answer,
                                   const std::vector<CellDefect> &defects);
 /** Write that with a title as JSON, with null for what is not finite. */
 void write_summary_json(std::ostream &out,
-                        const SpaceAnswer &answer,
+                        const SpaceResults &answer,
                         const std::string &title,
                         const std::vector<CellDefect> &defects);
 } // namespace Voussoir

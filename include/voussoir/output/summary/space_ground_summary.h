@@ -2,7 +2,7 @@
 #ifndef voussoir_output_summary_space_ground_summary_h
 #define voussoir_output_summary_space_ground_summary_h
 
-#include <voussoir/analyses/space/answer.h>
+#include <voussoir/output/space_results.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <nlohmann/json.hpp>
@@ -10,10 +10,10 @@
 namespace Voussoir
 {
 /** The reactions of the supports, for summary.json: a list. */
-nlohmann::ordered_json json_of_reactions(const SpaceAnswer &answer);
+nlohmann::ordered_json json_of_reactions(const SpaceResults &answer);
 
 /** Say them; of many the first. Nothing without forces or supports. */
-void show_reactions(Terminal &terminal, const SpaceAnswer &answer);
+void show_reactions(Terminal &terminal, const SpaceResults &answer);
 } // namespace Voussoir
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef voussoir_output_vtu_polyhedra_vtu_h
 #define voussoir_output_vtu_polyhedra_vtu_h
 
-#include <voussoir/analyses/space_analysis.h>
+#include <voussoir/output/space_results.h>
 
 #include <iosfwd>
 
@@ -13,13 +13,13 @@ namespace Voussoir
  * of polyhedra that share no points, with polyhedron_fields() as cell data, and
  * where they move the displacement of each point.
  */
-void write_blocks_vtu(std::ostream &out, const SpaceAnswer &answer);
+void write_blocks_vtu(std::ostream &out, const SpaceResults &answer);
 
 /**
  * The interfaces as a VTK unstructured grid of polygons, with
  * face_interface_fields() as cell data.
  */
-void write_interfaces_vtu(std::ostream &out, const SpaceAnswer &answer);
+void write_interfaces_vtu(std::ostream &out, const SpaceResults &answer);
 } // namespace Voussoir
 
 #endif

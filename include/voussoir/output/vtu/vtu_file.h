@@ -101,6 +101,12 @@ public:
     point_fields.push_back(make_array(name, 3, points.n_items, values));
   }
 
+  /** Give every point nine values, a tensor row by row. */
+  void add_point_tensor(const std::string &name, const Fill<double> &values)
+  {
+    point_fields.push_back(make_array(name, 9, points.n_items, values));
+  }
+
   /** Write the .vtu; @p out must be able to go back. */
   void write(std::ostream &out) const;
 

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -69,19 +70,46 @@ struct SpaceLoads
 {
   /** Nothing on that many cells. */
   explicit SpaceLoads(const unsigned int n_cells)
-      : force(n_cells), torque(n_cells), size(n_cells, 0.)
+      : force(n_cells), torque(n_cells), first_moment(n_cells),
+        size(n_cells, 0.)
   {}
   /** Add the force @p f on @p cell, at @p arm from its centre. */
   void add(unsigned int cell,
            const dealii::Tensor<1, 3> &f,
            const dealii::Tensor<1, 3> &arm);
+  /**
+   * Add what acts on a free face besides, as far as it is told apart from what
+   * acts in the cell.
+   *
+   * @param face its number among Packing::boundary_faces(), of @p n_faces.
+   * @param f its force.
+   * @param moment of that about the centroid of the face.
+   */
+  void add_on_face(unsigned int face,
+                   std::size_t n_faces,
+                   const dealii::Tensor<1, 3> &f,
+                   const dealii::Tensor<1, 3> &moment);
+  /** Add @p factor times other loads on the same cells. */
+  void add(double factor, const SpaceLoads &others);
 
   /** F_c, the sum of all; S L^2. */
   std::vector<dealii::Tensor<1, 3>> force;
   /** Their moment about x_c; S L^3. */
   std::vector<dealii::Tensor<1, 3>> torque;
+  /** The sum of f (x) (x - x_c) over all forces f; S L^3. */
+  std::vector<dealii::Tensor<2, 3>> first_moment;
   /** The sum of their sizes; S L^2. */
   std::vector<double> size;
+  /** What acts on a free face, about its centroid. */
+  struct OnFace
+  {
+    /** S L^2. */
+    dealii::Tensor<1, 3> force;
+    /** S L^3. */
+    dealii::Tensor<1, 3> moment;
+  };
+  /** Of each of Packing::boundary_faces(); empty if no face is loaded. */
+  std::vector<OnFace> on_faces;
 };
 
 /** Blocks in space under loads. */

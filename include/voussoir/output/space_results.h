@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_output_space_results_h
+#define voussoir_output_space_results_h
+
+#include <voussoir/analyses/space/answer.h>
+#include <voussoir/stress/linear_stress.h>
+
+#include <utility>
+#include <vector>
+
+namespace Voussoir
+{
+/** All that is written of blocks in space. */
+struct SpaceResults : SpaceAnswer
+{
+  /** Without what follows from the forces. */
+  explicit SpaceResults(SpaceAnswer answer) : SpaceAnswer(std::move(answer)) {}
+
+  /** cell_mean_stresses() of each cell that moves; empty without forces. */
+  std::vector<dealii::Tensor<2, 3>> mean_stresses;
+  /** linear_stresses() of each; empty if not asked for. */
+  std::vector<LinearStress> stresses;
+};
+
+/** The least and the greatest principal stress; S. */
+struct PrincipalStresses
+{
+  double least = 0., greatest = 0.;
+};
+/** Those of the symmetric part of a tensor. */
+PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma);
+/**
+ * Those of a linear stress anywhere in its cell: at vertices, since the one is
+ * a concave and the other a convex function of the stress.
+ */
+PrincipalStresses principal_stresses(const LinearStress &stress,
+                                     const CellFaces &cells,
+                                     unsigned int cell);
+} // namespace Voussoir
+
+#endif

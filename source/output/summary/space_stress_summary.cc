@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/summary/space_stress_summary.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Voussoir
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+/** A principal stress and the cell that has it. */
+struct ExtremeStress
+{
+  double value = 0.;
+  unsigned int cell = 0;
+};
+
+/** The extremes of all cells, and how well tractions are met. */
+struct StressExtremes
+{
+  explicit StressExtremes(const SpaceResults &results)
+  {
+    const CellFaces &cells = results.scene.packing().polyhedra();
+    for (unsigned int c = 0; c < results.mean_stresses.size(); ++c)
+    {
+      const PrincipalStresses of =
+          results.stresses.empty()
+              ? principal_stresses(results.mean_stresses[c])
+              : principal_stresses(results.stresses[c], cells, c);
+      if (of.least < least.value)
+        least = {of.least, c};
+      if (of.greatest > greatest.value)
+        greatest = {of.greatest, c};
+    }
+    for (const LinearStress &of : results.stresses)
+    {
+      largest_residual = std::max(largest_residual, of.residual);
+      mean_residual += of.residual * of.residual / results.stresses.size();
+    }
+    mean_residual = std::sqrt(mean_residual);
+  }
+  ExtremeStress least, greatest;
+  double largest_residual = 0., mean_residual = 0.;
+};
+
+Json json_of(const ExtremeStress &of)
+{
+  return {{"value", of.value}, {"cell", of.cell}};
+}
+} // namespace
+
+Json json_of_stress(const SpaceResults &results)
+{
+  const StressExtremes of(results);
+  Json json = {{"accuracy", results.stresses.empty() ? "draft" : "fine"},
+               {"principal_stress_min", json_of(of.least)},
+               {"principal_stress_max", json_of(of.greatest)}};
+  if (!results.stresses.empty())
+    json["residual"] = {{"largest", of.largest_residual},
+                        {"root_mean_square", of.mean_residual}};
+  return json;
+}
+
+void show_stress(Terminal &terminal, const SpaceResults &results)
+{
+  const StressExtremes of(results);
+  terminal.stage(
+      "Stress", text("principal stresses from ", of.least.value, " in cell ",
+                     of.least.cell, " to ", of.greatest.value, " in cell ",
+                     of.greatest.cell,
+                     results.stresses.empty()
+                         ? ", of the means of blocks"
+                         : text(", linear in each block; tractions are met to ",
+                                of.mean_residual, " of them in the mean")));
+}
+} // namespace Voussoir

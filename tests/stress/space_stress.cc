@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The stress inside blocks in space: a uniform one comes back in random cells
+// and in a dome, and a linear one in random cells, convex or not; a column
+// under its weight, and a block that is bent.
+
+#include <voussoir/stress/linear_stress.h>
+
+#include "../statics/extruded_scenes.h"
+
+namespace test_space_stress
+{
+using namespace Voussoir;
+using dealii::Point;
+
+/** A symmetric tensor of size one, and its derivatives. */
+struct Field
+{
+  Field()
+  {
+    mean[0][0] = -1.;
+    mean[1][1] = -0.7;
+    mean[2][2] = -1.3;
+    mean[0][1] = mean[1][0] = 0.2;
+    mean[1][2] = mean[2][1] = -0.3;
+    mean[0][2] = mean[2][0] = 0.1;
+  }
+  dealii::Tensor<2, 3> at(const Point<3> &x) const
+  {
+    dealii::Tensor<2, 3> sigma = mean;
+    for (unsigned int k = 0; k < 3; ++k)
+      sigma += x[k] * gradient[k];
+    return sigma;
+  }
+  /** div sigma. */
+  Vector3 divergence() const
+  {
+    Vector3 sum;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        sum[i] += gradient[j][i][j];
+    return sum;
+  }
+  dealii::Tensor<2, 3> mean;
+  dealii::Tensor<2, 3> gradient[3];
+};
+
+/** One that varies. */
+Field linear_field()
+{
+  Field field;
+  double value = 0.3;
+  for (auto &derivative : field.gradient)
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+      {
+        value = std::fmod(1.7 * value + 0.37, 1.) - 0.2;
+        derivative[i][j] = derivative[j][i] = value;
+      }
+  return field;
+}
+
+/**
+ * The forces of the tractions on a polygon, with their first moments: those at
+ * the middles of the sides of triangles.
+ */
+template <typename Add>
+void integrate(const dealii::ArrayView<const Point<3>> &polygon,
+               const Vector3 &normal,
+               const Field &field,
+               const Add &add)
+{
+  for (unsigned int k = 1; k + 1 < polygon.size(); ++k)
+  {
+    const Point<3> corners[] = {polygon[0], polygon[k], polygon[k + 1]};
+    const double area =
+        0.5 * cross_product_3d(corners[1] - corners[0], corners[2] - corners[0])
+                  .norm();
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const Point<3> x = corners[i] + 0.5 * (corners[(i + 1) % 3] - corners[i]);
+      add(x, area / 3. * (field.at(x) * normal));
+    }
+  }
+}
+
+/** A scene and forces in which each face has the tractions of a field. */
+struct Known
+{
+  Known(const SpaceCase &of, const Field &field)
+      : scene(of.blocks(), loads_of(of.packing, field))
+  {
+    const Packing<3> &packing = of.packing;
+    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
+    {
+      integrate(packing.polygon(e), packing.interfaces()[e].normal, field,
+                [&](const Point<3> &x, const Vector3 &f) {
+                  forces.list.push_back({x, f});
+                });
+      forces.first.push_back(forces.list.size());
+    }
+  }
+
+  static SpaceLoads loads_of(const Packing<3> &packing, const Field &field)
+  {
+    SpaceLoads loads(packing.n_cells());
+    const auto &faces = packing.boundary_faces();
+    for (unsigned int b = 0; b < faces.size(); ++b)
+      for (unsigned int p = faces[b].first_part;
+           p < faces[b].first_part + faces[b].n_parts; ++p)
+        integrate(
+            packing.parts()[p], faces[b].normal, field,
+            [&](const Point<3> &x, const Vector3 &f) {
+              loads.add(faces[b].cell, f, x - packing.centre(faces[b].cell));
+              loads.add_on_face(b, faces.size(), f,
+                                cross_product_3d(x - faces[b].centroid, f));
+            });
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      loads.add(c, -packing.volume(c) * field.divergence(),
+                packing.moments(c).centroid - packing.centre(c));
+    return loads;
+  }
+
+  SpaceScene scene;
+  FaceForces forces;
+};
+
+/** The largest error of the stress at a vertex of a cell. */
+double largest_error(const std::vector<LinearStress> &found,
+                     const Packing<3> &packing,
+                     const Field &field)
+{
+  const CellFaces &cells = packing.polyhedra();
+  double error = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    for (unsigned int f = cells.first_face[c]; f < cells.first_face[c + 1]; ++f)
+      for (const unsigned int v : cells.corners(f))
+        error = std::max(error, (found[c].at(cells.vertices[v]) -
+                                 field.at(cells.vertices[v]))
+                                    .norm());
+  return error;
+}
+
+void check_field(const std::string &name,
+                 const Packing<3> &packing,
+                 const Field &field)
+{
+  std::cout << name << std::endl;
+  SpaceCase of{packing};
+  of.packing = packing;
+  of.mu = 0.5;
+  const Known known(of, field);
+  const auto means = cell_mean_stresses(known.scene, known.forces);
+  double error = 0., skew = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    error = std::max(error,
+                     (means[c] - field.at(packing.moments(c).centroid)).norm());
+    skew = std::max(skew, (means[c] - transpose(means[c])).norm());
+  }
+  check_error("  mean stress", error, 1e-10);
+  check_error("  its skew part", skew, 1e-10);
+  const auto found = linear_stresses(known.scene, known.forces, means);
+  check_error("  stress at the vertices", largest_error(found, packing, field),
+              1e-8);
+  double residual = 0.;
+  for (const LinearStress &of_cell : found)
+    residual = std::max(residual, of_cell.residual);
+  check_error("  forces through the faces", residual, 1e-8);
+}
+
+/** Boxes on each other, under their weight. */
+void column()
+{
+  constexpr unsigned int n = 5;
+  CellFaces cells;
+  for (unsigned int k = 0; k < n; ++k)
+    add_box(cells, {0., 0., 1. * k}, {0.8, 0.5, k + 1.});
+  SpaceCase of{Packing<3>(cells)};
+  of.mu = 0.5;
+  const SpaceScene scene(of.blocks(),
+                         body_force(of.packing, vector(0., 0., -2.)));
+  const DiscreteProblem problem = discretise(scene);
+  const FaceForces forces =
+      dimensional_forces(problem, scene,
+                         find_space_state(problem, {}, LinearSolver::automatic,
+                                          Terminal::silent()));
+  const auto found =
+      linear_stresses(scene, forces, cell_mean_stresses(scene, forces));
+  Field field;
+  field.mean = 0.;
+  field.mean[2][2] = -2. * n;
+  field.gradient[2][2][2] = 2.;
+  check_error("A column under its weight",
+              largest_error(found, of.packing, field), 1e-9);
+}
+
+/** A block with a pressure on top that grows along x. */
+void bending()
+{
+  CellFaces cells;
+  add_box(cells, {0., 0., 0.}, {1., 0.5, 2.});
+  SpaceCase of{Packing<3>(cells)};
+  of.mu = 0.5;
+  Field field;
+  field.mean = 0.;
+  field.mean[2][2] = -1.;
+  field.gradient[0][2][2] = -0.4;
+  const SpaceLoads loads = Known::loads_of(of.packing, field);
+  const SpaceScene scene(of.blocks(), loads);
+  const DiscreteProblem problem = discretise(scene);
+  const FaceForces forces =
+      dimensional_forces(problem, scene,
+                         find_space_state(problem, {}, LinearSolver::automatic,
+                                          Terminal::silent()));
+  const auto found =
+      linear_stresses(scene, forces, cell_mean_stresses(scene, forces));
+  check_error("A block that is bent", largest_error(found, of.packing, field),
+              1e-9);
+}
+
+void run()
+{
+  check_field("A uniform stress in random cells",
+              cells_in_box(200, {1., 1., 1.}, 3), Field());
+  check_field("A linear stress in random cells",
+              cells_in_box(200, {1., 1., 1.}, 3), linear_field());
+  check_field("A linear stress in prisms",
+              Packing<3>(extruded(random_packing(40, 5))), linear_field());
+  column();
+  bending();
+}
+
+const RoomTest test("space_stress", run);
+} // namespace test_space_stress
