@@ -17,10 +17,10 @@ FIRST = 2. * numpy.pi * numpy.arange(8) / 8.
 # Of forces from a disc, and of the values with both polygons, over the force of
 # reference; and of corners from each other.
 CLOSE, SMALLEST_GAP, LEAST_ANGLE = 1e-8, 3e-8, 1e-5
-MOST_ROUNDS = 30
+MOST_ROUNDS = 20
 OPTIMAL = 0
 OPTIONS = {"primal_feasibility_tolerance": 1e-10,
-           "dual_feasibility_tolerance": 1e-10}
+           "dual_feasibility_tolerance": 1e-10, "time_limit": 10.}
 
 
 @dataclasses.dataclass

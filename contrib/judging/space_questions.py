@@ -14,12 +14,12 @@ CLAMPS = {"wall": ("z < 1e-9 || nx > 0.99", "z < 1e-9 || abs(nx) > 0.99",
           "grains": ("nz < -0.99", "abs(nz) > 0.99", "nx < -0.99 || nz < -0.99",
                      "abs(nx) > 0.99 || abs(nz) > 0.99")}
 SHARE_OF_CLAMPED = 0.5
-MOST_GRAINS = 12
+MOST_GRAINS = 8
 
 
 class FurtherScene(SpaceScene):
-    """A scene that is small enough for many linear programmes; some have supports
-    on several sides."""
+    """A scene that is small enough for many linear programmes; some have
+    supports on several sides."""
     can_float = True
 
     def __init__(self, seed, k):
@@ -47,6 +47,11 @@ class FurtherScene(SpaceScene):
                    "Sectors": draw.randint(3, 5),
                    "Bond": draw.choice(("running", "stack"))}
         return self.section("dome", entries), "nz < -0.5 && z < 1e-9"
+
+    def stairs(self):
+        entries = {"Steps": 2, "Courses above": 1,
+                   "Bearing": self.draw.uniform(0.1, 0.25)}
+        return self.section("stairs", entries), "z < 1e-9 && nz < -0.5"
 
     def grains(self):
         entries = {"Number of points": self.draw.randint(3, MOST_GRAINS),

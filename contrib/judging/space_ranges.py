@@ -6,8 +6,9 @@ from judging.space import columns
 from judging.space_extremes import SpaceExtremes
 from judging.space_questions import FurtherJudgement
 
-# Of a scene so many pairs of cells are asked for, and ends compared.
-MOST_PAIRS, MOST_ENDS = 2, 6
+# Of a scene so many pairs of cells are asked for, and ends compared, each of
+# which takes some ten to forty programmes.
+MOST_PAIRS, MOST_ENDS = 1, 3
 
 
 class SpaceRangeJudgement(FurtherJudgement):

@@ -1,5 +1,5 @@
-"""The judgement of one scene in space whose friction has no dilatancy: its factor
-beside that with dilatancy, the collapse that it is, and states below it.
+"""The judgement of one scene in space whose friction has no dilatancy: its
+factor beside that with dilatancy, the collapse that it is, and states below it.
 
 No theorem tells which factor is right, so that what a run says is added up
 again: forces within the cones of friction, and a motion that goes with them.
@@ -12,8 +12,8 @@ from judging.space_questions import FurtherJudgement, FurtherScene
 
 # Of the factor those with a state.
 SHARES = (0.5, 0.9, 0.99)
-# Of the factor beyond that with dilatancy; of the collapse, over the factor with
-# dilatancy and over the work of friction; of elastic forces, over the largest,
+# Of the factor beyond that with dilatancy; of the collapse, over the factor
+# with dilatancy and over the work of friction; of elastic forces, over the largest,
 # which get a share of up to 1e-5 of others to be within their limits.
 LARGEST_MISS, LARGEST_ERROR, LARGEST_DIFFERENCE = 1e-8, 1e-4, 1e-4
 # Of joints that close in a motion of the size one.

@@ -1,5 +1,5 @@
-"""The judgement of one state with smoothed friction in space, whose forces follow
-from the motion."""
+"""The judgement of one state with smoothed friction in space, whose forces
+follow from the motion."""
 import numpy
 
 from judging.space import columns
