@@ -17,7 +17,8 @@ FIRST = 2. * numpy.pi * numpy.arange(8) / 8.
 # Of forces from a disc, and of the values with both polygons, over the force of
 # reference; and of corners from each other.
 CLOSE, SMALLEST_GAP, LEAST_ANGLE = 1e-8, 3e-8, 1e-5
-MOST_ROUNDS = 20
+# The last rounds have polygons within in any case.
+MOST_ROUNDS, LAST_ROUNDS = 20, 3
 OPTIMAL = 0
 OPTIONS = {"primal_feasibility_tolerance": 1e-10,
            "dual_feasibility_tolerance": 1e-10, "time_limit": 10.}
@@ -85,7 +86,7 @@ class SpaceExtremes:
 
         A ray is a state without loads and strengths, of forces up to one."""
         between, before = UNKNOWN, numpy.inf
-        for _ in range(MOST_ROUNDS):
+        for k in range(MOST_ROUNDS):
             around = self.solve(cost, angles, False, is_ray)
             if around.status != OPTIMAL:
                 return between
@@ -95,7 +96,7 @@ class SpaceExtremes:
                 return Between(-numpy.inf, most)
             self.refine(angles, around.x, is_ray)
             between = Between(-numpy.inf, most)
-            if before - most > room:
+            if before - most > room and k < MOST_ROUNDS - LAST_ROUNDS:
                 before = most
                 continue
             before = most
