@@ -20,11 +20,12 @@ using Tetrahedron = TetrahedralStress::Tetrahedron;
 /** The volume of no tetrahedron, over that of the cell. */
 constexpr double no_volume = 1e-9;
 /**
- * The proximal term, over the sizes of least squares, and the change of fluxes,
- * over the largest, with which steps end; each leaves about the term of it.
+ * The weight of the square of the stress beside that of the divergence times
+ * the size of the cell, which it hardly changes where fluxes are determined;
+ * and the change of fluxes, over the largest, with which steps end.
  */
-constexpr double proximal_of_fluxes = 1e-4, small_change_of_fluxes = 1e-13;
-constexpr unsigned int n_most_steps = 40;
+constexpr double weight_of_stress = 1e-3, small_change_of_fluxes = 1e-13;
+constexpr unsigned int n_most_steps = 20;
 /**
  * What lets the systems of the multipliers be solved, over their diagonal,
  * where conditions of symmetry follow from each other; the steps remove
@@ -85,9 +86,20 @@ private:
   std::vector<Tensor<1, 3>> tractions;
   /** The divergence that balances the forces, times the size. */
   Tensor<1, 3> divergence;
+  /** The integral of the product of two of the four fields of a unit of flux,
+   * times the volume. */
+  double product(const unsigned int t,
+                 const unsigned int i,
+                 const unsigned int j) const
+  {
+    return integrals[t][i] * integrals[t][j] + spread[t];
+  }
+
   /** Per unit of flux out of each tetrahedron through the three facets within,
    * and through the triangle: the integral of its field. */
   std::vector<std::array<Tensor<1, 3>, 4>> integrals;
+  /** The mean of |x - x_mean|^2 of each, over nine. */
+  std::vector<double> spread;
   dealii::LAPACKFullMatrix<double> inverse, schur;
   /** Of the conditions of symmetry. */
   dealii::Vector<double> scale;
@@ -108,6 +120,10 @@ bool CellOfTetrahedra::make(std::vector<Tetrahedron> &tetrahedra)
     are_all_seen &= volume > no_volume;
     volumes.push_back(volume);
     const Tensor<1, 3> middle = (Tensor<1, 3>(x[0]) + x[1] + x[2]) / 4.;
+    double squares = middle.norm_square();
+    for (unsigned int m = 0; m < 3; ++m)
+      squares += (x[m] - middle).norm_square();
+    spread.push_back(squares / (20. * 9.));
     integrals.push_back({{(middle - x[0]) / 3., (middle - x[1]) / 3.,
                           (middle - x[2]) / 3., middle / 3.}});
     tetrahedra.push_back({{{centroid, surface.points[triangle.corners[0]],
@@ -165,15 +181,15 @@ void CellOfTetrahedra::assemble()
 {
   const unsigned int n = surface.n_edges, m = surface.triangles.size();
   inverse.reinit(n, n);
-  for (unsigned int e = 0; e < n; ++e)
-    inverse(e, e) = proximal_of_fluxes * m;
+  inverse = 0.;
   for (unsigned int t = 0; t < m; ++t)
   {
     const SurfaceTriangles::Triangle &of = surface.triangles[t];
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         inverse(of.edges[i], of.edges[j]) +=
-            of.signs[i] * of.signs[j] / volumes[t];
+            of.signs[i] * of.signs[j] / volumes[t] *
+            (1. + weight_of_stress * product(t, i, j));
   }
   inverse.set_property(dealii::LAPACKSupport::symmetric);
   inverse.invert();
@@ -221,12 +237,11 @@ void CellOfTetrahedra::assemble()
   schur.compute_cholesky_factorization();
 }
 
-/** Proximal steps, each the least one with what it needs of symmetry. */
+/** Steps of the multipliers, each with the least stress for them. */
 bool CellOfTetrahedra::find_fluxes()
 {
   assemble();
   const unsigned int n = surface.n_edges, m = surface.triangles.size();
-  const double proximal = proximal_of_fluxes * m;
   // The multipliers of all steps so far, as they act on the fluxes.
   std::array<dealii::Vector<double>, 3> known, next, right, of_symmetry,
       change_of_symmetry;
@@ -241,7 +256,9 @@ bool CellOfTetrahedra::find_fluxes()
       const SurfaceTriangles::Triangle &of = surface.triangles[t];
       const double missing = divergence[r] - tractions[t][r] / volumes[t];
       for (unsigned int i = 0; i < 3; ++i)
-        known[r][of.edges[i]] += of.signs[i] * missing;
+        known[r][of.edges[i]] +=
+            of.signs[i] * (missing - weight_of_stress * product(t, i, 3) *
+                                         tractions[t][r] / volumes[t]);
     }
   }
   for (unsigned int step = 0; step < n_most_steps; ++step)
@@ -249,7 +266,6 @@ bool CellOfTetrahedra::find_fluxes()
     for (unsigned int r = 0; r < 3; ++r)
     {
       right[r] = known[r];
-      right[r].add(proximal, fluxes[r]);
       right[r] -= of_symmetry[r];
       inverse.vmult(next[r], right[r]);
     }
