@@ -20,19 +20,21 @@ def vector(values):
 class SpaceScene:
     """One scene; its loads are body forces, or stresses on a box of grains."""
     kinds = KINDS
+    laws = LAWS
+    bears_tension = True
 
     def __init__(self, seed, k):
         draw = self.draw = random.Random(f"{seed} {k} in space")
         self.name = f"{seed}_{k}"
         self.kind = KINDS[k % len(KINDS)]
-        self.law = draw.choice(LAWS)
+        self.law = draw.choice(self.laws)
         self.rotations = draw.random() < 0.7
         self.coefficient = draw.choice((0.1, 0.3, 0.6, 1., 1.5)) \
             if self.law != "Tresca" else 0.
         self.strength = 10.**draw.uniform(LEAST_STRENGTH, 1.) \
             if self.law != "Coulomb" else 0.
         self.tension = 0.
-        if draw.random() < 0.2 and self.strength > 0.:
+        if draw.random() < 0.2 and self.strength > 0. and self.bears_tension:
             most = self.strength / self.coefficient if self.coefficient \
                 else self.strength
             self.tension = draw.uniform(0., min(most, 1.))
@@ -129,8 +131,9 @@ class SpaceScene:
             lines = [f"set Body force = {vector(load)}"]
         return "\n".join([f"subsection {section}", *lines, "end"])
 
-    def text(self, factor=None):
-        """A run for the load factor, or for the state with @p factor."""
+    def text(self, factor=None, further=()):
+        """A run for the load factor, or for the state with @p factor, and
+        further lines."""
         analysis = "load factor" if factor is None else "state"
         lines = ["set Dimension = 3", f"set Analysis = {analysis}",
                  f"set Rotations = {str(self.rotations).lower()}",
@@ -145,4 +148,4 @@ class SpaceScene:
                       f"set Direction = {self.sense}", "end"]
         else:
             lines += [self.loads_text("Loads", self.dead + factor * self.live)]
-        return "\n".join(lines) + "\n"
+        return "\n".join([*lines, *further]) + "\n"

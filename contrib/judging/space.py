@@ -101,8 +101,9 @@ class PolygonProgramme:
         self.n = 6 if scene.rotations else 3
         held = blocks.held()
         self.free = [c for c in range(blocks.n) if c not in held]
-        # Of each column the least value.
+        # Of each column the least value; its point, and the force on c-.
         self.columns, self.signs, self.limits = [], [], []
+        self.places, self.directions = [], []
         b = blocks
         tension = scene.tension
         strength = max(scene.strength - scene.coefficient * tension, 0.)
@@ -132,6 +133,8 @@ class PolygonProgramme:
         """A unit force on c- at a point, on all cells."""
         b = self.blocks
         e = b.joint[k]
+        self.places.append(k)
+        self.directions.append(direction)
         column = numpy.zeros((b.n, 6))
         for cell, sign in ((b.minus[e], 1.), (b.plus[e], -1.)):
             if cell >= 0:
@@ -305,7 +308,10 @@ class SpaceJudgement:
             numpy.maximum(-pressure, shear - scene.coefficient *
                           numpy.maximum(pressure, 0.)),
             shear - strength * size)
-        if max(error, excess.max()) > LARGEST_ERROR * reference:
+        # Forces that are carried "to within" may be that much beyond limits.
+        within = LARGEST_ERROR + 2. * run.summary.get("within", 0.)
+        if error > LARGEST_ERROR * reference or \
+                excess.max() > within * reference:
             self.report("fault", run, f"forces are off by {error / reference}"
                         f", and {excess.max() / reference} beyond limits")
 
