@@ -157,6 +157,37 @@ void one_block()
               std::abs(any.normal[0].greatest + 0.25 / (2. * 0.6)), 1e-9);
 }
 
+/**
+ * Two blocks on the ground between two sides, which may press them with any
+ * force or with none: many states have the least pressure, of any size
+ * elsewhere.
+ */
+void two_blocks_between_sides()
+{
+  CellFaces cells;
+  add_box(cells, {0., 0., 0.}, {1., 0.5, 0.5});
+  add_box(cells, {1., 0., 0.}, {2., 0.5, 0.5});
+  SpaceCase of{Packing<3>(cells)};
+  of.packing = Packing<3>(cells);
+  std::vector<bool> is_held;
+  for (const auto &face : of.packing.boundary_faces())
+    is_held.push_back(std::abs(face.normal[0]) > 0.5 || face.normal[2] < -0.5);
+  of.packing.support(is_held);
+  of.mu = 1.;
+  const SpaceScene scene(of.blocks(),
+                         body_force(of.packing, vector(0., 0., -1.)));
+  const std::size_t n = of.packing.interfaces().size();
+  const SpaceRanges found = find_ranges(
+      scene, {std::vector<bool>(n, true), false}, Terminal::silent());
+  double least = 0.;
+  for (unsigned int e = 0; e < n; ++e)
+  {
+    check("pressed without bound", found.is_unbounded(e));
+    least = std::max(least, std::abs(found.normal[e].greatest));
+  }
+  check_error("or not at all", least, 1e-6);
+}
+
 /** A fall of the right half of the ground. */
 void settlements_of_extruded_scenes()
 {
@@ -205,6 +236,7 @@ void run()
 {
   ranges_of_extruded_scenes();
   one_block();
+  two_blocks_between_sides();
   settlements_of_extruded_scenes();
 }
 

@@ -32,6 +32,12 @@ constexpr double largest_width_of_interior = 1e-8,
  * prove nothing.
  */
 constexpr double largest_closing_of_jumps = 1e-6;
+/**
+ * What a pressure costs beside the function, in turn, where nothing was proven:
+ * between supports that clamp a packing many states have the greatest value,
+ * with pressures of any size, and an interior point goes to the largest.
+ */
+constexpr double costs_of_pressure[] = {0., 1e-9, 1e-8};
 /** The iterations to a state away from the limits; it takes about ten. */
 constexpr unsigned int n_max_of_anchor = 100;
 /** What a ray leaves on a body, over its largest force. */
@@ -139,6 +145,19 @@ std::vector<double>
 FeasibleSetOf<SceneOf>::coefficients(const Function &function) const
 {
   return coefficients_of(scene, problem, by_rows.rows(), function);
+}
+
+template <typename SceneOf>
+std::vector<double>
+FeasibleSetOf<SceneOf>::with_cost_of_pressure(std::vector<double> c,
+                                              const double cost) const
+{
+  // Forces are negative in compression.
+  for (unsigned int e = 0; e < problem.joints().size() && cost > 0.; ++e)
+    problem.for_each_pressure(e, [&](const unsigned int r, double) {
+      by_rows.rows().add_force(e, r, cost, c);
+    });
+  return c;
 }
 
 template <typename SceneOf>
@@ -262,17 +281,20 @@ FeasibleSetOf<SceneOf>::greatest(const Function &function,
                                  Terminal &terminal) const
 {
   const std::vector<double> c = coefficients(function);
-  StateProgram::Optimum optimum =
-      greatest_force(by_rows, c, anchor(), terminal);
-  if (optimum.is_unbounded)
-    optimum.x = ray_near(problem, optimum.x);
-  if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
-    return {};
-  Greatest value = judged(optimum, c, function);
-  if (!is_proven(value, are_polyhedral() ? largest_width_of_interior
-                                         : largest_width_of_cones))
-    return {};
-  return value;
+  for (const double cost : costs_of_pressure)
+  {
+    StateProgram::Optimum optimum = greatest_force(
+        by_rows, with_cost_of_pressure(c, cost), anchor(), terminal);
+    if (optimum.is_unbounded)
+      optimum.x = ray_near(problem, optimum.x);
+    if (!optimum.is_found || (optimum.is_unbounded && !is_ray(optimum.x)))
+      continue;
+    Greatest value = judged(optimum, c, function);
+    if (is_proven(value, are_polyhedral() ? largest_width_of_interior
+                                          : largest_width_of_cones))
+      return value;
+  }
+  return {};
 }
 
 template class FeasibleSetOf<Scene>;

@@ -106,6 +106,9 @@ public:
 
 private:
   std::vector<double> coefficients(const Function &function) const;
+  /** Those with a cost of every pressure besides. */
+  std::vector<double> with_cost_of_pressure(std::vector<double> c,
+                                            double cost) const;
   bool is_proven(const Greatest &value, double largest_width) const;
   Greatest judged(StateProgram::Optimum optimum,
                   const std::vector<double> &c,
