@@ -15,6 +15,8 @@
 #include <voussoir/output/vtu/packing_files.h>
 #include <voussoir/output/vtu/polyhedra_vtu.h>
 #include <voussoir/output/vtu/pvd.h>
+#include <voussoir/output/vtu/stress_vtu.h>
+#include <voussoir/output/vtu/tetrahedra_vtu.h>
 #include <voussoir/packing/polyhedra/cell_overlaps.h>
 #include <voussoir/packing/polyhedra/models/writers.h>
 #include <voussoir/run/space_run.h>
@@ -69,6 +71,10 @@ void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
       prm, "Accuracy", accuracy,
       {{Accuracy::draft, "draft",
         "the mean stress of each block, from the forces alone."},
+       {Accuracy::standard, "standard",
+        "besides, the paper's stress, by Raviart-Thomas elements on tetrahedra "
+        "between the centroid and the faces, in " +
+            stress_vtu + "."},
        {Accuracy::fine, "fine",
         "besides, the linear stress in each block whose forces and moments "
         "through all faces come closest to those that were found."}},
@@ -156,6 +162,9 @@ SpaceResult SpaceRun::answer_on(CheckedPacking checked) const
     if (accuracy == Accuracy::fine)
       answer.stresses =
           linear_stresses(answer.scene, answer.forces, answer.mean_stresses);
+    if (accuracy == Accuracy::standard)
+      answer.tetrahedra =
+          tetrahedral_stress(answer.scene, answer.forces, answer.mean_stresses);
     show_stress(terminal, answer);
   }
   return {std::move(answer), std::move(checked.defects)};
@@ -208,6 +217,11 @@ void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
   add(blocks_vtu, write_blocks_vtu);
   add(interfaces_vtu, write_interfaces_vtu);
   std::vector<std::string> grids = {blocks_vtu, interfaces_vtu};
+  if (answer.tetrahedra)
+  {
+    add(stress_vtu, write_tetrahedra_vtu);
+    grids.push_back(stress_vtu);
+  }
   if (have_places(defects))
   {
     files.write(defects_vtu,

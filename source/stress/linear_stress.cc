@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/stress/linear_stress.h>
+#include <voussoir/stress/loaded_faces.h>
 
 #include <deal.II/base/parallel.h>
 #include <deal.II/lac/full_matrix.h>
@@ -24,76 +25,6 @@ constexpr unsigned int component_of[6][2] = {{0, 0}, {1, 1}, {2, 2},
 constexpr double shift_of_gradients = 1e-13;
 /** The cells that a task has at least. */
 constexpr unsigned int least_cells_of_task = 64;
-
-/** A part of the surface of a cell, and what goes through it. */
-struct LoadedFace
-{
-  Point<3> centroid;
-  /** Out of the cell. */
-  Tensor<1, 3> normal;
-  double area;
-  /** Of the area about the centroid. */
-  Tensor<2, 3> second;
-  /** On the cell; the moment is about the centroid. */
-  Tensor<1, 3> force, moment;
-};
-
-/** Add the second moments of a plane polygon about @p centroid. */
-void add_second_moments(const dealii::ArrayView<const Point<3>> &polygon,
-                        const Point<3> &centroid,
-                        Tensor<2, 3> &second)
-{
-  for (unsigned int k = 1; k + 1 < polygon.size(); ++k)
-  {
-    const Tensor<1, 3> corners[] = {polygon[0] - centroid,
-                                    polygon[k] - centroid,
-                                    polygon[k + 1] - centroid};
-    const double area =
-        0.5 * cross_product_3d(corners[1] - corners[0], corners[2] - corners[0])
-                  .norm();
-    const Tensor<1, 3> sum = corners[0] + corners[1] + corners[2];
-    second += area / 12. * outer_product(sum, sum);
-    for (const Tensor<1, 3> &corner : corners)
-      second += area / 12. * outer_product(corner, corner);
-  }
-}
-
-/** The faces of all cells. */
-std::vector<std::vector<LoadedFace>> loaded_faces(const SpaceScene &scene,
-                                                  const FaceForces &forces)
-{
-  const Packing<3> &packing = scene.packing();
-  std::vector<std::vector<LoadedFace>> of_cells(packing.n_cells());
-  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-  {
-    const Packing<3>::Interface &i = packing.interfaces()[e];
-    const FaceResultant of = forces.resultant(packing, e);
-    LoadedFace face = {i.centroid, i.normal, i.area, {}, of.force, of.moment};
-    add_second_moments(packing.polygon(e), i.centroid, face.second);
-    of_cells[i.cell_minus].push_back(face);
-    if (i.cell_plus == packing.ground())
-      continue;
-    for (Tensor<1, 3> *const v : {&face.normal, &face.force, &face.moment})
-      *v *= -1.;
-    of_cells[i.cell_plus].push_back(face);
-  }
-  const auto &loads = scene.loads.on_faces;
-  for (unsigned int b = 0; b < packing.boundary_faces().size(); ++b)
-  {
-    const Packing<3>::BoundaryFace &free = packing.boundary_faces()[b];
-    LoadedFace face = {free.centroid, free.normal, free.area, {}, {}, {}};
-    if (!loads.empty())
-    {
-      face.force = loads[b].force;
-      face.moment = loads[b].moment;
-    }
-    for (unsigned int p = free.first_part; p < free.first_part + free.n_parts;
-         ++p)
-      add_second_moments(packing.parts()[p], free.centroid, face.second);
-    of_cells[free.cell].push_back(face);
-  }
-  return of_cells;
-}
 
 /** The fit of one cell after the other. */
 class LinearFit

@@ -5,6 +5,7 @@
 // under its weight, and a block that is bent.
 
 #include <voussoir/stress/linear_stress.h>
+#include <voussoir/stress/tetrahedral_stress.h>
 
 #include "../statics/extruded_scenes.h"
 
@@ -141,6 +142,42 @@ double largest_error(const std::vector<LinearStress> &found,
   return error;
 }
 
+/** The stress of Raviart and Thomas: what it has to meet, and how well. */
+void check_tetrahedra(const Known &known,
+                      const Packing<3> &packing,
+                      const Field &field,
+                      const std::vector<dealii::Tensor<2, 3>> &means)
+{
+  const TetrahedralStress found =
+      tetrahedral_stress(known.scene, known.forces, means);
+  check("  all blocks have it", found.undetermined.empty());
+  const bool is_uniform = field.divergence().norm() == 0.;
+  double error = 0., skew = 0., volume_error = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    double volume = 0.;
+    for (std::size_t t = found.first[c]; t < found.first[c + 1]; ++t)
+    {
+      const auto &of = found.list[t];
+      const auto &x = of.corners;
+      volume += cross_product_3d(x[1] - x[0], x[2] - x[0]) * (x[3] - x[0]) / 6.;
+      // By their share: slender ones have fewer digits.
+      const double share = cross_product_3d(x[1] - x[0], x[2] - x[0]) *
+                           (x[3] - x[0]) / (6. * packing.volume(c));
+      skew = std::max(skew, share * (of.stress - transpose(of.stress)).norm());
+      if (is_uniform)
+        error = std::max({error, (of.stress - field.mean).norm(),
+                          of.divergence.norm() * std::cbrt(packing.volume(c))});
+    }
+    volume_error =
+        std::max(volume_error, std::abs(volume / packing.volume(c) - 1.));
+  }
+  check_error("  volume of tetrahedra", volume_error, 1e-12);
+  check_error("  they are symmetric", skew, 1e-9);
+  if (is_uniform)
+    check_error("  and have a uniform stress", error, 1e-9);
+}
+
 void check_field(const std::string &name,
                  const Packing<3> &packing,
                  const Field &field)
@@ -163,6 +200,7 @@ void check_field(const std::string &name,
   const auto found = linear_stresses(known.scene, known.forces, means);
   check_error("  stress at the vertices", largest_error(found, packing, field),
               1e-8);
+  check_tetrahedra(known, packing, field, means);
   double residual = 0.;
   for (const LinearStress &of_cell : found)
     residual = std::max(residual, of_cell.residual);
@@ -219,6 +257,29 @@ void bending()
               1e-9);
 }
 
+/** A block whose fluxes have a kernel. */
+Packing<3> octahedron()
+{
+  CellFaces cells;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (const double sign : {1., -1.})
+    {
+      Point<3> x;
+      x[i] = sign;
+      cells.vertices.push_back(x);
+    }
+  // Vertex 2 i + s is at (-1)^s along axis i.
+  for (unsigned int k = 0; k < 8; ++k)
+  {
+    const unsigned int a = k % 2, b = 2 + k / 2 % 2, c = 4 + k / 4;
+    const bool is_right = (k % 2 + k / 2 % 2 + k / 4) % 2 == 0;
+    cells.add_face(is_right ? std::vector<unsigned int>{a, b, c}
+                            : std::vector<unsigned int>{a, c, b});
+  }
+  cells.end_cell();
+  return Packing<3>(cells);
+}
+
 void run()
 {
   check_field("A uniform stress in random cells",
@@ -227,6 +288,11 @@ void run()
               cells_in_box(200, {1., 1., 1.}, 3), linear_field());
   check_field("A linear stress in prisms",
               Packing<3>(extruded(random_packing(40, 5))), linear_field());
+  check_field("A uniform stress in an octahedron", octahedron(), Field());
+  check_field("A linear stress in an octahedron", octahedron(), linear_field());
+  // Whose bricks meet two others above and below.
+  check_field("A uniform stress in a wall", Packing<3>(brick_wall(3, 2, 4)),
+              Field());
   column();
   bending();
 }

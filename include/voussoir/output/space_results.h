@@ -4,7 +4,9 @@
 
 #include <voussoir/analyses/space/answer.h>
 #include <voussoir/stress/linear_stress.h>
+#include <voussoir/stress/tetrahedral_stress.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,8 @@ struct SpaceResults : SpaceAnswer
   std::vector<dealii::Tensor<2, 3>> mean_stresses;
   /** linear_stresses() of each; empty if not asked for. */
   std::vector<LinearStress> stresses;
+  /** tetrahedral_stress(), if it is asked for. */
+  std::optional<TetrahedralStress> tetrahedra;
 };
 
 /** The least and the greatest principal stress; S. */

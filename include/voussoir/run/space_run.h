@@ -83,6 +83,7 @@ private:
   enum class Accuracy
   {
     draft,
+    standard,
     fine
   };
 

@@ -25,22 +25,28 @@ struct StressExtremes
   {
     const CellFaces &cells = results.scene.packing().polyhedra();
     for (unsigned int c = 0; c < results.mean_stresses.size(); ++c)
-    {
-      const PrincipalStresses of =
-          results.stresses.empty()
-              ? principal_stresses(results.mean_stresses[c])
-              : principal_stresses(results.stresses[c], cells, c);
-      if (of.least < least.value)
-        least = {of.least, c};
-      if (of.greatest > greatest.value)
-        greatest = {of.greatest, c};
-    }
+      if (results.tetrahedra)
+        for (std::size_t t = results.tetrahedra->first[c];
+             t < results.tetrahedra->first[c + 1]; ++t)
+          add(principal_stresses(results.tetrahedra->list[t].stress), c);
+      else
+        add(results.stresses.empty()
+                ? principal_stresses(results.mean_stresses[c])
+                : principal_stresses(results.stresses[c], cells, c),
+            c);
     for (const LinearStress &of : results.stresses)
     {
       largest_residual = std::max(largest_residual, of.residual);
       mean_residual += of.residual * of.residual / results.stresses.size();
     }
     mean_residual = std::sqrt(mean_residual);
+  }
+  void add(const PrincipalStresses &of, const unsigned int c)
+  {
+    if (of.least < least.value)
+      least = {of.least, c};
+    if (of.greatest > greatest.value)
+      greatest = {of.greatest, c};
   }
   ExtremeStress least, greatest;
   double largest_residual = 0., mean_residual = 0.;
@@ -55,25 +61,47 @@ Json json_of(const ExtremeStress &of)
 Json json_of_stress(const SpaceResults &results)
 {
   const StressExtremes of(results);
-  Json json = {{"accuracy", results.stresses.empty() ? "draft" : "fine"},
+  Json json = {{"accuracy", results.tetrahedra         ? "standard"
+                            : results.stresses.empty() ? "draft"
+                                                       : "fine"},
                {"principal_stress_min", json_of(of.least)},
                {"principal_stress_max", json_of(of.greatest)}};
+  if (results.tetrahedra)
+    json["undetermined"] = results.tetrahedra->undetermined;
   if (!results.stresses.empty())
     json["residual"] = {{"largest", of.largest_residual},
                         {"root_mean_square", of.mean_residual}};
   return json;
 }
 
+namespace
+{
+/** Of what the stress is, behind its extremes. */
+std::string what_stress(const SpaceResults &results, const StressExtremes &of)
+{
+  if (results.tetrahedra)
+  {
+    const std::size_t n_without = results.tetrahedra->undetermined.size();
+    return text(", in ", results.tetrahedra->list.size(), " tetrahedra",
+                n_without == 0
+                    ? std::string()
+                    : text("; ", counted(n_without, "block"),
+                           " not seen whole from the centroid, or with open "
+                           "faces, with the mean stress instead"));
+  }
+  if (results.stresses.empty())
+    return ", of the means of blocks";
+  return text(", linear in each block; tractions are met to ", of.mean_residual,
+              " of them in the mean");
+}
+} // namespace
+
 void show_stress(Terminal &terminal, const SpaceResults &results)
 {
   const StressExtremes of(results);
-  terminal.stage(
-      "Stress", text("principal stresses from ", of.least.value, " in cell ",
-                     of.least.cell, " to ", of.greatest.value, " in cell ",
-                     of.greatest.cell,
-                     results.stresses.empty()
-                         ? ", of the means of blocks"
-                         : text(", linear in each block; tractions are met to ",
-                                of.mean_residual, " of them in the mean")));
+  terminal.stage("Stress",
+                 text("principal stresses from ", of.least.value, " in cell ",
+                      of.least.cell, " to ", of.greatest.value, " in cell ",
+                      of.greatest.cell, what_stress(results, of)));
 }
 } // namespace Voussoir

@@ -32,6 +32,7 @@ public:
     line = 3,          /**< two points */
     polygon = 7,       /**< any number of points, around it */
     quadrilateral = 9, /**< four points, around it */
+    tetrahedron = 10,  /**< four points, the last above the others */
     polyhedron = 42    /**< any number of points, with faces */
   };
 

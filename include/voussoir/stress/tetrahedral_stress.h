@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_stress_tetrahedral_stress_h
+#define voussoir_stress_tetrahedral_stress_h
+
+#include <voussoir/stress/surface_triangles.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Voussoir
+{
+/** The stress in the tetrahedra of all cells in space. */
+struct TetrahedralStress
+{
+  /** One tetrahedron, between a centroid and a triangle of the surface. */
+  struct Tetrahedron
+  {
+    /** The centroid first; lengths. */
+    std::array<dealii::Point<3>, 4> corners;
+    /** The mean of sigma; S. */
+    dealii::Tensor<2, 3> stress;
+    /** The mean of div sigma; S/L. */
+    dealii::Tensor<1, 3> divergence;
+  };
+
+  /** Those of the first cell come first. */
+  std::vector<Tetrahedron> list;
+  /** The first of each cell, and at last the size of the list. */
+  std::vector<std::size_t> first = {0};
+  /**
+   * The cells without a stress of their own, whose tetrahedra, if there are
+   * any, have the mean one: those that are not seen whole from their centroid,
+   * and those whose faces do not close. Ascending.
+   */
+  std::vector<unsigned int> undetermined;
+};
+
+/**
+ * The paper's reconstruction in space (eq. 15): in each cell, on the tetrahedra
+ * between its centroid and triangles of its surface without new points, the
+ * rows of sigma in RT_0 with constant normal traces on the triangles, weakly
+ * symmetric with a multiplier in P_0, and div sigma = -b in the sense of least
+ * squares; where that leaves several, as in an octahedron, the least one.
+ *
+ * On a face that bears the force F and the moment M about its centroid the
+ * trace of each triangle is F / |f| + a x (x - x_f), with the angle a by which
+ * the triangles together have M as far as they can.
+ *
+ * The symmetric part of the mean stress is taken out first, so that a uniform
+ * stress comes back to rounding.
+ *
+ * @param means cell_mean_stresses().
+ */
+TetrahedralStress
+tetrahedral_stress(const SpaceScene &scene,
+                   const FaceForces &forces,
+                   const std::vector<dealii::Tensor<2, 3>> &means);
+} // namespace Voussoir
+
+#endif
