@@ -29,7 +29,11 @@ struct SpaceResults : SpaceAnswer
 /** The least and the greatest principal stress; S. */
 struct PrincipalStresses
 {
-  double least = 0., greatest = 0.;
+  /** @{ */
+  /** One of them. */
+  double least = 0.;
+  double greatest = 0.;
+  /** @} */
 };
 /** Those of the symmetric part of a tensor. */
 PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma);

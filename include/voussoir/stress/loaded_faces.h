@@ -24,8 +24,10 @@ struct LoadedFace
   double area;
   /** Of the area about the centroid. */
   dealii::Tensor<2, 3> second;
-  /** On the cell; the moment is about the centroid. */
-  dealii::Tensor<1, 3> force, moment;
+  /** On the cell; S L^2. */
+  dealii::Tensor<1, 3> force;
+  /** Of that about the centroid; S L^3. */
+  dealii::Tensor<1, 3> moment;
   /** What it consists of, as lists of vertices; a free face has several. */
   std::vector<dealii::ArrayView<const dealii::Point<3>>> polygons = {};
 };

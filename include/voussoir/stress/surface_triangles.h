@@ -27,7 +27,9 @@ struct SurfaceTriangles
 
   /** Lengths. */
   std::vector<dealii::Point<3>> points;
+  /** All of them. */
   std::vector<Triangle> triangles;
+  /** The number of their edges. */
   unsigned int n_edges = 0;
   /**
    * False if the faces do not close the surface edge to edge, as those of a

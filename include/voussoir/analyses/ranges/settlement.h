@@ -53,6 +53,7 @@ struct SettlementOf
 /** That in the plane. */
 using Settlement = SettlementOf<Scene>;
 
+/** @{ */
 /**
  * Find it.
  *
@@ -67,6 +68,7 @@ Settlement find_settlement(const Scene &scene,
 SettlementOf<SpaceScene>
 find_settlement(const SpaceScene &scene,
                 const std::vector<SpaceSupportMotion> &of_supports);
+/** @} */
 } // namespace Voussoir
 
 #endif

@@ -22,6 +22,7 @@ inline dealii::Tensor<1, 3> across(const dealii::Tensor<1, 3> &v,
 /** What the points of an interface in space admit, for certificates; S L^2. */
 struct PointLimits
 {
+  /** Of interface @p e. */
   PointLimits(const SpaceBlocks &blocks, const unsigned int e)
       : coefficient(blocks.coefficient(e))
   {
