@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/range_analysis.h>
+#include <voussoir/analyses/ranges/range_words.h>
 #include <voussoir/base/text.h>
 
 namespace Voussoir
@@ -8,30 +9,9 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** How many interfaces have their ranges, and of which kinds they are. */
-struct CountOfRanges
-{
-  explicit CountOfRanges(const Ranges &ranges)
-  {
-    for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
-    {
-      wanted += ranges.wanted[e];
-      determined += ranges.is_determined(e);
-      unbounded += ranges.is_unbounded(e);
-    }
-  }
-
-  unsigned int wanted = 0;     /**< that were asked for */
-  unsigned int determined = 0; /**< with the same forces in all states */
-  unsigned int unbounded = 0;  /**< with forces of any size */
-};
-
 /** The ranges of the reactions of all straight supports. */
 Json summary_of_reactions(const Ranges &ranges)
 {
-  const auto pair = [](const Range &range) {
-    return Json::array({range.least, range.greatest});
-  };
   Json json = Json::array();
   for (unsigned int s = 0; s < ranges.reactions.size(); ++s)
   {
@@ -39,41 +19,24 @@ Json summary_of_reactions(const Ranges &ranges)
     const auto &[x, y] = ranges.reactions[s];
     json.push_back({{"from", {start[0], start[1]}},
                     {"to", {end[0], end[1]}},
-                    {"x", pair(x)},
-                    {"y", pair(y)}});
+                    {"x", json_of_range(x)},
+                    {"y", json_of_range(y)}});
   }
   return json;
 }
 
-/** The ranges of forces, with the errors of their proofs over the loads. */
+/** The ranges of forces. */
 Json summary_of(const Ranges &ranges)
 {
-  const CountOfRanges count(ranges);
-  return {{"interfaces", count.wanted},
-          {"determined", count.determined},
-          {"unbounded", count.unbounded},
-          {"reactions", summary_of_reactions(ranges)},
-          {"width", ranges.reference > 0.
-                        ? Json(ranges.proofs.width / ranges.reference)
-                        : Json(nullptr)},
-          {"error_of_states", ranges.proofs.error_of_states},
-          {"closing_violation", ranges.proofs.closing_violation},
-          {"programmes", ranges.proofs.n_programmes},
-          {"iterations", ranges.proofs.n_iterations}};
+  Json json = json_of_ranges(ranges, summary_of_reactions(ranges));
+  json["iterations"] = ranges.proofs.n_iterations;
+  return json;
 }
 } // namespace
 
 std::string description_of(const Ranges &ranges)
 {
-  const CountOfRanges count(ranges);
-  std::string words = text("forces of ", counted(count.wanted, "interface"),
-                           ": ", count.determined, " determined by statics");
-  if (count.unbounded > 0)
-    words += text(", ", count.unbounded, " without bound");
-  if (!ranges.reactions.empty())
-    words += text("; reactions of ",
-                  counted(ranges.reactions.size(), "straight support"));
-  return words;
+  return words_of_ranges(ranges, "straight support");
 }
 
 void RangeAnalysis::check(const Scene &scene) const

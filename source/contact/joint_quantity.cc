@@ -7,6 +7,7 @@
 #include <voussoir/formula/integrals/edge_integral.h>
 #include <voussoir/formula/integrals/inaccuracies.h>
 #include <voussoir/formula/integrals/simplex_integral.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
@@ -30,9 +31,9 @@ public:
   QuantityFormula(const std::string &formula,
                   const std::string &parameter,
                   const JointQuantity &quantity)
-      : value(formula, variables(), parameter), jumps(jumps_of(value)),
-        formula(formula), parameter(parameter), word(quantity.word),
-        is_positive(quantity.is_positive),
+      : value(formula, variables_on_sides<dim>(), parameter),
+        jumps(jumps_of(value)), formula(formula), parameter(parameter),
+        word(quantity.word), is_positive(quantity.is_positive),
         inaccuracies(parameter, dim == 2 ? 1e-6 : largest_error_in_space)
   {}
 
@@ -62,11 +63,6 @@ public:
   std::vector<std::string> warnings() const { return inaccuracies.warnings(); }
 
 private:
-  static std::vector<std::string> variables()
-  {
-    return dim == 2 ? std::vector<std::string>{"x", "y", "nx", "ny"}
-                    : std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz"};
-  }
   /** In space jumps are left to the halving of triangles. */
   static Discontinuities jumps_of(const Expression &value)
   {

@@ -4,6 +4,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace Voussoir
 {
@@ -13,20 +14,30 @@ PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma)
   return {values[2], values[0]};
 }
 
-PrincipalStresses principal_stresses(const LinearStress &stress,
-                                     const CellFaces &cells,
-                                     const unsigned int cell)
+void SpaceResults::find_principal_stresses()
 {
-  PrincipalStresses found = principal_stresses(stress.mean);
-  for (unsigned int f = cells.first_face[cell]; f < cells.first_face[cell + 1];
-       ++f)
-    for (const unsigned int v : cells.corners(f))
-    {
-      const PrincipalStresses there =
-          principal_stresses(stress.at(cells.vertices[v]));
+  const CellFaces &cells = scene.packing().polyhedra();
+  principal.clear();
+  for (unsigned int c = 0; c < mean_stresses.size(); ++c)
+  {
+    PrincipalStresses found = principal_stresses(mean_stresses[c]);
+    const auto add = [&found](const dealii::Tensor<2, 3> &sigma) {
+      const PrincipalStresses there = principal_stresses(sigma);
       found.least = std::min(found.least, there.least);
       found.greatest = std::max(found.greatest, there.greatest);
-    }
-  return found;
+    };
+    // Of a linear stress they are at vertices: the one is a concave and the
+    // other a convex function of it.
+    if (!stresses.empty())
+      for (unsigned int f = cells.first_face[c]; f < cells.first_face[c + 1];
+           ++f)
+        for (const unsigned int v : cells.corners(f))
+          add(stresses[c].at(cells.vertices[v]));
+    if (tetrahedra)
+      for (std::size_t t = tetrahedra->first[c]; t < tetrahedra->first[c + 1];
+           ++t)
+        add(tetrahedra->list[t].stress);
+    principal.push_back(found);
+  }
 }
 } // namespace Voussoir

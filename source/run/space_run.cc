@@ -126,7 +126,6 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
       answer_on(packings ? *shared_packing(directory, packings->in_space)
                          : read_packing(directory));
   const SpaceResults &answer = result.answer;
-  show_reactions(terminal, answer);
   RunOutcome outcome;
   if (answer.is_analysed)
     outcome.status = answer.status;
@@ -157,17 +156,26 @@ SpaceResult SpaceRun::answer_on(CheckedPacking checked) const
       terminal));
   if (!answer.forces.empty())
   {
-    terminal.begin("Stress");
-    answer.mean_stresses = cell_mean_stresses(answer.scene, answer.forces);
-    if (accuracy == Accuracy::fine)
-      answer.stresses =
-          linear_stresses(answer.scene, answer.forces, answer.mean_stresses);
-    if (accuracy == Accuracy::standard)
-      answer.tetrahedra =
-          tetrahedral_stress(answer.scene, answer.forces, answer.mean_stresses);
+    answer.reactions = reactions(answer.scene.packing(), answer.forces);
+    show_reactions(terminal, answer);
+    find_stress(answer);
     show_stress(terminal, answer);
   }
   return {std::move(answer), std::move(checked.defects)};
+}
+
+void SpaceRun::find_stress(SpaceResults &results) const
+{
+  terminal.begin("Stress");
+  const SpaceScene &scene = results.scene;
+  results.mean_stresses = cell_mean_stresses(scene, results.forces);
+  if (accuracy == Accuracy::standard)
+    results.tetrahedra =
+        tetrahedral_stress(scene, results.forces, results.mean_stresses);
+  else if (accuracy == Accuracy::fine)
+    results.stresses =
+        linear_stresses(scene, results.forces, results.mean_stresses);
+  results.find_principal_stresses();
 }
 
 std::shared_ptr<const CheckedPacking>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/formula/expression.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polyhedra/fixed_cells.h>
@@ -20,8 +21,7 @@ std::vector<bool> boundary_faces_where(const Packing<3> &packing,
                                        const std::string &condition,
                                        const std::string &parameter)
 {
-  const Condition holds(condition, {"x", "y", "z", "nx", "ny", "nz"},
-                        parameter);
+  const Condition holds(condition, variables_on_sides<3>(), parameter);
   std::vector<bool> chosen;
   for (const Packing<3>::BoundaryFace &face : packing.boundary_faces())
   {
@@ -71,8 +71,7 @@ Packing<3> SpaceSupports::support(Packing<3> packing) const
     packing = Packing<3>(with_fixed_cells(packing.polyhedra(), is_fixed));
   }
   const std::string parameter = "Supports/Where";
-  if (!Condition(where, {"x", "y", "z", "nx", "ny", "nz"}, parameter)
-           .is_never())
+  if (!Condition(where, variables_on_sides<3>(), parameter).is_never())
     packing.support(boundary_faces_where(packing, where, parameter));
   return packing;
 }

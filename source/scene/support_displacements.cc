@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
@@ -22,7 +23,6 @@ template <int dim>
 struct SupportWords
 {
   static const std::string forms, angle, places;
-  static const std::vector<std::string> variables;
 };
 template <>
 const std::string SupportWords<2>::forms =
@@ -36,9 +36,6 @@ const std::string SupportWords<2>::places =
     "the midpoint x, y of each supported edge and its outward unit normal nx, "
     "ny";
 template <>
-const std::vector<std::string> SupportWords<2>::variables = {"x", "y", "nx",
-                                                             "ny"};
-template <>
 const std::string SupportWords<3>::forms =
     "\"u_x; u_y; u_z\" or \"u_x; u_y; u_z; a_x; a_y; a_z\"";
 template <>
@@ -49,9 +46,6 @@ template <>
 const std::string SupportWords<3>::places =
     "the centroid x, y, z of each supported face and its outward unit normal "
     "nx, ny, nz";
-template <>
-const std::vector<std::string> SupportWords<3>::variables = {"x",  "y",  "z",
-                                                             "nx", "ny", "nz"};
 
 /** The supports under the cells of a name, which have had no motion yet. */
 template <int dim>
@@ -133,7 +127,7 @@ void move(const Packing<dim> &packing,
           const std::string &parameter,
           std::vector<SupportMotionIn<dim>> &motion)
 {
-  const VectorExpression u(value, SupportWords<dim>::variables, parameter);
+  const VectorExpression u(value, variables_on_sides<dim>(), parameter);
   if (u.size() != dim && u.size() != (dim == 2 ? 3 : 6))
     throw InputError("'" + parameter + "' = '" + value + "' must be " +
                      SupportWords<dim>::forms + ".");

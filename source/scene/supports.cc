@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/formula/expression.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/scene/supports.h>
 
 #include <deal.II/base/patterns.h>
@@ -9,11 +10,6 @@
 
 namespace Voussoir
 {
-namespace
-{
-const std::vector<std::string> boundary_variables = {"x", "y", "nx", "ny"};
-} // namespace
-
 void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   prm.enter_subsection("Supports");
@@ -31,7 +27,7 @@ void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
 void SupportParameters::support(Packing<2> &packing) const
 {
   const std::string parameter = "Supports/Where";
-  if (!Condition(where, boundary_variables, parameter).is_never())
+  if (!Condition(where, variables_on_sides<2>(), parameter).is_never())
     packing.support(boundary_edges_where(packing, where, parameter));
 }
 
@@ -39,7 +35,7 @@ std::vector<bool> boundary_edges_where(const Packing<2> &packing,
                                        const std::string &condition,
                                        const std::string &parameter)
 {
-  const Condition holds(condition, boundary_variables, parameter);
+  const Condition holds(condition, variables_on_sides<2>(), parameter);
   std::vector<bool> chosen;
   chosen.reserve(packing.boundary_edges().size());
   for (const Packing<2>::BoundaryEdge &edge : packing.boundary_edges())

@@ -18,9 +18,12 @@ namespace
 {
 /** The gradients of six components; the divergences. */
 constexpr unsigned int n_gradients = 18, n_divergences = 3;
-/** The components of a symmetric tensor. */
-constexpr unsigned int component_of[6][2] = {{0, 0}, {1, 1}, {2, 2},
-                                             {1, 2}, {2, 0}, {0, 1}};
+/** Each entry pq of a symmetric tensor, and the component m that it is. */
+constexpr struct
+{
+  unsigned int m, p, q;
+} all_entries[] = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 1, 2}, {3, 2, 1},
+                   {4, 2, 0}, {4, 0, 2}, {5, 0, 1}, {5, 1, 0}};
 /** What lets the smallest of several solutions be taken, over the largest. */
 constexpr double shift_of_gradients = 1e-13;
 /** The cells that a task has at least. */
@@ -82,25 +85,18 @@ void LinearFit::add_face(const LoadedFace &face, const LinearStress &stress)
   {
     // Rows i of the force and of the moment, for each gradient.
     double of_force[n_gradients] = {}, of_moment[n_gradients] = {};
-    for (unsigned int m = 0; m < 6; ++m)
-      for (const bool turned : {false, true})
+    for (const auto &[m, p, q] : all_entries)
+      // d sigma_pq / dx_k times n_q, in direction p.
+      for (unsigned int k = 0; k < 3; ++k)
       {
-        const unsigned int p = component_of[m][turned],
-                           q = component_of[m][!turned];
-        if (turned && p == q)
-          continue;
-        // d sigma_pq / dx_k times n_q, in direction p.
-        for (unsigned int k = 0; k < 3; ++k)
-        {
-          const unsigned int g = 3 * m + k;
-          if (p == i)
-            of_force[g] += area * arm[k] * face.normal[q];
-          // e_i . ((x - x_f) x e_p) = eps_iap (x - x_f)_a
-          const unsigned int a = 3 - i - p;
-          if (p != i)
-            of_moment[g] +=
-                ((i + 1) % 3 == a ? 1. : -1.) * second[a][k] * face.normal[q];
-        }
+        const unsigned int g = 3 * m + k;
+        if (p == i)
+          of_force[g] += area * arm[k] * face.normal[q];
+        // e_i . ((x - x_f) x e_p) = eps_iap (x - x_f)_a
+        const unsigned int a = 3 - i - p;
+        if (p != i)
+          of_moment[g] +=
+              ((i + 1) % 3 == a ? 1. : -1.) * second[a][k] * face.normal[q];
       }
     add_equation(of_force, force[i], 1. / area);
     add_equation(of_moment, moment[i], 1. / (area * polar));
@@ -128,27 +124,16 @@ void LinearFit::find(const std::vector<LoadedFace> &faces,
     largest = std::max(largest, matrix(a, a));
   for (unsigned int a = 0; a < n_gradients; ++a)
     matrix(a, a) += shift_of_gradients * largest;
-  for (unsigned int m = 0; m < 6; ++m)
-    for (const bool turned : {false, true})
-    {
-      const unsigned int p = component_of[m][turned],
-                         q = component_of[m][!turned];
-      if (turned && p == q)
-        continue;
-      matrix(n_gradients + p, 3 * m + q) = 1.;
-      matrix(3 * m + q, n_gradients + p) = 1.;
-    }
+  for (const auto &[m, p, q] : all_entries)
+    matrix(n_gradients + p, 3 * m + q) = matrix(3 * m + q, n_gradients + p) =
+        1.;
   for (unsigned int p = 0; p < 3; ++p)
     right[n_gradients + p] = sum[p] / volume * length;
   matrix.gauss_jordan();
   matrix.vmult(solution, right);
-  for (unsigned int m = 0; m < 6; ++m)
+  for (const auto &[m, p, q] : all_entries)
     for (unsigned int k = 0; k < 3; ++k)
-    {
-      const unsigned int p = component_of[m][0], q = component_of[m][1];
-      stress.gradient[k][p][q] = stress.gradient[k][q][p] =
-          solution[3 * m + k] / length;
-    }
+      stress.gradient[k][p][q] = solution[3 * m + k] / length;
   double of_rest = 0.;
   for (const LoadedFace &face : faces)
     of_rest +=

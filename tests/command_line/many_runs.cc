@@ -5,7 +5,7 @@
 // message and no file.
 
 #include "own_directory.h"
-#include "run_program.h"
+#include "run_scene.h"
 #include "table.h"
 #include "tests.h"
 #include <filesystem>
@@ -29,18 +29,7 @@ const char *scene = "set Formulation = least energy\n"
                     "subsection Loads\n set Body force = 0.25; -1\nend\n"
                     "subsection Friction\n set Strength = 10\nend\n";
 
-std::string last_output;
-
-int run(std::vector<std::string> arguments, const bool shows_errors = true)
-{
-  std::ofstream("scene.prm") << scene;
-  arguments.insert(arguments.begin(), "scene.prm");
-  const Ended ended = run_program(arguments);
-  last_output = ended.out;
-  if (shows_errors)
-    std::cout << ended.message();
-  return ended.status;
-}
+SceneRunner run_scene(scene);
 
 std::vector<std::string> lines_of(const std::string &file)
 {
@@ -85,9 +74,10 @@ field(const std::string &line, const std::string &name, const std::string &head)
 
 void check_sweep()
 {
-  const int status = run({"--sweep", "Friction/Strength=0.1:0.9:9", "--sweep",
-                          "Rotations=false | true", "--result",
-                          "ground/reaction/1", "--result", "loads/total/0"});
+  const int status =
+      run_scene({"--sweep", "Friction/Strength=0.1:0.9:9", "--sweep",
+                 "Rotations=false | true", "--result", "ground/reaction/1",
+                 "--result", "loads/total/0"});
   check("the status of a sweep", status == 0);
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   check("a line for each run", lines.size() == 1 + 9 * 2);
@@ -104,10 +94,10 @@ void check_sweep()
         (!carries ||
          std::abs(std::stod(field(lines[k], "ground/reaction/1", lines[0])) -
                   2.) < 1e-9);
-    const int alone =
-        run({"--set", "Output directory=alone", "--set",
-             "Friction/Strength=" + strength, "--set", "Rotations=" + turns},
-            false);
+    const int alone = run_scene({"--set", "Output directory=alone", "--set",
+                                 "Friction/Strength=" + strength, "--set",
+                                 "Rotations=" + turns},
+                                false);
     are_alike = are_alike && alone == (carries ? 0 : 3);
   }
   check("each verdict and each number is known", are_right);
@@ -119,7 +109,8 @@ void check_sweep()
 void check_packings()
 {
   // The packing is another one in each run.
-  run({"--sweep", "Packing/wall/Height=1:4:3:log", "--result", "packing/area"},
+  run_scene(
+      {"--sweep", "Packing/wall/Height=1:4:3:log", "--result", "packing/area"},
       false);
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   bool are_right = lines.size() == 4;
@@ -132,12 +123,12 @@ void check_packings()
 void check_directories()
 {
   fs::remove_all("output");
-  run({"--sweep", "Friction/Strength=0.1:0.9:9", "--result",
-       "solver/iterations"},
-      false);
+  run_scene({"--sweep", "Friction/Strength=0.1:0.9:9", "--result",
+             "solver/iterations"},
+            false);
   check_page(9, 4);
   fs::remove_all("output");
-  run({"--sweep", "Friction/Strength=0.1 | 10", "--directories"}, false);
+  run_scene({"--sweep", "Friction/Strength=0.1 | 10", "--directories"}, false);
   check("a directory each", fs::exists("output/run_1/mechanism.csv") &&
                                 fs::exists("output/run_2/interfaces.csv") &&
                                 fs::exists("output/run_2/report.html") &&
@@ -147,9 +138,9 @@ void check_directories()
 /** Both ends of the factors that are carried: it slides, or is lifted. */
 void check_both_ends()
 {
-  run({"--sweep", "Load factor/Direction=greatest | least", "--set",
-       "Analysis=load factor", "--set", "Load factor/Factor=all loads"},
-      false);
+  run_scene({"--sweep", "Load factor/Direction=greatest | least", "--set",
+             "Analysis=load factor", "--set", "Load factor/Factor=all loads"},
+            false);
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   const auto factor = [&](const unsigned int k) {
     return std::stod(field(lines[k], "load_factor", lines[0]));
@@ -167,7 +158,7 @@ void check_search(const std::vector<std::string> &with,
   std::vector<std::string> arguments = {"--find", with[0]};
   for (std::size_t k = 1; k < with.size(); ++k)
     arguments.insert(arguments.end(), {"--set", with[k]});
-  check("the status of a search", run(arguments, false) == 0);
+  check("the status of a search", run_scene(arguments, false) == 0);
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   double low = -1e9, high = 1e9;
   for (std::size_t k = 1; k < lines.size(); ++k)
@@ -183,8 +174,8 @@ void check_search(const std::vector<std::string> &with,
         low <= limit * (1. + 1e-12) && limit * (1. - 1e-12) <= high);
   check_error("width", (high - low) / std::abs(limit), 1e-6);
   check("both are named",
-        last_output.find("is carried") != std::string::npos &&
-            last_output.find("collapses") != std::string::npos);
+        run_scene.last_output.find("is carried") != std::string::npos &&
+            run_scene.last_output.find("collapses") != std::string::npos);
 }
 
 /** Two blocks that touch where a corner of one meets a side of the other. */
@@ -212,10 +203,10 @@ void check_shared_packings()
   write_corner();
   for (const char *order : {"false | true", "true | false"})
   {
-    run(corner({"--sweep", "Friction/Strength=1 | 2", "--sweep",
-                std::string("Rotations=") + order, "--result",
-                "packing/interfaces"}),
-        false);
+    run_scene(corner({"--sweep", "Friction/Strength=1 | 2", "--sweep",
+                      std::string("Rotations=") + order, "--result",
+                      "packing/interfaces"}),
+              false);
     const std::vector<std::string> lines = lines_of("output/sweep.csv");
     bool are_right = lines.size() == 5;
     for (std::size_t k = 1; are_right && k < lines.size(); ++k)
@@ -226,8 +217,8 @@ void check_shared_packings()
   }
   fs::remove_all("output");
   // Alone it is refused where they do not turn, and so it is here.
-  run(corner({"--sweep", "Rotations=true | false", "--set",
-              "Loads/Body force=0; -1"}));
+  run_scene(corner({"--sweep", "Rotations=true | false", "--set",
+                    "Loads/Body force=0; -1"}));
   check("none is written", !fs::exists("output"));
 }
 
@@ -237,8 +228,8 @@ void check_warnings()
   const std::vector<std::string> words =
       corner({"--set", "Friction/Coefficient=0.6", "--sweep",
               "Friction/Strength=1 | 2", "--sweep", "Rotations=false | true"});
-  run(words, false);
-  std::cout << last_output;
+  run_scene(words, false);
+  std::cout << run_scene.last_output;
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   check("in each line", count(lines[1], "'Coefficient' in") == 1 &&
                             count(lines[1], "corner only") == 0 &&
@@ -249,24 +240,25 @@ void check_warnings()
   const std::string page((std::istreambuf_iterator<char>(in)), {});
   check("on the page", count(page, "class=\"warning\"") == 3);
   // What is doubtful of forces, and the packing, as on the terminal of one run.
-  run({"--sweep", "Friction/Strength=4 | 5", "--set",
-       "Loads/Body force=0.6; -1"},
+  run_scene({"--sweep", "Friction/Strength=4 | 5", "--set",
+             "Loads/Body force=0.6; -1"},
+            false);
+  check("of forces", count(run_scene.last_output, "would overturn") == 1);
+  run_scene(
+      {"--set", "Friction/Strength=4", "--set", "Loads/Body force=0.6; -1"},
       false);
-  check("of forces", count(last_output, "would overturn") == 1);
-  run({"--set", "Friction/Strength=4", "--set", "Loads/Body force=0.6; -1"},
-      false);
-  check("as alone", count(last_output, "would overturn") == 1);
+  check("as alone", count(run_scene.last_output, "would overturn") == 1);
 }
 
 /** A factor without a bound is infinite, and no point of a plot. */
 void check_unbounded()
 {
   // Pushed by 1 and pressed by 2: friction follows from mu = 1/2 on.
-  run({"--sweep", "Friction/Coefficient=0.2 | 0.3 | 0.4 | 0.6 | 0.8", "--set",
-       "Friction/Law=associated Coulomb", "--set", "Loads/Body force=0; -1",
-       "--set", "Analysis=load factor", "--set", "Live loads/Body force=1; -2",
-       "--result", "load_factor/carried"},
-      false);
+  run_scene({"--sweep", "Friction/Coefficient=0.2 | 0.3 | 0.4 | 0.6 | 0.8",
+             "--set", "Friction/Law=associated Coulomb", "--set",
+             "Loads/Body force=0; -1", "--set", "Analysis=load factor", "--set",
+             "Live loads/Body force=1; -2", "--result", "load_factor/carried"},
+            false);
   const std::vector<std::string> lines = lines_of("output/sweep.csv");
   bool are_right = lines.size() == 6;
   for (unsigned int k = 1; are_right && k < 6; ++k)
@@ -286,10 +278,10 @@ void check_unbounded()
   check("three points, and words on two",
         count(page, "<title>Friction/Coefficient = ") == 3 + 5 + 3 &&
             count(page, "load_factor has no bound in 2 of 5 runs") == 1);
-  run({"--sweep", "Load factor/Direction=greatest | least", "--set",
-       "Loads/Body force=0; -1", "--set", "Analysis=load factor", "--set",
-       "Live loads/Body force=0; 1"},
-      false);
+  run_scene({"--sweep", "Load factor/Direction=greatest | least", "--set",
+             "Loads/Body force=0; -1", "--set", "Analysis=load factor", "--set",
+             "Live loads/Body force=0; 1"},
+            false);
   check("the least one", field(lines_of("output/sweep.csv")[2], "load_factor",
                                lines_of("output/sweep.csv")[0]) == "-inf");
 }
@@ -300,21 +292,24 @@ void check_results()
   for (const char *wrong : {"grund/reaction/1", "ground/reaction/2", "forces"})
   {
     fs::remove_all("output");
-    run({"--sweep", "Friction/Strength=1 | 2", "--result", wrong});
+    run_scene({"--sweep", "Friction/Strength=1 | 2", "--result", wrong});
     check("the runs are kept", lines_of("output/sweep.csv").size() == 3);
   }
-  run({"--sweep", "Friction/Strength=1 | 2", "--result", "grund/reaction/1"},
+  run_scene(
+      {"--sweep", "Friction/Strength=1 | 2", "--result", "grund/reaction/1"},
       false);
-  check("said after the first run",
-        last_output.find("The first run has no 'grund/reaction/1', but "
-                         "'ground/reaction/0', 'ground/reaction/1'.") <
-            last_output.find("Sweep "));
+  check(
+      "said after the first run",
+      run_scene.last_output.find("The first run has no 'grund/reaction/1', but "
+                                 "'ground/reaction/0', 'ground/reaction/1'.") <
+          run_scene.last_output.find("Sweep "));
   // What only some runs have is empty in the others.
-  check("of some runs",
-        run({"--sweep", "Friction/Strength=0.1 | 1", "--result",
-             "mechanism/closing_violation", "--result", "ground/reaction/1"},
-            false) == 0);
-  run({"--find", "Friction/Strength=0:10:1e-1", "--result", "grund/load"});
+  check("of some runs", run_scene({"--sweep", "Friction/Strength=0.1 | 1",
+                                   "--result", "mechanism/closing_violation",
+                                   "--result", "ground/reaction/1"},
+                                  false) == 0);
+  run_scene(
+      {"--find", "Friction/Strength=0:10:1e-1", "--result", "grund/load"});
 }
 
 /** A file that the packing is read from is not overwritten. */
@@ -324,9 +319,9 @@ void check_inputs()
   fs::create_directories("output/run_2");
   write_corner();
   fs::copy("corner.wkt", "output/run_2/packing.wkt");
-  run(corner({"--sweep", "Friction/Strength=1 | 2", "--directories", "--set",
-              "Output/Packing=WKT", "--set",
-              "Packing/polygons/File=output/run_2/packing.wkt"}));
+  run_scene(corner({"--sweep", "Friction/Strength=1 | 2", "--directories",
+                    "--set", "Output/Packing=WKT", "--set",
+                    "Packing/polygons/File=output/run_2/packing.wkt"}));
   check("it is kept", lines_of("output/run_2/packing.wkt").size() == 2);
 }
 
@@ -348,22 +343,22 @@ void run()
                "collapse");
 
   fs::remove_all("output");
-  run({"--find", "Friction/Strength=2:10"});
+  run_scene({"--find", "Friction/Strength=2:10"});
   fs::remove_all("output");
   for (const char *wrong :
        {"Friction/Strength", "Friction/Strength=1:2", "Friction/Strength=1:2:1",
         "Friction/Strength=1:2:x", "Friction/Strength=0:2:3:log", "=1 | 2"})
-    run({"--sweep", wrong});
+    run_scene({"--sweep", wrong});
   for (const char *wrong : {"Friction/Strength=1", "Friction/Strength=2:1",
                             "Friction/Strength=1:2:2"})
-    run({"--find", wrong});
-  run({"--sweep", "Friction/Strength=-1:-1:2"});
-  run({"--sweep", "Friction/Strenght=1 | 2"});
-  run({"--sweep", "Friction/Strength=1 | 2", "--find",
-       "Friction/Strength=1:2"});
-  run({"--sweep", "Friction/Strength=1 | 2", "--result", "/ground"});
-  run({"--result", "ground"});
-  run({"--directories"});
+    run_scene({"--find", wrong});
+  run_scene({"--sweep", "Friction/Strength=-1:-1:2"});
+  run_scene({"--sweep", "Friction/Strenght=1 | 2"});
+  run_scene({"--sweep", "Friction/Strength=1 | 2", "--find",
+             "Friction/Strength=1:2"});
+  run_scene({"--sweep", "Friction/Strength=1 | 2", "--result", "/ground"});
+  run_scene({"--result", "ground"});
+  run_scene({"--directories"});
   check("nothing is written", !fs::exists("output"));
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "own_directory.h"
-#include "run_program.h"
+#include "run_scene.h"
 #include "table.h"
 #include "tests.h"
 #include <cmath>
@@ -38,18 +38,7 @@ const char *scene = "set Dimension = 3\n"
                     "subsection Friction\n set Law = associated Coulomb\n"
                     " set Coefficient = 0.6\nend\n";
 
-std::string last_output;
-
-int run(std::vector<std::string> arguments, const bool shows_errors = true)
-{
-  std::ofstream("scene.prm") << scene;
-  arguments.insert(arguments.begin(), "scene.prm");
-  const Ended ended = run_program(arguments);
-  last_output = ended.out;
-  if (shows_errors)
-    std::cout << ended.message();
-  return ended.status;
-}
+SceneRunner run_scene(scene);
 
 /** The words of all lines of a table. */
 std::vector<std::vector<std::string>> words_of(const std::string &file)
@@ -84,11 +73,12 @@ double factor_of_push(const double angle)
 
 void check_angles()
 {
-  check("the status of a sweep",
-        run({"--sweep",
-             "Live loads/Body force=cos(a*pi/180); 0+sin(a*pi/180); 0 for "
-             "a=-180:180:25",
-             "--result", "load_factor/bound"}) == 0);
+  check(
+      "the status of a sweep",
+      run_scene({"--sweep",
+                 "Live loads/Body force=cos(a*pi/180); 0+sin(a*pi/180); 0 for "
+                 "a=-180:180:25",
+                 "--result", "load_factor/bound"}) == 0);
   const Table table = read_table("output/sweep.csv");
   const std::vector<double> &angle = table.at("a");
   double error = 0.;
@@ -104,9 +94,9 @@ void check_angles()
   const std::string page = content_of("output/sweep.html");
   check("a plot over the angle", page.find("<title>a = -180: ") != page.npos);
   // The same run alone.
-  run({"--set", "Output directory=alone", "--set",
-       "Live loads/Body force=cos(30*pi/180); sin(30*pi/180); 0"},
-      false);
+  run_scene({"--set", "Output directory=alone", "--set",
+             "Live loads/Body force=cos(30*pi/180); sin(30*pi/180); 0"},
+            false);
   check("as alone", summary_in("alone")["load_factor"]["carried"] ==
                         table.at("load_factor").at(14));
 }
@@ -114,8 +104,8 @@ void check_angles()
 void check_directories()
 {
   fs::remove_all("output");
-  run({"--sweep", "Friction/Coefficient=0.2 | 0.6", "--sweep",
-       "Rotations=false | true", "--directories"});
+  run_scene({"--sweep", "Friction/Coefficient=0.2 | 0.6", "--sweep",
+             "Rotations=false | true", "--directories"});
   check("a directory each", fs::exists("output/run_1/interface_points.csv") &&
                                 fs::exists("output/run_4/report.html"));
   const Table table = read_table("output/sweep.csv");
@@ -140,9 +130,9 @@ void check_search(const std::string &range,
                   const std::string &load)
 {
   check("the status of a search",
-        run({"--find", range, "--set", "Analysis=state", "--set",
-             "Loads/Body force=" + load},
-            false) == 0);
+        run_scene({"--find", range, "--set", "Analysis=state", "--set",
+                   "Loads/Body force=" + load},
+                  false) == 0);
   const auto rows = words_of("output/sweep.csv");
   const std::string at_low = status_of(1);
   double low = -1e9, high = 1e9;
@@ -158,16 +148,16 @@ void check_search(const std::string &range,
         low <= limit * (1. + 1e-9) && limit * (1. - 1e-9) <= high);
   check_error("width", (high - low) / limit, 1e-6);
   check("both are named",
-        last_output.find("is carried") != std::string::npos &&
-            last_output.find("collapses") != std::string::npos);
+        run_scene.last_output.find("is carried") != std::string::npos &&
+            run_scene.last_output.find("collapses") != std::string::npos);
 }
 
 void check_packings()
 {
   // Another packing in each run; without loads there is nothing to be found.
-  run({"--sweep", "Packing/wall/Height=4:16:3:log", "--result",
-       "packing/volume", "--set", "Analysis=state", "--set",
-       "Loads/Body force=0; 0; 0"});
+  run_scene({"--sweep", "Packing/wall/Height=4:16:3:log", "--result",
+             "packing/volume", "--set", "Analysis=state", "--set",
+             "Loads/Body force=0; 0; 0"});
   const Table table = read_table("output/sweep.csv");
   bool are_right = true;
   for (unsigned int k = 0; k < 3; ++k)
@@ -176,16 +166,16 @@ void check_packings()
         std::abs(table.at("packing/volume").at(k) / (8 << k) - 1.) < 1e-12;
   check("packings that change", are_right);
   check("no verdict", status_of(1) == "packing");
-  run({"--find", "Packing/wall/Height=4:8", "--set", "Analysis=state", "--set",
-       "Loads/Body force=0; 0; 0"});
+  run_scene({"--find", "Packing/wall/Height=4:8", "--set", "Analysis=state",
+             "--set", "Loads/Body force=0; 0; 0"});
 }
 
 void check_warnings()
 {
-  run({"--sweep", "Friction/Coefficient=0.3 | 0.6", "--set",
-       "Friction/Strength=2"},
-      false);
-  std::cout << last_output;
+  run_scene({"--sweep", "Friction/Coefficient=0.3 | 0.6", "--set",
+             "Friction/Strength=2"},
+            false);
+  std::cout << run_scene.last_output;
 }
 
 /** Of a file in which a block penetrates another, shared and with notices. */
@@ -212,10 +202,10 @@ void check_models()
   std::vector<std::string> words = of_model;
   words.insert(words.end(), {"--sweep", "Rotations=false | true", "--result",
                              "packing/defects/0/blocks"});
-  run(words);
-  std::cout << last_output;
+  run_scene(words);
+  std::cout << run_scene.last_output;
   words.insert(words.end(), {"--directories", "--set", "Output/Packing=OFF"});
-  run(words);
+  run_scene(words);
   check("the file is kept",
         content_of("output/run_2/packing.off") == content_of("blocks.off"));
 }
@@ -229,7 +219,7 @@ void check_dimensions()
   std::cout << ended.message();
   check("either", status_of(1) == "solved" && status_of(2) == "packing");
   fs::remove_all("output");
-  run({"--sweep", "Dimension=2 | 3"});
+  run_scene({"--sweep", "Dimension=2 | 3"});
   check("nothing is written", !fs::exists("output"));
 }
 
@@ -244,12 +234,12 @@ void run()
   check_warnings();
   check_models();
   check_dimensions();
-  run({"--find", "Friction/Coefficient=0.3:0.6"});
+  run_scene({"--find", "Friction/Coefficient=0.3:0.6"});
   fs::remove_all("output");
-  run({"--sweep", "Live loads/Body force=1; 0; 0 for a=0:90:4"});
-  run({"--sweep", "Live loads/Body force=a; 0; 0 for a=0:90"});
-  run({"--find", "Live loads/Body force=a; 0; 0 for a=0"});
-  run({"--sweep", "Live loads/Body force=a; 0; 1/a for a=1 | 0"});
+  run_scene({"--sweep", "Live loads/Body force=1; 0; 0 for a=0:90:4"});
+  run_scene({"--sweep", "Live loads/Body force=a; 0; 0 for a=0:90"});
+  run_scene({"--find", "Live loads/Body force=a; 0; 0 for a=0"});
+  run_scene({"--sweep", "Live loads/Body force=a; 0; 1/a for a=1 | 0"});
   check("nothing is written", !fs::exists("output"));
 }
 

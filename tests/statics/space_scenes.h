@@ -161,6 +161,17 @@ inline void check_uniform_stress(const std::string &name,
   check("  in one step", solution.n_iterations == 1);
 }
 
+/** The forces of least energy. */
+inline Voussoir::FaceForces elastic_forces(const Voussoir::SpaceScene &scene)
+{
+  using namespace Voussoir;
+  const DiscreteProblem problem = discretise(scene);
+  return dimensional_forces(problem, scene,
+                            find_space_state(problem, {},
+                                             LinearSolver::automatic,
+                                             Terminal::silent()));
+}
+
 /** The load factor with both proofs, each added up again. */
 inline Voussoir::FactorOf<Voussoir::SpaceScene>
 proven_factor(const std::string &name,

@@ -218,11 +218,7 @@ void column()
   of.mu = 0.5;
   const SpaceScene scene(of.blocks(),
                          body_force(of.packing, vector(0., 0., -2.)));
-  const DiscreteProblem problem = discretise(scene);
-  const FaceForces forces =
-      dimensional_forces(problem, scene,
-                         find_space_state(problem, {}, LinearSolver::automatic,
-                                          Terminal::silent()));
+  const FaceForces forces = elastic_forces(scene);
   const auto found =
       linear_stresses(scene, forces, cell_mean_stresses(scene, forces));
   Field field;
@@ -246,11 +242,7 @@ void bending()
   field.gradient[0][2][2] = -0.4;
   const SpaceLoads loads = Known::loads_of(of.packing, field);
   const SpaceScene scene(of.blocks(), loads);
-  const DiscreteProblem problem = discretise(scene);
-  const FaceForces forces =
-      dimensional_forces(problem, scene,
-                         find_space_state(problem, {}, LinearSolver::automatic,
-                                          Terminal::silent()));
+  const FaceForces forces = elastic_forces(scene);
   const auto found =
       linear_stresses(scene, forces, cell_mean_stresses(scene, forces));
   check_error("A block that is bent", largest_error(found, of.packing, field),

@@ -3,6 +3,7 @@
 #define voussoir_output_space_results_h
 
 #include <voussoir/analyses/space/answer.h>
+#include <voussoir/scene/proofs/space_reactions.h>
 #include <voussoir/stress/linear_stress.h>
 #include <voussoir/stress/tetrahedral_stress.h>
 
@@ -12,20 +13,6 @@
 
 namespace Voussoir
 {
-/** All that is written of blocks in space. */
-struct SpaceResults : SpaceAnswer
-{
-  /** Without what follows from the forces. */
-  explicit SpaceResults(SpaceAnswer answer) : SpaceAnswer(std::move(answer)) {}
-
-  /** cell_mean_stresses() of each cell that moves; empty without forces. */
-  std::vector<dealii::Tensor<2, 3>> mean_stresses;
-  /** linear_stresses() of each; empty if not asked for. */
-  std::vector<LinearStress> stresses;
-  /** tetrahedral_stress(), if it is asked for. */
-  std::optional<TetrahedralStress> tetrahedra;
-};
-
 /** The least and the greatest principal stress; S. */
 struct PrincipalStresses
 {
@@ -35,15 +22,33 @@ struct PrincipalStresses
   double greatest = 0.;
   /** @} */
 };
+
+/** All that is written of blocks in space. */
+struct SpaceResults : SpaceAnswer
+{
+  /** Without what follows from the forces. */
+  explicit SpaceResults(SpaceAnswer answer) : SpaceAnswer(std::move(answer)) {}
+
+  /** Of each support; none without forces. */
+  std::vector<SpaceReaction> reactions;
+  /** cell_mean_stresses() of each cell that moves; empty without forces. */
+  std::vector<dealii::Tensor<2, 3>> mean_stresses;
+  /** linear_stresses() of each; empty if not asked for. */
+  std::vector<LinearStress> stresses;
+  /** tetrahedral_stress(), if it is asked for. */
+  std::optional<TetrahedralStress> tetrahedra;
+  /**
+   * The extremes of each cell: anywhere in it of a linear stress, of its
+   * tetrahedra, or else of its mean stress.
+   */
+  std::vector<PrincipalStresses> principal;
+
+  /** Find them, from whichever stress there is. */
+  void find_principal_stresses();
+};
+
 /** Those of the symmetric part of a tensor. */
 PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma);
-/**
- * Those of a linear stress anywhere in its cell: at vertices, since the one is
- * a concave and the other a convex function of the stress.
- */
-PrincipalStresses principal_stresses(const LinearStress &stress,
-                                     const CellFaces &cells,
-                                     unsigned int cell);
 } // namespace Voussoir
 
 #endif

@@ -91,6 +91,8 @@ private:
   CheckedPacking read_packing(const std::filesystem::path &directory) const;
   /** Answer the question on a packing. */
   SpaceResult answer_on(CheckedPacking checked) const;
+  /** The stress inside, as it is asked for. */
+  void find_stress(SpaceResults &results) const;
   void write(ResultDirectory &files, const SpaceResult &result) const;
   void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 

@@ -32,28 +32,32 @@ constexpr double small_load_factor = 1e-3;
  */
 constexpr double largest_plain_limit = 1e6, sufficient_limit = 1e4;
 
+/** Lower the strengths that are larger than @p most; joints that do not crush
+ * still do not. */
+void lower(std::vector<double> &strengths, const double most)
+{
+  for (double &strength : strengths)
+    if (std::isfinite(strength))
+      strength = std::min(strength, most);
+}
+
 /** @{ */
-/** A scene whose strengths are no larger than @p most; S. */
+/** A scene whose finite strengths are no larger than @p most; S. */
 Scene with_strengths_up_to(Scene scene, const double most)
 {
-  for (auto *const strengths :
-       {&scene.strength, &scene.tensile_strength, &scene.compressive_strength})
-    for (double &strength : *strengths)
-      strength = std::min(strength, most);
+  lower(scene.strength, most);
+  lower(scene.tensile_strength, most);
+  lower(scene.compressive_strength, most);
   return scene;
 }
-SpaceScene with_strengths_up_to(const SpaceScene &scene, const double most)
+SpaceScene with_strengths_up_to(SpaceScene scene, const double most)
 {
-  Strengths lowered = scene.blocks->strengths;
-  for (auto *const strengths :
-       {&lowered.of_interface, &lowered.tensile, &lowered.compressive})
-    for (double &strength : *strengths)
-      strength = std::min(strength, most);
-  SpaceScene result = scene;
   auto blocks = std::make_shared<SpaceBlocks>(*scene.blocks);
-  blocks->strengths = std::move(lowered);
-  result.blocks = std::move(blocks);
-  return result;
+  lower(blocks->strengths.of_interface, most);
+  lower(blocks->strengths.tensile, most);
+  lower(blocks->strengths.compressive, most);
+  scene.blocks = std::move(blocks);
+  return scene;
 }
 /** @} */
 

@@ -293,6 +293,8 @@ FeasibleSetOf<SceneOf>::greatest(const Function &function,
     if (is_proven(value, are_polyhedral() ? largest_width_of_interior
                                           : largest_width_of_cones))
       return value;
+    if (are_polyhedral())
+      break; // the simplex method is exact
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/formula/expression.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
@@ -16,14 +17,6 @@ namespace
 {
 const std::string parameter_where = "Ranges/Where";
 const std::string parameter_joints = "Ranges/Joints";
-
-/** The variables of a condition. */
-template <int dim>
-std::vector<std::string> variables()
-{
-  return dim == 2 ? std::vector<std::string>{"x", "y", "nx", "ny"}
-                  : std::vector<std::string>{"x", "y", "z", "nx", "ny", "nz"};
-}
 
 /** Choose the interfaces where the condition holds. */
 template <int dim>
@@ -158,7 +151,7 @@ template <int dim>
 std::optional<RangesWanted>
 RangeEntries::wanted(const Packing<dim> &packing) const
 {
-  const Condition holds(where, variables<dim>(), parameter_where);
+  const Condition holds(where, variables_on_sides<dim>(), parameter_where);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
                          reactions, method};
   if (reactions && packing.n_supports() == 0)

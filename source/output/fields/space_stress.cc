@@ -21,11 +21,7 @@ Field<SpaceResults> extreme(const std::string &name,
 {
   return Field<SpaceResults>(
       name, "S", words, [of](const SpaceResults &r, const unsigned int c) {
-        return c < r.stresses.size()
-                   ? principal_stresses(r.stresses[c],
-                                        r.scene.packing().polyhedra(), c).*
-                         of
-                   : 0.;
+        return c < r.principal.size() ? r.principal[c].*of : 0.;
       });
 }
 } // namespace
@@ -42,22 +38,22 @@ Fields<SpaceResults> polyhedron_stress()
                 "sigma_ij, tension positive",
                 mean_stress_of)
                 .with_columns({"sxx", "sxy", "sxz", "syx", "syy", "syz", "szx",
-                               "szy", "szz"})}),
+                               "szy", "szz"}),
+            extreme("principal_stress_min",
+                    "the least principal stress anywhere in the cell; with "
+                    "`Accuracy = draft` that of the mean stress",
+                    &PrincipalStresses::least),
+            extreme("principal_stress_max", "the greatest one",
+                    &PrincipalStresses::greatest)}),
        when<SpaceResults>(
            {"with loads that are carried and `Accuracy = fine`",
             [](const SpaceResults &r) { return !r.stresses.empty(); }},
-           {extreme("principal_stress_min",
-                    "the least principal stress anywhere in the cell, of its "
-                    "linear stress",
-                    &PrincipalStresses::least),
-            extreme("principal_stress_max", "the greatest one",
-                    &PrincipalStresses::greatest),
-            Field<SpaceResults>(
-                "stress_residual", "",
-                "by how much the forces on the faces differ from those of the "
-                "linear stress, in the mean over the faces",
-                [](const SpaceResults &r, const unsigned int c) {
-                  return c < r.stresses.size() ? r.stresses[c].residual : 0.;
-                })})});
+           {Field<SpaceResults>(
+               "stress_residual", "",
+               "by how much the forces on the faces differ from those of the "
+               "linear stress, in the mean over the faces",
+               [](const SpaceResults &r, const unsigned int c) {
+                 return c < r.stresses.size() ? r.stresses[c].residual : 0.;
+               })})});
 }
 } // namespace Voussoir

@@ -144,10 +144,8 @@ void add_answer(const SpaceResults &answer, Json &summary)
         {"admissibility_violation", of.admissibility_violation},
         {"max_utilisation", of.max_utilisation}};
     dealii::Tensor<1, 3> on_ground;
-    const Packing<3> &packing = scene.packing();
-    for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
-      if (packing.interfaces()[e].cell_plus == packing.ground())
-        on_ground -= answer.forces.resultant(packing, e).force;
+    for (const SpaceReaction &reaction : answer.reactions)
+      on_ground -= reaction.force;
     summary["force_on_ground"] = json_of_vector(on_ground);
     summary["reactions"] = json_of_reactions(answer);
     if (!answer.mean_stresses.empty())

@@ -44,8 +44,7 @@ nlohmann::ordered_json json_of(const Tensor<1, 3> &v)
 
 nlohmann::ordered_json json_of_reactions(const SpaceResults &answer)
 {
-  const std::vector<SpaceReaction> all =
-      reactions(answer.scene.packing(), answer.forces);
+  const std::vector<SpaceReaction> &all = answer.reactions;
   const double largest = largest_of(all);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const SpaceReaction &of : all)
@@ -60,10 +59,9 @@ nlohmann::ordered_json json_of_reactions(const SpaceResults &answer)
 
 void show_reactions(Terminal &terminal, const SpaceResults &answer)
 {
-  if (answer.forces.empty() || answer.scene.packing().n_supports() == 0)
+  const std::vector<SpaceReaction> &all = answer.reactions;
+  if (all.empty())
     return;
-  const std::vector<SpaceReaction> all =
-      reactions(answer.scene.packing(), answer.forces);
   const double largest = largest_of(all);
   const auto words = [&](const Tensor<1, 3> &v) {
     const Tensor<1, 3> shown = without_rounding(v, largest);

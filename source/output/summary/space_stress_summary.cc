@@ -23,30 +23,20 @@ struct StressExtremes
 {
   explicit StressExtremes(const SpaceResults &results)
   {
-    const CellFaces &cells = results.scene.packing().polyhedra();
-    for (unsigned int c = 0; c < results.mean_stresses.size(); ++c)
-      if (results.tetrahedra)
-        for (std::size_t t = results.tetrahedra->first[c];
-             t < results.tetrahedra->first[c + 1]; ++t)
-          add(principal_stresses(results.tetrahedra->list[t].stress), c);
-      else
-        add(results.stresses.empty()
-                ? principal_stresses(results.mean_stresses[c])
-                : principal_stresses(results.stresses[c], cells, c),
-            c);
+    for (unsigned int c = 0; c < results.principal.size(); ++c)
+    {
+      const PrincipalStresses &of = results.principal[c];
+      if (of.least < least.value)
+        least = {of.least, c};
+      if (of.greatest > greatest.value)
+        greatest = {of.greatest, c};
+    }
     for (const LinearStress &of : results.stresses)
     {
       largest_residual = std::max(largest_residual, of.residual);
       mean_residual += of.residual * of.residual / results.stresses.size();
     }
     mean_residual = std::sqrt(mean_residual);
-  }
-  void add(const PrincipalStresses &of, const unsigned int c)
-  {
-    if (of.least < least.value)
-      least = {of.least, c};
-    if (of.greatest > greatest.value)
-      greatest = {of.greatest, c};
   }
   ExtremeStress least, greatest;
   double largest_residual = 0., mean_residual = 0.;

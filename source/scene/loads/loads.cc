@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/formula/integrals/edge_integral.h>
 #include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/formula/vector_expression.h>
 #include <voussoir/scene/loads/body_force_formulas.h>
 #include <voussoir/scene/loads/loads.h>
@@ -149,7 +150,7 @@ void LoadParameters::add_traction_of_expression(const Packing<2> &packing,
                                                 Loads &loads) const
 {
   const std::string parameter = section + "/Traction";
-  const VectorExpression g(traction, {"x", "y", "nx", "ny"}, parameter);
+  const VectorExpression g(traction, variables_on_sides<2>(), parameter);
   Discontinuities jumps[2] = {{{g.formula(0)}, {0., 0.}},
                               {{g.formula(1)}, {0., 0.}}};
   Inaccuracies inaccuracies(parameter);

@@ -4,6 +4,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/formula/integrals/inaccuracies.h>
 #include <voussoir/formula/integrals/simplex_integral.h>
+#include <voussoir/formula/place_variables.h>
 #include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/packing/polyhedra/face_triangles.h>
@@ -28,9 +29,7 @@ namespace
 /** The distance of a place from a cell, over its size, that counts as none. */
 constexpr double largest_distance_from_block = 1e-6;
 
-const std::vector<std::string> places = {"x", "y", "z"},
-                               places_on_faces = {"x",  "y",  "z",
-                                                  "nx", "ny", "nz"};
+const std::vector<std::string> places = {"x", "y", "z"};
 
 /** Three numbers with commas between; none if they are not that. */
 std::optional<Tensor<1, 3>> three_numbers(const std::string &list)
@@ -277,7 +276,7 @@ void SpaceLoadParameters::add_tractions(
 {
   const std::string parameter = name + "/Traction";
   const VectorExpression g =
-      vector_in_space(traction, places_on_faces, parameter);
+      vector_in_space(traction, variables_on_sides<3>(), parameter);
   Tensor<2, 3> S;
   dealii::Patterns::Tools::to_value(stress, S);
   const bool is_uniform = kind == Kind::uniform_stress;
@@ -288,7 +287,7 @@ void SpaceLoadParameters::add_tractions(
                      "S_zx and S_yz = S_zy.");
   if (is_uniform ? S.norm() == 0. : g.is_zero())
     return;
-  const Condition where(loaded_where, places_on_faces, name + "/Where");
+  const Condition where(loaded_where, variables_on_sides<3>(), name + "/Where");
   Inaccuracies inaccuracies(parameter, largest_error_in_space);
   bool is_any = false;
   const auto &faces = packing.boundary_faces();

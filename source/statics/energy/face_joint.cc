@@ -8,6 +8,21 @@ namespace Voussoir
 {
 namespace
 {
+/** A pressure, or tension up to its largest. */
+struct ElasticContact
+{
+  double stiffness, tension;
+
+  void find_forces(const double *jump, double *force) const
+  {
+    *force = std::min(stiffness * *jump, tension);
+  }
+  void find_second_derivatives(const double *jump, double *second) const
+  {
+    *second = stiffness * *jump <= tension ? stiffness : 0.;
+  }
+};
+
 /** A disc of friction: two tangential forces, at most a strength. */
 struct ElasticDisc
 {
@@ -114,26 +129,33 @@ struct ElasticCone
     }
   }
 };
-} // namespace
-
-void FaceJoint::find_forces(const unsigned int e,
-                            const double *jumps,
-                            double *forces) const
+/** Call @p f for each set of joint @p e, with its law. */
+template <typename F>
+void for_each_law(const DiscreteProblem &problem,
+                  const unsigned int e,
+                  const F &f)
 {
   const Joint &joint = problem.joints()[e];
   const double part = problem.tangential_part(e);
   problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
     const double stiffness = joint.stiffness() * set.share;
     const double tension = problem.tension(e) * set.share;
-    const double *const jump = jumps + set.row;
-    double *const force = forces + set.row;
     if (set.size == 1)
-      *force = std::min(stiffness * *jump, tension);
+      f(set, ElasticContact{stiffness, tension});
     else if (set.size == 2)
-      ElasticDisc{part * stiffness, set.strength}.find_forces(jump, force);
+      f(set, ElasticDisc{part * stiffness, set.strength});
     else
-      ElasticCone{stiffness, part, joint.coefficient, tension}.find_forces(
-          jump, force);
+      f(set, ElasticCone{stiffness, part, joint.coefficient, tension});
+  });
+}
+} // namespace
+
+void FaceJoint::find_forces(const unsigned int e,
+                            const double *jumps,
+                            double *forces) const
+{
+  for_each_law(problem, e, [&](const Structure::FaceSet &set, const auto &law) {
+    law.find_forces(jumps + set.row, forces + set.row);
   });
 }
 
@@ -141,26 +163,14 @@ bool FaceJoint::find_second_derivatives(const unsigned int e,
                                         const double *jumps,
                                         double *second) const
 {
-  const Joint &joint = problem.joints()[e];
-  const double part = problem.tangential_part(e);
-  problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
-    const double stiffness = joint.stiffness() * set.share;
-    const double tension = problem.tension(e) * set.share;
-    const double *const jump = jumps + set.row;
-    double *const block = second + set.coefficient;
-    if (set.size == 1)
-      *block = stiffness * *jump <= tension ? stiffness : 0.;
-    else if (set.size == 2)
-      ElasticDisc{part * stiffness, set.strength}.find_second_derivatives(
-          jump, block);
-    else
-      ElasticCone{stiffness, part, joint.coefficient, tension}
-          .find_second_derivatives(jump, block);
+  for_each_law(problem, e, [&](const Structure::FaceSet &set, const auto &law) {
+    law.find_second_derivatives(jumps + set.row, second + set.coefficient);
   });
+  const Joint &joint = problem.joints()[e];
   // At one point, or at two in the same place: k_e in all directions, or less.
   const double k = joint.stiffness();
   const unsigned int n = problem.n_rows(e);
-  if (problem.kinematics().turns() || part != 1.)
+  if (problem.kinematics().turns() || problem.tangential_part(e) != 1.)
     return false;
   if (joint.coefficient > 0.)
     return n == 3 && second[0] == k && second[4] == k && second[8] == k;

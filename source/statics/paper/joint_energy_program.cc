@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/statics/paper/joint_energy_program.h>
+#include <voussoir/statics/problem/solver_controls.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Voussoir
 {
+void BestBalance::see(const double *x, const std::vector<double> &gradient)
+{
+  double imbalance = 0.;
+  for (const double g : gradient)
+    imbalance = std::max(imbalance, std::abs(g));
+  if (imbalance < least)
+  {
+    least = imbalance;
+    best.assign(x, x + gradient.size());
+  }
+}
+
+Stop BestBalance::verdict(const unsigned int iteration, const double tolerance)
+{
+  if (least < before)
+    iteration_of_best = iteration;
+  before = least;
+  if (least <= tolerance)
+    return Stop::Reason::converged;
+  if (least <= imbalance_near_rounding &&
+      iteration > iteration_of_best + n_stalled_iterations)
+    return Stop::Reason::rounding;
+  return {};
+}
+
 JointEnergyProgram::JointEnergyProgram(const DiscreteProblem &problem,
                                        const EnergyLaw &law)
     : of_loads(problem), of_energy(law), blocks_of_joints(problem, false)

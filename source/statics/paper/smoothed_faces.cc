@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace Voussoir
@@ -39,27 +38,12 @@ public:
   std::vector<double> gradient(const double *x) override
   {
     std::vector<double> g = JointEnergyProgram::gradient(x);
-    double imbalance = 0.;
-    for (const double component : g)
-      imbalance = std::max(imbalance, std::abs(component));
-    if (imbalance < least_imbalance)
-    {
-      least_imbalance = imbalance;
-      most_balanced.assign(x, x + g.size());
-    }
+    best.see(x, g);
     return g;
   }
   Stop verdict(const unsigned int iteration) override
   {
-    if (least_imbalance < imbalance_before)
-      best_iteration = iteration;
-    imbalance_before = least_imbalance;
-    if (least_imbalance <= controls.tolerance)
-      return Stop::Reason::converged;
-    if (least_imbalance <= imbalance_near_rounding &&
-        iteration > best_iteration + n_stalled_iterations)
-      return Stop::Reason::rounding;
-    return {};
+    return best.verdict(iteration, controls.tolerance);
   }
 
   /** Ipopt's answer, with the point of the best balance. */
@@ -71,12 +55,12 @@ public:
         std::move(solve_program(problem, *this, ipopt, terminal).solution);
     solution.n_iterations += n_steps;
     solution.n_evaluations += n_steps;
-    if (solution.mechanism || most_balanced.empty())
+    if (solution.mechanism || best.point().empty())
       return solution;
-    solution.forces = forces_at(most_balanced);
-    problem.remove_rigid_motions(most_balanced);
-    solution.u = std::move(most_balanced);
-    if (least_imbalance <= controls.tolerance)
+    solution.u = best.point();
+    solution.forces = forces_at(solution.u);
+    problem.remove_rigid_motions(solution.u);
+    if (best.imbalance() <= controls.tolerance)
       solution.stop = Stop::Reason::converged;
     return solution;
   }
@@ -87,10 +71,9 @@ private:
   const DiscreteProblem &problem;
   const SmoothedFace &law;
   const SolverControls &controls;
-  std::vector<double> of_start, most_balanced;
-  double least_imbalance = std::numeric_limits<double>::infinity();
-  double imbalance_before = std::numeric_limits<double>::infinity();
-  unsigned int best_iteration = 0, n_steps = 0;
+  std::vector<double> of_start;
+  BestBalance best;
+  unsigned int n_steps = 0;
 };
 
 /** A few steps of Newton's method from rest. */

@@ -76,7 +76,7 @@ public:
   {
     std::vector<double> g = JointEnergyProgram::gradient(x);
     if (contact == Contact::compliant)
-      keep_if_better(x, g);
+      best.see(x, g);
     return g;
   }
   unsigned int n_constraints() const override
@@ -94,11 +94,9 @@ public:
   {
     if (contact == Contact::hard)
       return {};
-    if (least_imbalance < imbalance_before)
-      most_balanced_iteration = iteration;
-    imbalance_before = least_imbalance;
-    if (least_imbalance <= controls.tolerance)
-      return Stop::Reason::converged;
+    const Stop stop = best.verdict(iteration, controls.tolerance);
+    if (stop == Stop::Reason::converged)
+      return stop;
     if (iteration >= n_before_interior_point && !interior)
     {
       Solution before;
@@ -107,10 +105,7 @@ public:
       if (has_answer())
         return interior->stop;
     }
-    if (least_imbalance <= imbalance_near_rounding &&
-        iteration > most_balanced_iteration + n_stalled_iterations)
-      return Stop::Reason::rounding;
-    return {};
+    return stop;
   }
 
   /** Solve with @p ipopt: the forces, and the displacement with eps = 1. */
@@ -172,7 +167,7 @@ private:
 
   Solution solution_of_ipopt(ProgramResult result) const
   {
-    std::vector<double> x = most_balanced.empty() ? result.x : most_balanced;
+    std::vector<double> x = best.point().empty() ? result.x : best.point();
     const std::vector<double> &multipliers = result.multipliers;
     Solution solution = std::move(result.solution);
     if (solution.mechanism)
@@ -216,19 +211,6 @@ private:
     }
   }
 
-  /** Without constraints the gradient is the imbalance of the forces. */
-  void keep_if_better(const double *x, const std::vector<double> &gradient)
-  {
-    double imbalance = 0.;
-    for (const double g : gradient)
-      imbalance = std::max(imbalance, std::abs(g));
-    if (imbalance < least_imbalance)
-    {
-      least_imbalance = imbalance;
-      most_balanced.assign(x, x + gradient.size());
-    }
-  }
-
   const DiscreteProblem &problem;
   const Contact contact;
   const SmoothedJoint law;
@@ -239,11 +221,8 @@ private:
   CompliantStart of_start;
   /** The result of the interior-point method, if it was run. */
   std::optional<Solution> interior;
-  /** Of the points of compliant contact, the one with the best balance. */
-  std::vector<double> most_balanced;
-  double least_imbalance = std::numeric_limits<double>::infinity();
-  double imbalance_before = std::numeric_limits<double>::infinity();
-  unsigned int most_balanced_iteration = 0;
+  /** Of the points of compliant contact. */
+  BestBalance best;
 };
 } // namespace
 

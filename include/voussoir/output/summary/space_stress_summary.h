@@ -12,7 +12,7 @@ namespace Voussoir
 /** The extremes of the stress inside, for summary.json. */
 nlohmann::ordered_json json_of_stress(const SpaceResults &results);
 
-/** Say them; nothing if there is only the mean stress. */
+/** Say them. */
 void show_stress(Terminal &terminal, const SpaceResults &results);
 } // namespace Voussoir
 

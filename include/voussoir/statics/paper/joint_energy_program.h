@@ -6,6 +6,7 @@
 #include <voussoir/algebra/linear/joint_blocks.h>
 #include <voussoir/statics/paper/displacement_program.h>
 
+#include <limits>
 #include <vector>
 
 namespace Voussoir
@@ -16,6 +17,30 @@ class EnergyLaw : public JointLaw
 public:
   /** The energy of joint @p e. */
   virtual double energy(unsigned int e, const double *jumps) const = 0;
+};
+
+/**
+ * Of the points that a search without constraints has seen, whose gradients are
+ * the imbalance of forces, the one with the best balance; and whether it will
+ * do.
+ */
+class BestBalance
+{
+public:
+  /** See the gradient at @p x. */
+  void see(const double *x, const std::vector<double> &gradient);
+  /** To be asked once an iteration: converged, stopped by rounding, or none. */
+  Stop verdict(unsigned int iteration, double tolerance);
+  /** The point; empty if none was seen. */
+  const std::vector<double> &point() const { return best; }
+  /** The largest component of the gradient there. */
+  double imbalance() const { return least; }
+
+private:
+  std::vector<double> best;
+  double least = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity();
+  unsigned int iteration_of_best = 0;
 };
 
 /**
