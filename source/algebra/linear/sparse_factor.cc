@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -256,7 +257,15 @@ void SparseFactor::analyse()
   common->supernodal = !last.empty()  ? CHOLMOD_SUPERNODAL
                        : without_blas ? CHOLMOD_SIMPLICIAL
                                       : CHOLMOD_AUTO;
-  factor = check(cholmod_analyze(matrix, common.get()));
+  factor = cholmod_analyze(matrix, common.get());
+}
+
+double SparseFactor::n_entries()
+{
+  if (factor == nullptr)
+    analyse();
+  return factor == nullptr ? std::numeric_limits<double>::infinity()
+                           : common->lnz;
 }
 
 bool SparseFactor::factorise(const std::vector<double> &coefficients,
@@ -267,7 +276,7 @@ bool SparseFactor::factorise(const std::vector<double> &coefficients,
   fill(coefficients, shift, relative_shift, further);
   if (factor == nullptr)
     analyse();
-  cholmod_factorize(matrix, factor, common.get());
+  cholmod_factorize(matrix, check(factor), common.get());
   if (common->status == CHOLMOD_NOT_POSDEF)
     return false;
   if (common->status != CHOLMOD_OK)

@@ -80,16 +80,17 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   JointSystem system(problem, linear_solver);
   Newton newton(problem, law, system, std::move(start));
   ProximalSteps proximal(newton);
+  double least = largest_imbalance(problem, newton.forces());
   try
   {
-    while (newton.imbalance() > controls.tolerance &&
+    while (least > controls.tolerance &&
            (newton.n_iterations() < n_most ||
-            (newton.imbalance() < near_minimum &&
-             newton.n_iterations() < 2 * n_most)))
+            (least < near_minimum && newton.n_iterations() < 2 * n_most)))
     {
       proximal.advance();
+      least = largest_imbalance(problem, newton.forces());
       terminal.iteration("Newton", text("iteration ", newton.n_iterations(),
-                                        ", imbalance ", newton.imbalance()));
+                                        ", imbalance ", least));
     }
   }
   catch (const NewtonFailure &)
@@ -98,7 +99,6 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   }
   found.forces = newton.forces();
   found.u = newton.u();
-  double least = newton.imbalance();
   // Near its end each step doubles the digits.
   for (unsigned int n = 0;
        n < n_steps_to_rounding && least > rounding_of_steps &&
@@ -113,9 +113,10 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
     {
       break;
     }
-    if (!(newton.imbalance() < least))
+    const double now = largest_imbalance(problem, newton.forces());
+    if (!(now < least))
       break;
-    least = newton.imbalance();
+    least = now;
     found.forces = newton.forces();
     found.u = newton.u();
   }

@@ -64,19 +64,10 @@ struct OfJoint
   double strength;
 };
 
-/**
- * The largest force that is missing to a balance, or beyond its limit. The
- * torque on the ground is left out: it has long arms, whose rounding would hide
- * the rest, and is balanced where all others are.
- */
+/** The largest force that is missing to a balance, or beyond its limit. */
 double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 {
-  std::vector<double> left = imbalance(problem, forces);
-  if (problem.has_ground())
-    left.resize(problem.dof(problem.n_cells(), problem.n_translations()));
-  double largest = 0.;
-  for (const double component : left)
-    largest = std::max(largest, std::abs(component));
+  double largest = largest_imbalance(problem, forces);
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const OfJoint of(problem, e, forces);
@@ -193,6 +184,18 @@ std::vector<double> imbalance(const DiscreteProblem &problem,
   for (unsigned int k = 0; k < sum.size(); ++k)
     sum[k] += problem.loads()[k];
   return sum;
+}
+
+double largest_imbalance(const DiscreteProblem &problem,
+                         const std::vector<double> &forces)
+{
+  std::vector<double> left = imbalance(problem, forces);
+  if (problem.has_ground())
+    left.resize(problem.dof(problem.n_cells(), problem.n_translations()));
+  double largest = 0.;
+  for (const double component : left)
+    largest = std::max(largest, std::abs(component));
+  return largest;
 }
 
 std::vector<double> equilibrate(const DiscreteProblem &problem,

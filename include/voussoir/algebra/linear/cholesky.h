@@ -19,6 +19,9 @@ public:
                             unsigned int n_columns) override;
   bool is_direct() const override;
 
+  /** SparseFactor::n_entries(). */
+  double n_entries() { return factor.n_entries(); }
+
 private:
   SparseFactor factor;
 };

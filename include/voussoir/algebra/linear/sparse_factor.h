@@ -78,6 +78,12 @@ public:
    */
   void avoid_blas() { without_blas = true; }
 
+  /**
+   * The number of entries of the factors, of eight bytes each; infinite where
+   * it is too large for CHOLMOD's integers.
+   */
+  double n_entries();
+
   /** The number of unknowns: JointBlocks::n() times n_bodies. */
   unsigned int n() const;
 
