@@ -255,8 +255,9 @@ void packing()
         moving.interfaces().size() == 2 &&
             moving.interfaces()[0].cell_plus == 1 &&
             moving.interfaces()[1].cell_plus == 2);
+  const auto &joint = moving.interfaces()[0];
   check("  with their distances",
-        std::abs(moving.distance(moving.interfaces()[0]) - 1.5) < 1e-12);
+        moving.distance(joint) == std::sqrt(joint.area));
   check("  one notice", moving.notices().size() == 1);
   const Packing<3> standing(
       with_fixed_cells(moving.polyhedra(), {true, false, false}));

@@ -254,15 +254,13 @@ bool Packing<3>::is_seen_whole(const unsigned int cell) const
 
 double Packing<3>::distance(const Interface &interface) const
 {
+  if (interface.is_at_edge)
+    return std::sqrt(interface.area);
   const unsigned int minus = interface.cell_minus, plus = interface.cell_plus;
   if (!is_seen_whole(minus) || (plus != ground() && !is_seen_whole(plus)))
     return half_distance(minus, interface) + half_distance(plus, interface);
   const Point<3> far = plus == ground() ? interface.centroid : centre(plus);
-  const double along = (far - centre(minus)) * interface.normal;
-  // An edge of a cell that is not convex may touch farther than its centre.
-  return along > 0.
-             ? along
-             : half_distance(minus, interface) + half_distance(plus, interface);
+  return (far - centre(minus)) * interface.normal;
 }
 
 /** The part of d_e that lies in a cell. */

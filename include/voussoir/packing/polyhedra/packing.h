@@ -191,7 +191,9 @@ public:
    * It is (x_{c+} - x_{c-}) . n_e; to the ground the distance of x_{c-} from
    * the polygon. A cell that cannot be seen whole from its centre has three
    * times its volume over its surface for its part, the distance of the faces
-   * of a regular polyhedron.
+   * of a regular polyhedron. Where edges or vertices touch, it is the root of
+   * the area: the stress of so small a joint goes no deeper, and the joint is
+   * not so soft that it decides how many digits forces have.
    */
   double distance(const Interface &interface) const;
 

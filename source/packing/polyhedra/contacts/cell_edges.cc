@@ -61,7 +61,7 @@ std::vector<CellEdge> edges_near(const FaceGeometry &geometry,
     for (unsigned int i = 0; i < corners.size(); ++i)
     {
       const FaceSide side = {corners[i], corners[(i + 1) % corners.size()], f};
-      if (side.begin != side.end &&
+      if (cells.vertices[side.begin] != cells.vertices[side.end] &&
           is_near(cells, side, box, geometry.tolerance))
         sides.push_back(side);
     }
