@@ -53,6 +53,65 @@ inline void add_box(Voussoir::CellFaces &cells,
             low[2], high[2]);
 }
 
+/** Add a pyramid over a counterclockwise polygon at a height. */
+inline void add_pyramid(Voussoir::CellFaces &cells,
+                        const std::vector<dealii::Point<2>> &base,
+                        const double z,
+                        const dealii::Point<3> &tip)
+{
+  const unsigned int n = base.size(), first = cells.vertices.size();
+  for (const dealii::Point<2> &p : base)
+    cells.vertices.emplace_back(p[0], p[1], z);
+  cells.vertices.push_back(tip);
+  const bool points_up = tip[2] > z;
+  std::vector<unsigned int> loop(n);
+  for (unsigned int i = 0; i < n; ++i)
+    loop[i] = first + (points_up ? n - 1 - i : i);
+  cells.add_face(loop);
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const unsigned int j = (i + 1) % n;
+    cells.add_face(
+        points_up ? std::vector<unsigned int>{first + i, first + j, first + n}
+                  : std::vector<unsigned int>{first + j, first + i, first + n});
+  }
+  cells.end_cell();
+}
+
+/** Add all cells of others. */
+inline void add_cells(Voussoir::CellFaces &cells,
+                      const Voussoir::CellFaces &others)
+{
+  const unsigned int first = cells.vertices.size();
+  cells.vertices.insert(cells.vertices.end(), others.vertices.begin(),
+                        others.vertices.end());
+  for (unsigned int c = 0; c < others.n_cells(); ++c)
+  {
+    for (unsigned int f = others.first_face[c]; f < others.first_face[c + 1];
+         ++f)
+    {
+      std::vector<unsigned int> loop;
+      for (const unsigned int v : others.corners(f))
+        loop.push_back(first + v);
+      cells.add_face(loop);
+    }
+    cells.end_cell();
+  }
+}
+
+/** Add a prism along y over a polygon in x and z, counterclockwise there. */
+inline void add_bar(Voussoir::CellFaces &cells,
+                    const std::vector<dealii::Point<2>> &section,
+                    const double y0,
+                    const double y1)
+{
+  Voussoir::CellFaces upright;
+  add_prism(upright, section, -y1, -y0);
+  for (dealii::Point<3> &p : upright.vertices)
+    p = {p[0], -p[2], p[1]};
+  add_cells(cells, upright);
+}
+
 /** A wall in running bond, of bricks 2 x 1 x 0.5, some leaves thick. */
 inline Voussoir::CellFaces brick_wall(const unsigned int n_bricks,
                                       const unsigned int n_leaves,

@@ -49,8 +49,9 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
   if (!(cells.tolerance > 0.))
     return;
   const auto pairs_with = [&](const double factor) {
-    return count_contacts(
-               cells, {factor * cells.tolerance, factor * cells.joint_width})
+    return count_contacts(cells,
+                          {factor * cells.tolerance, factor * cells.joint_width,
+                           cells.joins_edges})
         .pairs_of_cells;
   };
   terminal.stage(

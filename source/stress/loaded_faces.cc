@@ -37,6 +37,8 @@ std::vector<std::vector<LoadedFace>> loaded_faces(const SpaceScene &scene,
   for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
     const Packing<3>::Interface &i = packing.interfaces()[e];
+    if (i.is_at_edge)
+      continue;
     const FaceResultant of = forces.resultant(packing, e);
     LoadedFace face = {
         i.centroid,          i.normal, i.area, {}, of.force, of.moment,

@@ -32,7 +32,11 @@ struct LoadedFace
   std::vector<dealii::ArrayView<const dealii::Point<3>>> polygons = {};
 };
 
-/** The faces of all cells in space: interfaces, then free ones. */
+/**
+ * The faces of all cells in space: interfaces, then free ones. What goes
+ * through an edge or a vertex is on none of them, and counts as spread over the
+ * block, as point loads do.
+ */
 std::vector<std::vector<LoadedFace>> loaded_faces(const SpaceScene &scene,
                                                   const FaceForces &forces);
 } // namespace Voussoir

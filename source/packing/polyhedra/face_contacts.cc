@@ -3,11 +3,13 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polyhedra/contacts/cell_chunks.h>
 #include <voussoir/packing/polyhedra/contacts/contact_search.h>
+#include <voussoir/packing/polyhedra/contacts/edge_search.h>
 #include <voussoir/packing/polyhedra/contacts/free_parts.h>
 #include <voussoir/packing/polyhedra/face_contacts.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace Voussoir
@@ -101,6 +103,39 @@ FaceContacts contacts_of_shared_faces(const CellFaces &cells,
   return contacts;
 }
 
+/** Finds the contacts of cells by the places of their faces. */
+class SearchByPlace
+{
+public:
+  SearchByPlace(const CellFaces &cells, const ContactTolerance &tolerance)
+      : geometry(cells, tolerance.distance),
+        of_faces(geometry, tolerance.joint_width)
+  {
+    if (tolerance.joins_edges && tolerance.joint_width == 0.)
+      of_edges.emplace(geometry);
+  }
+
+  /** Those of some cells with all cells of higher numbers. */
+  struct Found
+  {
+    PatchList patches;
+    EdgeContacts at_edges;
+  };
+  Found find(const unsigned int begin, const unsigned int end) const
+  {
+    Found found = {of_faces.patches(begin, end), {}};
+    if (of_edges)
+      found.at_edges = of_edges->find(begin, end, found.patches);
+    return found;
+  }
+
+  const FaceGeometry geometry;
+
+private:
+  const ContactSearch of_faces;
+  std::optional<EdgeSearch> of_edges;
+};
+
 /** The numbers of cells and patches of a part of a list, sorted by cells. */
 ContactCount count_of(const CellFaces &cells,
                       const std::vector<std::array<unsigned int, 2>> &faces)
@@ -126,17 +161,22 @@ FaceContacts face_contacts(const CellFaces &cells,
   check_contact_tolerance(tolerance);
   if (!cells.shared.empty())
     return contacts_of_shared_faces(cells, tolerance.distance);
-  const FaceGeometry geometry(cells, tolerance.distance);
-  const ContactSearch search(geometry, tolerance.joint_width);
-  PatchList found;
-  for (const PatchList &chunk : in_chunks(
+  const SearchByPlace search(cells, tolerance);
+  PatchList patches;
+  EdgeContacts at_edges;
+  for (SearchByPlace::Found &found : in_chunks(
            n_moving_cells(cells), [&](unsigned int begin, unsigned int end) {
-             return search.patches(begin, end);
+             return search.find(begin, end);
            }))
-    found.append(chunk);
-  FreeParts rest = free_parts(geometry, found);
-  return {std::move(found.faces), std::move(found.patches),
-          std::move(rest.faces), std::move(rest.parts)};
+  {
+    patches.append(found.patches);
+    at_edges.append(std::move(found.at_edges));
+  }
+  FreeParts rest = free_parts(search.geometry, patches);
+  std::string notice = notice_of(cells, at_edges);
+  return {std::move(patches.faces),   std::move(patches.patches),
+          std::move(at_edges.joints), std::move(notice),
+          std::move(rest.faces),      std::move(rest.parts)};
 }
 
 ContactCount count_found(const CellFaces &cells, const FaceContacts &contacts)
@@ -151,12 +191,16 @@ ContactCount count_contacts(const CellFaces &cells,
   if (!cells.shared.empty())
     return count_of(cells,
                     contacts_of_shared_faces(cells, tolerance.distance).faces);
-  const FaceGeometry geometry(cells, tolerance.distance);
-  const ContactSearch search(geometry, tolerance.joint_width);
+  const SearchByPlace search(cells, tolerance);
   ContactCount all;
   for (const ContactCount &count : in_chunks(
            n_moving_cells(cells), [&](unsigned int begin, unsigned int end) {
-             return count_of(cells, search.patches(begin, end).faces);
+             SearchByPlace::Found found = search.find(begin, end);
+             std::vector<std::array<unsigned int, 2>> &faces =
+                 found.patches.faces;
+             for (const EdgeContact &joint : found.at_edges.joints)
+               faces.push_back(joint.faces);
+             return count_of(cells, faces);
            }))
   {
     all.pairs_of_cells += count.pairs_of_cells;

@@ -40,6 +40,7 @@ CellFaces with_fixed_cells(const CellFaces &cells,
   result.vertices = cells.vertices;
   result.tolerance = cells.tolerance;
   result.joint_width = cells.joint_width;
+  result.joins_edges = cells.joins_edges;
   result.n_fixed = order.end() - first_fixed;
   std::vector<unsigned int> new_face(cells.n_faces());
   for (const unsigned int c : order)

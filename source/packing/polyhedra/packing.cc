@@ -42,7 +42,10 @@ Packing<3>::Packing(CellFaces cells) : mesh(std::move(cells))
     check_shape(c);
   }
   FaceContacts contacts =
-      face_contacts(mesh, {mesh.tolerance, mesh.joint_width});
+      face_contacts(mesh, {mesh.tolerance, mesh.joint_width, mesh.joins_edges});
+  notice_list = mesh.notices;
+  if (!contacts.notice.empty())
+    notice_list.push_back(contacts.notice);
   add_interfaces(contacts, false);
   add_interfaces(contacts, true);
   add_boundary(contacts);
@@ -113,20 +116,52 @@ void Packing<3>::check_shape(const unsigned int c)
 void Packing<3>::add_interfaces(const FaceContacts &contacts,
                                 const bool with_ground)
 {
+  const auto is_wanted = [&](const std::array<unsigned int, 2> &faces) {
+    return (mesh.cell_of_face(faces[1]) >= ground()) == with_ground;
+  };
+  auto edge = contacts.at_edges.begin();
+  const auto add_edge = [&] {
+    if (is_wanted(edge->faces))
+      add_interface(edge->faces,
+                    dealii::ArrayView<const Point<3>>(edge->polygon),
+                    &edge->normal);
+    ++edge;
+  };
   for (unsigned int k = 0; k < contacts.faces.size(); ++k)
   {
-    const unsigned int minus = mesh.cell_of_face(contacts.faces[k][0]);
-    const unsigned int plus = mesh.cell_of_face(contacts.faces[k][1]);
-    if ((plus >= ground()) != with_ground)
-      continue;
-    const PolygonMoments of = moments_of(contacts.patches[k]);
-    interface_list.push_back({minus, with_ground ? ground() : plus,
-                              with_ground ? plus : invalid_index,
-                              contacts.faces[k], of.centroid, of.normal(),
-                              of.area()});
-    interface_polygons.add(contacts.patches[k]);
-    support_count += with_ground;
+    while (edge != contacts.at_edges.end() && edge->faces < contacts.faces[k])
+      add_edge();
+    if (is_wanted(contacts.faces[k]))
+      add_interface(contacts.faces[k], contacts.patches[k], nullptr);
   }
+  while (edge != contacts.at_edges.end())
+    add_edge();
+}
+
+/** @param normal_of_edge that of a contact at an edge; null for faces. */
+void Packing<3>::add_interface(const std::array<unsigned int, 2> &faces,
+                               const dealii::ArrayView<const Point<3>> polygon,
+                               const Tensor<1, 3> *const normal_of_edge)
+{
+  const unsigned int minus = mesh.cell_of_face(faces[0]);
+  const unsigned int plus = mesh.cell_of_face(faces[1]);
+  const bool is_support = plus >= ground();
+  const PolygonMoments of = moments_of(polygon);
+  Point<3> centroid = of.centroid;
+  // Symmetric, but so narrow that its triangles have few digits.
+  if (normal_of_edge)
+  {
+    Tensor<1, 3> arms;
+    for (const Point<3> &corner : polygon)
+      arms += corner - polygon[0];
+    centroid = polygon[0] + arms / double(polygon.size());
+  }
+  interface_list.push_back({minus, is_support ? ground() : plus,
+                            is_support ? plus : invalid_index, faces, centroid,
+                            normal_of_edge ? *normal_of_edge : of.normal(),
+                            of.area(), normal_of_edge != nullptr});
+  interface_polygons.add(polygon);
+  support_count += is_support;
 }
 
 void Packing<3>::add_boundary(FaceContacts &contacts)
@@ -219,6 +254,8 @@ bool Packing<3>::is_seen_whole(const unsigned int cell) const
 
 double Packing<3>::distance(const Interface &interface) const
 {
+  if (interface.is_at_edge)
+    return std::sqrt(interface.area);
   const unsigned int minus = interface.cell_minus, plus = interface.cell_plus;
   if (!is_seen_whole(minus) || (plus != ground() && !is_seen_whole(plus)))
     return half_distance(minus, interface) + half_distance(plus, interface);

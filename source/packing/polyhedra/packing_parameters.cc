@@ -44,9 +44,11 @@ void PackingParameters<3>::add_parameters(dealii::ParameterHandler &prm)
 
 Packing<3>
 PackingParameters<3>::make_packing(const std::filesystem::path &directory,
+                                   const bool joins_edges,
                                    Terminal &terminal) const
 {
   CellFaces cells = generators.chosen().generate(directory, terminal);
+  cells.joins_edges = joins_edges && &generators.chosen() == models;
   terminal.progress("looking for interfaces");
   Packing<3> packing(std::move(cells));
   assign_groups(packing, groups);

@@ -56,14 +56,18 @@ void SpaceSceneParameters::add_parameters(dealii::ParameterHandler &prm)
 std::string
 SpaceSceneParameters::packing_key(const nlohmann::ordered_json &tree)
 {
-  return values_in(tree.at("Packing")) + values_in(tree.at("Supports"));
+  std::string key;
+  for (const char *name : {"Rotations", "Packing", "Supports"})
+    key += values_in(tree.at(name));
+  return key;
 }
 
 Packing<3>
 SpaceSceneParameters::read_packing(const std::filesystem::path &directory,
                                    Terminal &terminal) const
 {
-  return supports.support(packing.make_packing(directory, terminal));
+  return supports.support(
+      packing.make_packing(directory, blocks_turn, terminal));
 }
 
 std::shared_ptr<const SpaceBlocks>

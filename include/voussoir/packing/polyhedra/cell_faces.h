@@ -53,6 +53,8 @@ struct CellFaces : CellRecords
   double tolerance = 0.;
   /** The width of joints between faces that face each other; a length. */
   double joint_width = 0.;
+  /** Whether edges and vertices get joints, too; for blocks that turn. */
+  bool joins_edges = false;
 
   /** The number of cells, fixed ones included. */
   unsigned int n_cells() const { return first_face.size() - 1; }

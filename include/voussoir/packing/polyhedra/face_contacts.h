@@ -3,9 +3,11 @@
 #define voussoir_packing_polyhedra_face_contacts_h
 
 #include <voussoir/packing/polyhedra/cell_faces.h>
+#include <voussoir/packing/polyhedra/contacts/edge_contact.h>
 #include <voussoir/packing/polyhedra/space_polygons.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Voussoir
@@ -24,6 +26,14 @@ struct FaceContacts
    * faces, it lies midway.
    */
   SpacePolygons patches;
+
+  /**
+   * Where cells touch with edges and vertices only, in the same order; such
+   * joints take nothing from free parts.
+   */
+  std::vector<EdgeContact> at_edges;
+  /** What to tell the user of them; empty if there are none. */
+  std::string notice;
 
   /** The faces that have free parts, ascending; one may be there often. */
   std::vector<unsigned int> free_faces;
@@ -46,6 +56,13 @@ struct ContactTolerance
    * their distance may be as much more, if nothing lies between them.
    */
   double joint_width = 0.;
+  /**
+   * Whether edges and vertices touch, too, if there are no joints of a width
+   * between faces. An edge does that lies in the interior of a face, a
+   * vertex that does, and edges that cross, where each cell is on its side
+   * of the plane between them, within the distance.
+   */
+  bool joins_edges = false;
 };
 
 /**

@@ -26,7 +26,8 @@ namespace Voussoir
  *
  * Cells c = 0..F-1 move and have a centre x_c. An interface e is a convex plane
  * polygon in which two of them touch, from c- to c+, with c- < c+; two cells
- * may have several. Its unit normal n_e points from c- to c+, and its vertices
+ * may have several, and one as good as without area where they touch with an
+ * edge or a vertex. Its unit normal n_e points from c- to c+, and its vertices
  * run counterclockwise as seen from c+.
  *
  * The ground has the number F. Parts of it may have a shape: the fixed cells,
@@ -58,6 +59,8 @@ public:
     dealii::Tensor<1, 3> normal;
     /** |e|; L^2. */
     double area;
+    /** Whether an edge or a vertex touches there, see EdgeContact. */
+    bool is_at_edge = false;
     /** The centroid. */
     const dealii::Point<3> &middle() const { return centroid; }
   };
@@ -188,7 +191,9 @@ public:
    * It is (x_{c+} - x_{c-}) . n_e; to the ground the distance of x_{c-} from
    * the polygon. A cell that cannot be seen whole from its centre has three
    * times its volume over its surface for its part, the distance of the faces
-   * of a regular polyhedron.
+   * of a regular polyhedron. Where edges or vertices touch, it is the root of
+   * the area: the stress of so small a joint goes no deeper, and the joint is
+   * not so soft that it decides how many digits forces have.
    */
   double distance(const Interface &interface) const;
 
@@ -199,7 +204,7 @@ public:
   /** True if all of @p cell can be seen from its centre. */
   bool is_seen_whole(unsigned int cell) const;
   /** Notices to the user on how the input was understood. */
-  const std::vector<std::string> &notices() const { return mesh.notices; }
+  const std::vector<std::string> &notices() const { return notice_list; }
   /** "cell 3", with its record if it was read; "the ground". */
   std::string describe(const unsigned int cell) const
   {
@@ -210,6 +215,9 @@ private:
   void measure(unsigned int cell, bool take_centroid);
   void check_shape(unsigned int cell);
   void add_interfaces(const FaceContacts &contacts, bool with_ground);
+  void add_interface(const std::array<unsigned int, 2> &faces,
+                     dealii::ArrayView<const dealii::Point<3>> polygon,
+                     const dealii::Tensor<1, 3> *normal_of_edge);
   void add_boundary(FaceContacts &contacts);
   double half_distance(unsigned int cell, const Interface &interface) const;
   [[noreturn]] void refuse(unsigned int cell,
@@ -223,6 +231,8 @@ private:
   std::vector<BoundaryFace> boundary_list;
   SpacePolygons part_list;
   std::vector<unsigned int> concave, hiding;
+  /** Those of the cells, and of contacts, which name cells as they are here. */
+  std::vector<std::string> notice_list;
   unsigned int support_count = 0;
 };
 } // namespace Voussoir

@@ -40,11 +40,13 @@ public:
    * `Groups`; only what a file marks is fixed.
    *
    * @param directory the start of relative paths among the parameters.
+   * @param joins_edges see ContactTolerance; of models, for blocks that turn.
    * @param terminal see PackingGenerator::generate().
    * @throws InputError if the parameters describe no packing: as
    *   PackingGenerator::generate(), Packing::Packing() and assign_groups() do.
    */
   Packing<3> make_packing(const std::filesystem::path &directory,
+                          bool joins_edges,
                           Terminal &terminal) const;
 
 private:
