@@ -20,9 +20,11 @@ constexpr double same_place = 1e-7, no_area = 1e-12;
 class SurfaceCut
 {
 public:
-  SurfaceCut(const std::vector<LoadedFace> &faces, const double size)
+  SurfaceCut(const std::vector<LoadedFace> &faces,
+             const double size,
+             const FaceCut rule)
       : faces(faces), tolerance(same_place * size),
-        least_area(no_area * size * size)
+        least_area(no_area * size * size), rule(rule)
   {}
 
   SurfaceTriangles find();
@@ -38,7 +40,7 @@ private:
   unsigned int point_at(const Point<3> &x);
   void insert_points(Loop &loop) const;
   bool cut(Loop loop);
-  bool number_edges();
+  double merit(unsigned int a, unsigned int b, unsigned int c) const;
   double twice_area(const Tensor<1, 3> &normal,
                     unsigned int a,
                     unsigned int b,
@@ -46,6 +48,7 @@ private:
 
   const std::vector<LoadedFace> &faces;
   const double tolerance, least_area;
+  const FaceCut rule;
   SurfaceTriangles found;
 };
 
@@ -95,10 +98,26 @@ double SurfaceCut::twice_area(const Tensor<1, 3> &normal,
          normal;
 }
 
-/**
- * Cut off one corner after the other, of all those whose triangle has an area
- * the one with the shortest new side.
- */
+/** How good it is to cut off corner b between a and c. */
+double SurfaceCut::merit(const unsigned int a,
+                         const unsigned int b,
+                         const unsigned int c) const
+{
+  const auto &x = found.points;
+  const double side = x[a].distance(x[c]);
+  if (rule == FaceCut::short_sides)
+    return -side;
+  if (rule == FaceCut::long_sides)
+    return side;
+  std::array<double, 3> sides = {
+      {x[a].distance(x[b]), x[b].distance(x[c]), side}};
+  std::sort(sides.begin(), sides.end());
+  return cross_product_3d(x[b] - x[a], x[c] - x[a]).norm() /
+         (sides[1] * sides[2]);
+}
+
+/** Cut off one corner after the other, of all those whose triangle has an area
+ * the best. */
 bool SurfaceCut::cut(Loop loop)
 {
   const Tensor<1, 3> &normal = faces[loop.face].normal;
@@ -107,7 +126,7 @@ bool SurfaceCut::cut(Loop loop)
   {
     const unsigned int n = p.size();
     unsigned int best = n;
-    double shortest = 0.;
+    double greatest = 0.;
     for (unsigned int k = 0; k < n; ++k)
     {
       const unsigned int before = p[(k + n - 1) % n], after = p[(k + 1) % n];
@@ -120,11 +139,11 @@ bool SurfaceCut::cut(Loop loop)
             twice_area(normal, after, p[(k + 1 + m) % n], p[(k + 2 + m) % n]);
       if (n > 3 && !(left > least_area))
         continue;
-      const double length = found.points[before].distance(found.points[after]);
-      if (best < n && length >= shortest)
+      const double of_this = merit(before, p[k], after);
+      if (best < n && of_this <= greatest)
         continue;
       best = k;
-      shortest = length;
+      greatest = of_this;
     }
     if (best == n)
       return false;
@@ -138,36 +157,6 @@ bool SurfaceCut::cut(Loop loop)
       return true;
   }
   return false;
-}
-
-/** Number the edges; each must be of two triangles, once each way. */
-bool SurfaceCut::number_edges()
-{
-  std::map<std::pair<unsigned int, unsigned int>, unsigned int> numbers;
-  std::vector<double> sums;
-  std::vector<unsigned int> counts;
-  for (SurfaceTriangles::Triangle &triangle : found.triangles)
-    for (unsigned int m = 0; m < 3; ++m)
-    {
-      const unsigned int a = triangle.corners[(m + 1) % 3],
-                         b = triangle.corners[(m + 2) % 3];
-      const auto [place, is_new] = numbers.emplace(
-          std::minmax(a, b), static_cast<unsigned int>(numbers.size()));
-      if (is_new)
-      {
-        sums.push_back(0.);
-        counts.push_back(0);
-      }
-      triangle.edges[m] = place->second;
-      triangle.signs[m] = a < b ? 1. : -1.;
-      sums[place->second] += triangle.signs[m];
-      ++counts[place->second];
-    }
-  found.n_edges = numbers.size();
-  for (unsigned int e = 0; e < found.n_edges; ++e)
-    if (sums[e] != 0. || counts[e] != 2)
-      return false;
-  return true;
 }
 
 SurfaceTriangles SurfaceCut::find()
@@ -199,14 +188,43 @@ SurfaceTriangles SurfaceCut::find()
     if (!cut(loop))
       return found;
   }
-  found.is_closed = number_edges();
+  number_edges(found);
   return std::move(found);
 }
 } // namespace
 
 SurfaceTriangles surface_triangles(const std::vector<LoadedFace> &faces,
-                                   const double size)
+                                   const double size,
+                                   const FaceCut cut)
 {
-  return SurfaceCut(faces, size).find();
+  return SurfaceCut(faces, size, cut).find();
+}
+
+void number_edges(SurfaceTriangles &surface)
+{
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> numbers;
+  std::vector<double> sums;
+  std::vector<unsigned int> counts;
+  for (SurfaceTriangles::Triangle &triangle : surface.triangles)
+    for (unsigned int m = 0; m < 3; ++m)
+    {
+      const unsigned int a = triangle.corners[(m + 1) % 3],
+                         b = triangle.corners[(m + 2) % 3];
+      const auto [place, is_new] = numbers.emplace(
+          std::minmax(a, b), static_cast<unsigned int>(numbers.size()));
+      if (is_new)
+      {
+        sums.push_back(0.);
+        counts.push_back(0);
+      }
+      triangle.edges[m] = place->second;
+      triangle.signs[m] = a < b ? 1. : -1.;
+      sums[place->second] += triangle.signs[m];
+      ++counts[place->second];
+    }
+  surface.n_edges = numbers.size();
+  surface.is_closed = !surface.triangles.empty();
+  for (unsigned int e = 0; e < surface.n_edges; ++e)
+    surface.is_closed &= sums[e] == 0. && counts[e] == 2;
 }
 } // namespace Voussoir

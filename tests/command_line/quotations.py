@@ -47,7 +47,8 @@ SAMPLED = re.compile(r"(.*): (\S+) kN \+- (\S+), give or take (\S+)$")
 # or in a .prm file.
 PARAMETERS = re.compile("set |subsection |#")
 # Scenes that a page shows before it runs them, by how they begin.
-SCENES = {"# A wall with a door": "my_wall.prm", "set Output directory": "my_packing.prm"}
+SCENES = {"# A wall with a door": "my_wall.prm", "set Output directory": "my_packing.prm",
+          "# A dome of stone": "my_dome.prm", "# A model of a dome": "my_model.prm"}
 # FILE.prm of a page, and how the block that it also has begins.
 ANY_SCENE = {"doc/running.md": ("prm/tutorial_wall.prm", None),
              "doc/scene.md": ("prm/tutorial_wall.prm", "set Analysis = load factor")}
@@ -128,7 +129,8 @@ class Shell:
         shutil.rmtree(self.directory, ignore_errors=True)
         for name in ("contrib", "bin"):
             (self.directory / name).mkdir(parents=True)
-        (self.directory / "prm").symlink_to(top / "prm")
+        for name in ("prm", "tests"):
+            (self.directory / name).symlink_to(top / name)
         for name in ("contrib/run", "bin/voussoir"):
             (self.directory / name).write_text(f'#!/bin/sh\nexec {program} "$@"\n')
             (self.directory / name).chmod(0o755)

@@ -493,7 +493,7 @@ def check_documentation():
     defined = [picture[0] for picture in pictures.PICTURES]
     expect(f"pictures that contrib/pictures makes, {made ^ set(defined)}",
            made == set(defined) and len(defined) == len(made))
-    for page in ("gallery", "tutorial"):
+    for page in ("gallery", "tutorial", "tutorial_in_space"):
         with open(f"{SOURCE}/doc/{page}.md") as file:
             text = file.read()
         shown = set(re.findall(r"images/(\w+)\.png", text))

@@ -173,9 +173,9 @@ void check_tetrahedra(const Known &known,
         std::max(volume_error, std::abs(volume / packing.volume(c) - 1.));
   }
   check_error("  volume of tetrahedra", volume_error, 1e-12);
-  check_error("  they are symmetric", skew, 1e-9);
+  check_error("  they are symmetric", skew, 1e-10);
   if (is_uniform)
-    check_error("  and have a uniform stress", error, 1e-9);
+    check_error("  and have a uniform stress", error, 1e-10);
 }
 
 void check_field(const std::string &name,

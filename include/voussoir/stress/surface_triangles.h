@@ -38,15 +38,34 @@ struct SurfaceTriangles
   bool is_closed = false;
 };
 
+/** Which corner of a polygon is cut off next. */
+enum class FaceCut
+{
+  /** That with the shortest new side. */
+  short_sides,
+  /** That of which the triangle has the widest least angle. */
+  wide_angles,
+  /** That with the longest new side, which makes fans. */
+  long_sides
+};
+
 /**
  * Cut the faces of a cell into triangles without new points: where the vertex
  * of one polygon lies within the side of another, it is a corner of both.
  *
  * @param faces of the cell.
  * @param size of it, a length, to which distances are compared.
+ * @param cut of polygons with more than three corners.
  */
 SurfaceTriangles surface_triangles(const std::vector<LoadedFace> &faces,
-                                   double size);
+                                   double size,
+                                   FaceCut cut = FaceCut::short_sides);
+
+/**
+ * Number the edges of all triangles anew, by their corners, and find whether
+ * they close: each edge must be of two triangles, once each way.
+ */
+void number_edges(SurfaceTriangles &surface);
 } // namespace Voussoir
 
 #endif
