@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+/* The linear systems of ConicForces. */
+#include <voussoir/algebra/vectors.h>
+#include <voussoir/statics/conic/conic_forces.h>
+#include <voussoir/statics/conic/sum_of_squares.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+/** The relative shifts of the diagonal: the first, the factor to the next. */
+constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
+                 largest_force_shift = 1e-2;
+
+/** The steps of conjugate gradients that may bring nothing. */
+constexpr unsigned int n_without_gain = 10;
+
+/** B^T v of one cone. */
+std::array<double, 3> transposed(const ConicForces::Cone &cone,
+                                 const QuadraticCone::Vector &v)
+{
+  std::array<double, 3> sum = {};
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < cone.n_rows; ++j)
+      sum[j] += cone.b[i][j] * v[i];
+  return sum;
+}
+
+/**
+ * Add B^T W^-2 B of one cone: 2 w w^T - J. Of -B^T J B the head is nothing in
+ * an arc, and in a section what the first of the tail is.
+ */
+void add_cone(const ConicForces::Cone &cone,
+              const QuadraticCone::Scaling &scaling,
+              SumOfSquares &sum)
+{
+  const QuadraticCone::Vector &w = scaling.w;
+  sum.add(2. / scaling.eta_squared, transposed(cone, {{w[0], -w[1], -w[2]}}));
+  sum.add(1. / scaling.eta_squared, cone.b[2]);
+  if (cone.b[0] != cone.b[1])
+    sum.add(1. / scaling.eta_squared, cone.b[1]);
+}
+
+/** The same of three rows, by the eigenvectors of W^-2. */
+void add_cone(const ConicForces::Cone &cone,
+              const QuadraticCone::Scaling &scaling,
+              SumOfSquaresOfThree &sum)
+{
+  const QuadraticCone::Vector &w = scaling.w;
+  const double tail = std::hypot(w[1], w[2]);
+  const std::array<double, 2> t =
+      tail > 0. ? std::array<double, 2>{{w[1] / tail, w[2] / tail}}
+                : std::array<double, 2>{{1., 0.}};
+  const double large = (w[0] + tail) * (w[0] + tail);
+  const double half = 0.5 / scaling.eta_squared;
+  sum.add(half * large, transposed(cone, {{1., -t[0], -t[1]}}));
+  sum.add(half / large, transposed(cone, {{1., t[0], t[1]}}));
+  sum.add(2. * half, transposed(cone, {{0., -t[1], t[0]}}));
+}
+} // namespace
+
+std::vector<double> ConicForces::of_rows(const std::vector<double> &z) const
+{
+  std::vector<double> result(rows.n_all_rows(), 0.);
+  for (std::size_t b = 0; b < all_bounds.size(); ++b)
+    result[all_bounds[b].row] += all_bounds[b].sign * z[b];
+  for (std::size_t k = 0; k < all_cones.size(); ++k)
+  {
+    const std::array<double, 3> sum = transposed(all_cones[k], of_cone(z, k));
+    for (unsigned int r = 0; r < all_cones[k].n_rows; ++r)
+      result[all_cones[k].row + r] += sum[r];
+  }
+  return result;
+}
+
+bool ConicForces::prepare(const Weights &weights,
+                          const bool with_curvature,
+                          const double proximal)
+{
+  std::vector<double> &k = coefficients;
+  k.assign(rows.n_all_rows(), 0.);
+  if (with_curvature)
+    k = of_cost;
+  for (std::size_t b = 0; b < all_bounds.size(); ++b)
+    k[all_bounds[b].row] += weights.of_bounds[b];
+  for (double &sum : k)
+    if (sum > 0.)
+      sum = 1. / (sum + proximal);
+  for (const Cone &cone : all_cones)
+    if (cone.bound >= 0)
+      k[cone.row] = 1. / (weights.of_bounds[cone.bound] +
+                          (with_curvature ? of_cost[cone.row] : 0.));
+  clear_without_force(k);
+  if (rows.has_blocks())
+    invert_sets(weights, with_curvature);
+  scalings.clear();
+  if (!rows.is_plane() && !with_curvature)
+  {
+    scalings = weights.of_cones;
+    of_their_bounds.clear();
+    for (const Cone &cone : all_cones)
+      of_their_bounds.push_back(cone.bound < 0 ? 0.
+                                               : weights.of_bounds[cone.bound]);
+  }
+  return factorise();
+}
+
+bool ConicForces::prepare_diagonal(std::vector<double> k)
+{
+  AssertDimension(all_cones.size(), 0);
+  coefficients = std::move(k);
+  return factorise();
+}
+
+bool ConicForces::factorise()
+{
+  border.clear();
+  for (const double coefficient : coefficients)
+    if (!std::isfinite(coefficient))
+      return false;
+  for (double shift = first_shift_of_forces; shift <= largest_force_shift;
+       shift *= factor_of_force_shift)
+    if (factor.factorise(coefficients, 0., shift))
+      return true;
+  return false;
+}
+
+/** Spread what rows have to the coefficients of sets, and add those of cones.
+ */
+void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
+{
+  std::vector<double> of_sets(rows.n_all_coefficients(), 0.);
+  std::size_t cone = 0;
+  for (unsigned int e = 0; e < rows.joints().size(); ++e)
+    rows.for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                             const unsigned int coefficient) {
+      double *const block = &of_sets[rows.first_coefficient(e) + coefficient];
+      if (size == 1)
+      {
+        *block = coefficients[rows.first_row(e) + row];
+        return;
+      }
+      const std::size_t r = rows.first_row(e) + row;
+      if (size == 3)
+      {
+        SumOfSquaresOfThree sum;
+        add_cone(all_cones[cone], weights.of_cones[cone], sum);
+        ++cone;
+        // What bounds and the cost have on the diagonal, see prepare().
+        for (unsigned int i = 0; i < 3; ++i)
+          if (const double k = coefficients[r + i]; k > 0.)
+          {
+            std::array<double, 3> g = {};
+            g[i] = 1.;
+            sum.add(1. / k, g);
+          }
+        sum.find_inverse(block);
+        return;
+      }
+      if (cone == all_cones.size() || all_cones[cone].row != r)
+        return; // a disc without strength
+      SumOfSquares sum;
+      if (with_curvature)
+      {
+        sum.add(of_cost[r], {{1., 0., 0.}});
+        sum.add(of_cost[r + 1], {{0., 1., 0.}});
+      }
+      for (; cone < all_cones.size() && all_cones[cone].row == r; ++cone)
+        add_cone(all_cones[cone], weights.of_cones[cone], sum);
+      const std::array<double, 3> inverse = sum.inverse();
+      block[0] = inverse[0];
+      block[1] = block[2] = inverse[1];
+      block[3] = inverse[2];
+    });
+  coefficients = std::move(of_sets);
+}
+
+void ConicForces::multiply(std::vector<double> &r) const
+{
+  if (scalings.empty())
+  {
+    rows.multiply_by_blocks(coefficients, r);
+    return;
+  }
+  const std::vector<double> d = r;
+  rows.multiply_by_blocks(coefficients, r);
+  multiply_by_scalings(d, r);
+}
+
+/**
+ * K d of all cones, where rounding of K would be more than what it gives in
+ * some directions: B^-1 W (W B^-T d) of cones of friction, and by the
+ * eigenvectors of K of circles, where those with the head given are
+ * eta^2 (I - 2 w_t w_t^T / (1 + 2 |w_t|^2)).
+ */
+void ConicForces::multiply_by_scalings(const std::vector<double> &d,
+                                       std::vector<double> &x) const
+{
+  for (std::size_t k = 0; k < all_cones.size(); ++k)
+  {
+    const Cone &cone = all_cones[k];
+    const QuadraticCone::Scaling &W = scalings[k];
+    const double *const from = &d[cone.row];
+    double *const to = &x[cone.row];
+    if (cone.n_rows == 3)
+    {
+      const auto product = [&](const double *const v) {
+        QuadraticCone::Vector result = W.times(W.times(
+            {{v[0] / cone.b[0][0], v[1] / cone.b[1][1], v[2] / cone.b[2][2]}}));
+        for (unsigned int i = 0; i < 3; ++i)
+          result[i] /= cone.b[i][i];
+        return result;
+      };
+      const QuadraticCone::Vector without = product(from);
+      std::copy(without.begin(), without.end(), to);
+      if (const double beta = of_their_bounds[k]; beta > 0.)
+      {
+        // By the formula of Sherman and Morrison.
+        const double first[] = {1., 0., 0.};
+        const QuadraticCone::Vector column = product(first);
+        to[0] /= 1. + beta * column[0];
+        for (unsigned int i = 1; i < 3; ++i)
+          to[i] -= beta * column[i] * to[0];
+      }
+      continue;
+    }
+    const double tail = std::hypot(W.w[1], W.w[2]);
+    const double t[] = {tail > 0. ? W.w[1] / tail : 1.,
+                        tail > 0. ? W.w[2] / tail : 0.};
+    const double along = W.eta_squared * (t[0] * from[0] + t[1] * from[1]) /
+                         (1. + 2. * tail * tail),
+                 across = W.eta_squared * (t[0] * from[1] - t[1] * from[0]);
+    to[0] = along * t[0] - across * t[1];
+    to[1] = along * t[1] + across * t[0];
+  }
+}
+
+std::vector<double>
+ConicForces::multiplied_difference(const std::vector<double> &r,
+                                   const std::vector<double> &u) const
+{
+  std::vector<double> x = along(u);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = r[k] - x[k];
+  if (!scalings.empty())
+  {
+    // The digits of d count, not those of u.
+    for (const Cone &cone : all_cones)
+      for (std::size_t k = cone.row; k < cone.row + cone.n_rows; ++k)
+        x[k] = static_cast<double>(r[k] + rows.exact_jump(k, u.data()));
+    multiply(x);
+    return x;
+  }
+  multiply(x);
+  for (const Cone &cone : all_cones)
+  {
+    const std::size_t k = cone.row;
+    const double *const K = &coefficients[cone.coefficient];
+    std::array<long double, 3> exact = {};
+    for (unsigned int i = 0; i < cone.n_rows; ++i)
+      exact[i] = r[k + i] + rows.exact_jump(k + i, u.data());
+    for (unsigned int i = 0; i < cone.n_rows; ++i)
+    {
+      long double sum = K[cone.n_rows * i] * exact[0];
+      for (unsigned int j = 1; j < cone.n_rows; ++j)
+        sum += K[cone.n_rows * i + j] * exact[j];
+      x[k + i] = static_cast<double>(sum);
+    }
+  }
+  return x;
+}
+
+std::vector<double> ConicForces::product(const std::vector<double> &u) const
+{
+  std::vector<double> x = along(u);
+  multiply(x);
+  return on_bodies(x);
+}
+
+void ConicForces::set_border(std::vector<double> f)
+{
+  border = std::move(f);
+  of_border = factor.solve(border, 1);
+  work_of_border = dot(border, of_border);
+}
+
+/** Without a border this changes nothing. */
+double ConicForces::clear_border_work(std::vector<double> &u,
+                                      const double work) const
+{
+  if (border.empty())
+    return 0.;
+  const double alpha = (work - dot(border, u)) / work_of_border;
+  add(u, alpha, of_border);
+  return alpha;
+}
+
+ConicForces::Bordered ConicForces::solve(const std::vector<double> &right,
+                                         const double work,
+                                         const double enough,
+                                         const unsigned int n_gradients)
+{
+  Bordered now = {factor.solve(right, 1), 0.};
+  now.alpha = clear_border_work(now.u, work);
+  std::vector<double> left = right;
+  add(left, -1., product(now.u));
+  if (!border.empty())
+    add(left, now.alpha, border);
+  Bordered best = now;
+  double least = largest_component(left), previous = 0.;
+  std::vector<double> direction;
+  unsigned int n_in_vain = 0;
+  for (unsigned int k = 0;
+       k < n_gradients && least > enough && n_in_vain < n_without_gain; ++k)
+  {
+    // What is left is that of the best alpha, so that it does not grow.
+    std::vector<double> z = factor.solve(left, 1);
+    if (const double more = clear_border_work(z, 0.); more != 0.)
+    {
+      now.alpha += more;
+      add(left, more, border);
+    }
+    const double product_now = dot(left, z);
+    if (direction.empty())
+      direction = std::move(z);
+    else
+      for (std::size_t i = 0; i < z.size(); ++i)
+        direction[i] = z[i] + product_now / previous * direction[i];
+    previous = product_now;
+    const std::vector<double> force = product(direction);
+    const double energy = dot(direction, force);
+    if (!(energy > 0.) || !(product_now > 0.))
+      break;
+    add(now.u, product_now / energy, direction);
+    add(left, -product_now / energy, force);
+    ++n_in_vain;
+    if (const double size = largest_component(left); size < least)
+    {
+      best = now;
+      least = size;
+      n_in_vain = 0;
+    }
+  }
+  return best;
+}
+} // namespace Voussoir
