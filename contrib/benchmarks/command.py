@@ -2,9 +2,11 @@
 table was measured."""
 import argparse
 import dataclasses
+import datetime
 import os
 import pathlib
 import re
+import subprocess
 
 import tables
 
@@ -71,7 +73,9 @@ class Study:
     def note(self, directory, name, options, extra, programs):
         """Put how an experiment was measured in measured.csv."""
         path = directory / "measured.csv"
-        others = [row for row in tables.read(path) if row["experiment"] != name]
+        others = [{**row, "date": row.get("date", ""),
+                   "commit": row.get("commit", "")}
+                  for row in tables.read(path) if row["experiment"] != name]
         command = self.command + " --quick" * options.quick + extra
         if options.repeats != (1 if options.quick else self.repeats):
             command += f" --repeats {options.repeats}"
@@ -80,7 +84,27 @@ class Study:
         tables.write(path, others + [{
             "experiment": name, "repeats": options.repeats, "command": command,
             "processor": processor(), "cores": os.cpu_count(),
-            "program": programs}])
+            "program": programs, "date": datetime.date.today().isoformat(),
+            "commit": commit()}])
+
+
+def measured_table(rows):
+    """How the tables of a page were measured."""
+    def text(name):
+        return lambda row: str(row.get(name) or "-")
+    columns = {"experiment": "experiment", "repeats": "repeats",
+               "command": lambda row: f"`{row['command']}`",
+               "processor": "processor", "cores": "cores",
+               "programs": "program", "date": text("date"),
+               "commit": text("commit")}
+    return tables.listed(rows, columns, left=len(columns))
+
+
+def commit():
+    """The commit that is checked out, "?" if that is not known."""
+    found = subprocess.run(["git", "-C", TOP, "rev-parse", "--short", "HEAD"],
+                           capture_output=True, text=True)
+    return found.stdout.strip() or "?"
 
 
 def processor():

@@ -1,6 +1,7 @@
 """The page of the cost: what the tables of the measurements say, and how they
 were measured."""
 import tables
+from command import measured_table
 from cost_plots import PLOTS
 from growth import SLIDING, STAGES
 from peers import SHORT
@@ -168,10 +169,7 @@ def measured(rows):
         "largest that it held. Residual and violation are computed from the "
         "forces alone by one code for all solvers, over the largest load on a "
         "cell.",
-        listed(rows, {"experiment": "experiment", "repeats": "repeats",
-                      "command": lambda row: f"`{row['command']}`",
-                      "processor": "processor", "cores": "cores",
-                      "programs": "program"}, left=6)]
+        measured_table(rows)]
 
 
 def write(directory):

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Measure what the settings of voussoir cost and how accurate they are.
 
-Writes DIR/accuracy.md, a page of advice, tables and plots, with the tables in
-DIR/accuracy/*.csv and the plots in DIR/images/accuracy_*.png. The program must
+Writes DIR/accuracy.md, a page of advice and plots, with the tables in
+DIR/accuracy/*.md and *.csv and the plots in DIR/images/accuracy_*.png. The program must
 have been built; contrib/study does that first. The full study takes an hour.
 """
 import sys

@@ -18,7 +18,8 @@ namespace Voussoir
 class UnitFluxes
 {
 public:
-  /** @param corners, counterclockwise the first three as seen from outside. */
+  /** @param corners of which the first three run counterclockwise as seen from
+   * outside. */
   explicit UnitFluxes(const std::array<dealii::Point<3>, 4> &corners)
       : corners(corners)
   {
