@@ -6,58 +6,28 @@ Their factors must be those known, and the width of what proves them is told.
 """
 import math
 
+from polyhedra import box, facade, obj_text
+
 WANTED_WIDTH, LARGEST_WIDTH = 1e-8, 1e-6
-CORNERS = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-# The corners of the faces of a box, anticlockwise from outside, from one on.
-FACES = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5),
-         (2, 6, 8, 4))
-
-
-def box(x, y, z, length, width, height):
-    return (x, y, z), (x + length, y + width, z + height)
 
 
 def courses(rows, size=(0.4, 0.2, 0.175)):
     """A wall of rows of bricks, whose lengths are given in bricks."""
     length, width, height = size
-    boxes = []
+    blocks = []
     for k, row in enumerate(rows):
         x = 0.
         for share in row:
-            boxes.append(box(x, 0., height * k, share * length, width, height))
-            x += share * length
-    return boxes
+            end = x + share * length
+            blocks.append(("wall", box((x, 0., height * k),
+                                       (end, width, height * (k + 1)))))
+            x = end
+    return blocks
 
 
 def running_bond(n, n_courses):
     rows = ([0.5] + [1.] * (n - 1) + [0.5], [1.] * n)
     return courses([rows[k % 2] for k in range(n_courses)])
-
-
-def facade(n_bricks, n_behind, n_courses):
-    """Bricks 2 x 1 x 1, and walls behind both ends, which interlock."""
-    length, depth = 2. * n_bricks, 2. * n_behind
-    boxes = []
-    for k in range(n_courses):
-        shift = k % 2
-        boxes += [box(shift + 2. * i, 0., k, 2., 1., 1.)
-                  for i in range(n_bricks - shift)]
-        for x in (0., length - 1.):
-            for y in range(1 - shift, 2 * n_behind, 2):
-                boxes.append(box(x, y, k, 1., min(2., depth - y), 1.))
-    return boxes
-
-
-def model(boxes):
-    """The text of an .obj file."""
-    lines = []
-    for b, corners in enumerate(boxes):
-        lines.append(f"o block{b}")
-        lines += ["v " + " ".join(f"{corners[c[i]][i]:.17g}" for i in range(3))
-                  for c in CORNERS]
-        lines += ["f " + " ".join(str(8 * b + c) for c in face)
-                  for face in FACES]
-    return "\n".join(lines) + "\n"
 
 
 class KnownScene:
@@ -67,13 +37,13 @@ class KnownScene:
     def __init__(self, kind, law, generator, dead, live, known=None,
                  digits=1e-9, where="nz < -0.5 && z < 1e-9"):
         self.kind, self.law, self.known, self.digits = kind, law, known, digits
-        self.boxes = generator if isinstance(generator, list) else None
+        self.blocks = generator if isinstance(generator, list) else None
         self.generator = generator
         self.dead, self.live, self.where = dead, live, where
 
     def text(self):
         generator = self.generator
-        if self.boxes:
+        if self.blocks:
             generator = "set Generator = model\nsubsection model\n" \
                 f"set File = {self.name}.obj\nset Tolerance = 1e-9\nend"
         friction = "\n".join(f"set {key} = {value}"
@@ -107,17 +77,20 @@ def stress(xx, yy, zz):
         f"set Stress = {xx}, 0, 0; 0, {yy}, 0; 0, 0, {zz}"
 
 
+def block(width, height):
+    return [("block", box((0., 0., 0.), (1., width, height)))]
+
+
 def single_blocks():
     for angle in (0., 0.2, 0.4):
         c, s = math.cos(angle), math.sin(angle)
         dead = body_force(s, 0., -c)
-        low, high = [box(0., 0., 0., 1., 0.5, 0.5)], \
-            [box(0., 0., 0., 1., 0.5, 2.)]
+        low, high = block(0.5, 0.5), block(0.5, 2.)
         yield KnownScene("incline", "Coulomb 0.6", low, dead, PUSH, 0.6 * c - s)
         yield KnownScene("toppling", "Coulomb 0.9", high, dead, PUSH,
                          0.5 * c - s)
         yield KnownScene("incline", "Tresca 0.3", low, dead, PUSH, 0.6 - s)
-    yield KnownScene("skew pull", "Coulomb 0.3", [box(0., 0., 0., 1., 1., 0.5)],
+    yield KnownScene("skew pull", "Coulomb 0.3", block(1., 0.5),
                      WEIGHT, "set Cell forces = at 0.5, 0.2, 0.5: 1, 0, 0")
 
 
@@ -197,8 +170,8 @@ class KnownJudgement:
 
     def judge(self):
         scene = self.scene
-        if scene.boxes:
-            self.program.write(f"{scene.name}.obj", model(scene.boxes))
+        if scene.blocks:
+            self.program.write(f"{scene.name}.obj", obj_text(scene.blocks))
         run = self.program.run(scene.name, scene.text())
         factor = run.summary.get("load_factor")
         if run.status != 0 or factor is None or factor["unbounded"]:

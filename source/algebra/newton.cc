@@ -26,11 +26,11 @@ constexpr double smallest_bracket = 1e-15;
 /** The largest residual that refine() corrects, over the right-hand side. */
 constexpr double little_left = 1e-3;
 
-/** The largest component of an own body, on all processes. */
+/** The largest component that is judged, on all processes. */
 double largest(const Structure &structure, const std::vector<double> &v)
 {
   double size = 0.;
-  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+  for (unsigned int k = 0; k < structure.n_judged_dofs(); ++k)
     size = std::max(size, std::abs(v[k]));
   return structure.processes().max(size);
 }
@@ -281,7 +281,7 @@ double Newton::imbalance(const double shift,
                          const std::vector<double> &centre) const
 {
   double largest = 0.;
-  for (unsigned int k = 0; k < structure.n_own_dofs(); ++k)
+  for (unsigned int k = 0; k < structure.n_judged_dofs(); ++k)
     largest = std::max(largest,
                        std::abs(proximal_force(shift, present.u[k], centre[k]) -
                                 present.gradient[k]));

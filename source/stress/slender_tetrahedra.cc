@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace Voussoir
 {
@@ -59,13 +60,13 @@ private:
     return cross_product_3d(points[c[0]], points[c[1]]) *
            Tensor<1, 3>(points[c[2]]) / 6.;
   }
-  Corners with(Corners corners, unsigned int from, unsigned int to) const;
   void judge(Step step);
   void judge_merging(Step step);
   void judge_other_diagonal(Step step);
   void merge(const Step &step);
   void cut_otherwise(const Step &step);
-  unsigned int beyond(unsigned int triangle, unsigned int a, unsigned int b);
+  unsigned int
+  beyond(unsigned int triangle, unsigned int a, unsigned int b) const;
 
   std::vector<Point<3>> points;
   std::vector<unsigned int> faces;
@@ -98,18 +99,10 @@ Merging::Merging(const SurfaceTriangles &surface,
   limit = small_volume * sum;
 }
 
-Corners Merging::with(Corners corners,
-                      const unsigned int from,
-                      const unsigned int to) const
-{
-  std::replace(corners.begin(), corners.end(), from, to);
-  return corners;
-}
-
-/** The triangle in which the edge runs from @p a to @p b. */
+/** The other triangle with an edge; the one that is given if there is none. */
 unsigned int Merging::beyond(const unsigned int triangle,
                              const unsigned int a,
-                             const unsigned int b)
+                             const unsigned int b) const
 {
   for (unsigned int t = 0; t < corners.size(); ++t)
     if (t != triangle && is_there[t] && has(corners[t], a) &&
@@ -227,7 +220,7 @@ void Merging::merge(const Step &step)
   for (unsigned int t = 0; t < corners.size(); ++t)
     if (is_there[t] && (has(corners[t], a) || has(corners[t], b)))
     {
-      corners[t] = with(corners[t], b, a);
+      std::replace(corners[t].begin(), corners[t].end(), b, a);
       volumes[t] = volume_of(corners[t]);
     }
 }

@@ -58,6 +58,8 @@ public:
     std::vector<double> loads;
     /** The result of centre(), of each own body. */
     std::vector<dealii::Tensor<1, 3>> centres;
+    /** The number of own unknowns behind n_judged_dofs(). */
+    unsigned int n_not_judged = 0;
   };
 
   /** The part of this process of what @p processes share. */
@@ -93,6 +95,12 @@ public:
   unsigned int n_bodies() const { return n_own_bodies() + own.ghosts.size(); }
   /** The number of unknowns of own bodies. */
   unsigned int n_own_dofs() const { return own.loads.size(); }
+  /**
+   * The number of own unknowns whose balance is judged: all but the rotations
+   * of the ground, which come last. The torque on it has long arms, whose
+   * rounding would hide the rest, and is balanced where all others are.
+   */
+  unsigned int n_judged_dofs() const { return n_own_dofs() - own.n_not_judged; }
   /** The number of unknowns of all bodies: the size of a vector of them. */
   unsigned int n_dofs() const { return unknowns_per_body * n_bodies(); }
   /** The number of the first own body among those of all processes. */

@@ -87,22 +87,17 @@ std::unique_ptr<LinearMethod> JointSystem::make(const bool apart) const
         processes.max(structure.n_own_bodies()) <
             (apart ? n_bodies_for_multigrid_of_one : n_bodies_for_multigrid);
   }
-  if (!direct)
-  {
-    begin_mpi();
-    return std::make_unique<Multigrid>(blocks);
-  }
-  if (is_shared)
+  if (direct && is_shared)
     return std::make_unique<Substructures>(blocks);
-  auto cholesky = std::make_unique<Cholesky>(blocks);
-  if (kind == LinearSolver::automatic && !structure.is_plane() &&
-      cholesky->n_entries() > n_entries_for_multigrid)
+  if (direct)
   {
-    cholesky.reset();
-    begin_mpi();
-    return std::make_unique<Multigrid>(blocks);
+    auto cholesky = std::make_unique<Cholesky>(blocks);
+    if (kind == LinearSolver::direct || structure.is_plane() ||
+        cholesky->n_entries() < n_entries_for_multigrid)
+      return cholesky;
   }
-  return cholesky;
+  begin_mpi();
+  return std::make_unique<Multigrid>(blocks);
 }
 
 bool JointSystem::comes_apart(const JointStiffnesses &coefficients) const

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/conic/conic_forces.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/base/floating_point.h>
 #include <voussoir/statics/conic/self_dual.h>
 
 #include <algorithm>

@@ -80,17 +80,16 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   JointSystem system(problem, linear_solver);
   Newton newton(problem, law, system, std::move(start));
   ProximalSteps proximal(newton);
-  double least = largest_imbalance(problem, newton.forces());
   try
   {
-    while (least > controls.tolerance &&
+    while (newton.imbalance() > controls.tolerance &&
            (newton.n_iterations() < n_most ||
-            (least < near_minimum && newton.n_iterations() < 2 * n_most)))
+            (newton.imbalance() < near_minimum &&
+             newton.n_iterations() < 2 * n_most)))
     {
       proximal.advance();
-      least = largest_imbalance(problem, newton.forces());
       terminal.iteration("Newton", text("iteration ", newton.n_iterations(),
-                                        ", imbalance ", least));
+                                        ", imbalance ", newton.imbalance()));
     }
   }
   catch (const NewtonFailure &)
@@ -99,6 +98,7 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
   }
   found.forces = newton.forces();
   found.u = newton.u();
+  double least = newton.imbalance();
   // Near its end each step doubles the digits.
   for (unsigned int n = 0;
        n < n_steps_to_rounding && least > rounding_of_steps &&
@@ -113,10 +113,9 @@ bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
     {
       break;
     }
-    const double now = largest_imbalance(problem, newton.forces());
-    if (!(now < least))
+    if (!(newton.imbalance() < least))
       break;
-    least = now;
+    least = newton.imbalance();
     found.forces = newton.forces();
     found.u = newton.u();
   }

@@ -23,6 +23,7 @@ DiscreteProblem::DiscreteProblem(Data data)
   for (const Joint &joint : joints())
     groups.union_set(joint.cell_minus, joint.cell_plus);
   group_of_body = lowest_in_sets(groups, n_bodies());
+  own.n_not_judged = has_ground() ? kinematics().n_rotations() : 0;
   balance_loads();
 }
 

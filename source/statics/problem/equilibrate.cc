@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/joint_law.h>
 #include <voussoir/algebra/linear/joint_system.h>
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
@@ -67,7 +68,9 @@ struct OfJoint
 /** The largest force that is missing to a balance, or beyond its limit. */
 double error(const DiscreteProblem &problem, const std::vector<double> &forces)
 {
-  double largest = largest_imbalance(problem, forces);
+  std::vector<double> left = imbalance(problem, forces);
+  left.resize(problem.n_judged_dofs());
+  double largest = largest_component(left);
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
     const OfJoint of(problem, e, forces);
@@ -184,18 +187,6 @@ std::vector<double> imbalance(const DiscreteProblem &problem,
   for (unsigned int k = 0; k < sum.size(); ++k)
     sum[k] += problem.loads()[k];
   return sum;
-}
-
-double largest_imbalance(const DiscreteProblem &problem,
-                         const std::vector<double> &forces)
-{
-  std::vector<double> left = imbalance(problem, forces);
-  if (problem.has_ground())
-    left.resize(problem.dof(problem.n_cells(), problem.n_translations()));
-  double largest = 0.;
-  for (const double component : left)
-    largest = std::max(largest, std::abs(component));
-  return largest;
 }
 
 std::vector<double> equilibrate(const DiscreteProblem &problem,

@@ -72,9 +72,10 @@ void transfer(Part &part, const Pass &pass)
   pass(name);
   part.kinematics =
       Kinematics(std::string(name.begin(), name.end()), motions[0], motions[1]);
-  std::vector<unsigned int> first = {part.first};
-  pass(first);
-  part.first = first.front();
+  std::vector<unsigned int> numbers = {part.first, part.n_not_judged};
+  pass(numbers);
+  part.first = numbers[0];
+  part.n_not_judged = numbers[1];
   pass(part.ghosts);
   pass(part.joints.list);
   pass(part.joints.first_row);
@@ -158,6 +159,8 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
   Structure::Part result;
   result.kinematics = whole->kinematics();
   result.first = begin;
+  if (is_own(number.back())) // the ground, or none whose balance is not judged
+    result.n_not_judged = whole->n_own_dofs() - whole->n_judged_dofs();
   for (unsigned int k = begin; k < end; ++k)
   {
     for (unsigned int i = 0; i < whole->n_unknowns(); ++i)

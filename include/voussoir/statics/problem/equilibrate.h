@@ -21,14 +21,6 @@ std::vector<double> imbalance(const DiscreteProblem &problem,
                               const std::vector<double> &forces);
 
 /**
- * The largest component of imbalance(). The torque on the ground is left out:
- * it has long arms, whose rounding would hide the rest, and is balanced where
- * all others are.
- */
-double largest_imbalance(const DiscreteProblem &problem,
-                         const std::vector<double> &forces);
-
-/**
  * Forces near @p forces (of each row of each joint, nondimensional) that
  * balance every cell and are admissible, both to rounding if that can be
  * reached: the forces are moved into their limits, and then by the smallest
