@@ -225,7 +225,7 @@ def sentence(parts):
 
 
 def lines(tables):
-    """The advice, three lines, from the rows of all tables by name."""
+    """The advice, from the rows of all tables by name."""
     def said(name, advice):
         return advice(tables[name]) if tables[name] else ""
     return [

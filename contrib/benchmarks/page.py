@@ -1,5 +1,6 @@
 """The page: advice, plots, and how it was measured; and behind links the tables
 with what they show."""
+import space_page
 import tables
 from advice import (MEASURES, beats, equilibrate_choices, in_words, lines,
                     stress_error, stress_time)
@@ -230,7 +231,8 @@ SECTIONS = {"formulations": ("Formulations", formulations),
             "barrier": ("Barrier parameter and smoothing length", barrier),
             "reconstruction": ("Stress inside the cells", reconstruction),
             "rigidity": ("Close to collapse", rigidity),
-            "features": ("What a feature costs", features)}
+            "features": ("What a feature costs", features),
+            **space_page.SECTIONS}
 
 
 def measured(rows):
@@ -272,8 +274,9 @@ def write(directory):
     pages = {name: table_page(name, rows[name], directory)
              for name in SECTIONS if rows[name]}
     text = [GENERATED, "# Which setting when",
-            "\n".join(f"- {line}" for line in lines(rows))]
-    for name, plot in PLOTS.items():
+            "\n".join(f"- {line}" for line in
+                      [*lines(rows), *space_page.lines(rows)])]
+    for name, plot in {**PLOTS, **space_page.PLOTS}.items():
         if rows[name]:
             picture = f"images/accuracy_{name}.png"
             plot(rows[name], directory / picture)
@@ -283,7 +286,7 @@ def write(directory):
                      f"{shown} [The tables]({pages[name]}).",
                      f"![{title}]({picture})"]
     others = [f"[{SECTIONS[name][0].lower()}]({page})"
-              for name, page in pages.items() if name not in PLOTS]
+              for name, page in pages.items() if name not in {**PLOTS, **space_page.PLOTS}]
     text += ["## Tables without a plot", "There are tables on " + in_words(others) + ".",
              "## How it was measured", *measured(runs)]
     page = directory / "accuracy.md"

@@ -13,6 +13,7 @@ try:
     import features
     import forces
     import page
+    import space
     import stress
     from runs import Bench
 except ImportError as error:
@@ -24,7 +25,12 @@ STUDY = Study("contrib/study",
                "barrier": forces.barrier,
                "reconstruction": stress.reconstruction,
                "rigidity": forces.rigidity,
-               "features": features.features},
+               "features": features.features,
+               "factors": space.factors,
+               "friction_cells": space.friction_cells,
+               "questions": space.questions,
+               "space_stress": space.space_stress,
+               "extruded": space.extruded},
               "accuracy", 5, "build/study")
 
 

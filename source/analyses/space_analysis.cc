@@ -152,7 +152,7 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
   if (!live)
   {
     SpaceAnswer state = state_of(std::move(dead), terminal);
-    if (!state.forces.empty())
+    if (state.is_carried())
       look_further(state, parameters, terminal);
     return state;
   }

@@ -8,10 +8,23 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** Values nearer than this, over the largest, lose digits in closed form. */
+constexpr double near = 1e-3;
+} // namespace
+
 PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma)
 {
-  const auto values = dealii::eigenvalues(dealii::symmetrize(sigma));
-  return {values[2], values[0]};
+  const dealii::SymmetricTensor<2, 3> symmetric = dealii::symmetrize(sigma);
+  const auto values = dealii::eigenvalues(symmetric);
+  const double least_distance =
+      std::min(values[0] - values[1], values[1] - values[2]);
+  if (least_distance > near * std::max(values[0], -values[2]))
+    return {values[2], values[0]};
+  const auto pairs = dealii::eigenvectors(
+      symmetric, dealii::SymmetricTensorEigenvectorMethod::jacobi);
+  return {pairs[2].first, pairs[0].first};
 }
 
 void SpaceResults::find_principal_stresses()

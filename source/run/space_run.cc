@@ -21,8 +21,8 @@
 #include <voussoir/packing/polyhedra/models/writers.h>
 #include <voussoir/run/space_run.h>
 
+#include <iostream>
 #include <optional>
-#include <ostream>
 #include <utility>
 
 namespace Voussoir
@@ -63,6 +63,12 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
            pairs_with(larger_tolerance), " within ten times"));
 }
 } // namespace
+
+SpaceRun::SpaceRun(Terminal &terminal)
+    : Run(terminal), timer(std::cout,
+                           dealii::TimerOutput::never,
+                           dealii::TimerOutput::wall_times)
+{}
 
 void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
 {
@@ -123,9 +129,8 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
     for (const auto &file : input_files(directory))
       files->protect(file);
   }
-  const SpaceResult result =
-      answer_on(packings ? *shared_packing(directory, packings->in_space)
-                         : read_packing(directory));
+  SpaceResult result =
+      find(directory, packings ? &packings->in_space : nullptr);
   const SpaceResults &answer = result.answer;
   RunOutcome outcome;
   if (answer.is_analysed)
@@ -144,24 +149,35 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
 }
 
 SpaceResult SpaceRun::answer(const std::filesystem::path &directory,
-                             SharedPackings<CheckedPacking> &packings) const
+                             SharedPackings<CheckedPacking> &packings)
 {
   warn_of_unused();
-  return answer_on(*shared_packing(directory, packings));
+  return find(directory, &packings);
 }
 
-SpaceResult SpaceRun::answer_on(CheckedPacking checked) const
+SpaceResult SpaceRun::find(const std::filesystem::path &directory,
+                           SharedPackings<CheckedPacking> *const packings)
 {
+  timer.reset(); // what an exception in a run before has left
+  timer.enter_subsection("packing");
+  CheckedPacking checked =
+      packings ? *shared_packing(directory, *packings) : read_packing(directory);
+  timer.leave_subsection();
+  timer.enter_subsection("statics");
   SpaceResults answer(analysis.answer(
       of_scene, of_scene.blocks(std::move(checked.packing), terminal),
       terminal));
-  if (!answer.forces.empty())
+  timer.leave_subsection();
+  if (answer.is_carried())
   {
     answer.reactions = reactions(answer.scene.packing(), answer.forces);
     show_reactions(terminal, answer);
+    timer.enter_subsection("stress");
     find_stress(answer);
+    timer.leave_subsection();
     show_stress(terminal, answer);
   }
+  keep_timings(answer);
   return {std::move(answer), std::move(checked.defects)};
 }
 
@@ -177,6 +193,12 @@ void SpaceRun::find_stress(SpaceResults &results) const
     results.stresses =
         linear_stresses(scene, results.forces, results.mean_stresses);
   results.find_principal_stresses();
+}
+
+void SpaceRun::keep_timings(SpaceResults &results)
+{
+  results.timings =
+      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
 }
 
 std::shared_ptr<const CheckedPacking>
@@ -207,10 +229,11 @@ SpaceRun::read_packing(const std::filesystem::path &directory) const
   return {std::move(packing), std::move(defects)};
 }
 
-void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
+void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
 {
   terminal.begin("Output");
-  const SpaceResults &answer = result.answer;
+  timer.enter_subsection("output");
+  SpaceResults &answer = result.answer;
   const std::vector<CellDefect> &defects = result.defects;
   const Packing<3> &packing = answer.scene.packing();
   using Writer = void (*)(std::ostream &, const SpaceResults &);
@@ -239,12 +262,14 @@ void SpaceRun::write(ResultDirectory &files, const SpaceResult &result) const
   }
   write_collection(files, grids);
   write_packing(files, answer);
+  write_parameters(files, prm);
   if (reports)
     files.write(report_html, [&](std::ostream &out) {
       write_packing_report(out, answer, output.title, terminal.warnings(),
                            defects);
     });
-  write_parameters(files, prm);
+  timer.leave_subsection();
+  keep_timings(answer);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set
     write_summary_json(out, answer, output.title, defects);
   });

@@ -7,7 +7,9 @@
 #include <voussoir/stress/linear_stress.h>
 #include <voussoir/stress/tetrahedral_stress.h>
 
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,8 @@ struct SpaceResults : SpaceAnswer
    * tetrahedra, or else of its mean stress.
    */
   std::vector<PrincipalStresses> principal;
+  /** The wall clock time of each stage; s. */
+  std::map<std::string, double> timings;
 
   /** Find them, from whichever stress there is. */
   void find_principal_stresses();

@@ -8,6 +8,8 @@
 #include <voussoir/run/run.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
 
+#include <deal.II/base/timer.h>
+
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -31,7 +33,7 @@ class SpaceRun : public Run
 {
 public:
   /** @param terminal sees what the run notices. */
-  explicit SpaceRun(Terminal &terminal) : Run(terminal) {}
+  explicit SpaceRun(Terminal &terminal);
 
   unsigned int dimension() const override { return 3; }
   unsigned int verbosity() const override { return output.verbosity; }
@@ -63,7 +65,7 @@ public:
    * @throws InputError, SolverError.
    */
   SpaceResult answer(const std::filesystem::path &directory,
-                     SharedPackings<CheckedPacking> &packings) const;
+                     SharedPackings<CheckedPacking> &packings);
   /** @} */
 
 protected:
@@ -89,13 +91,19 @@ private:
 
   /** Make the packing, check it, and show what was understood of a file. */
   CheckedPacking read_packing(const std::filesystem::path &directory) const;
-  /** Answer the question on a packing. */
-  SpaceResult answer_on(CheckedPacking checked) const;
+  /** Answer the question; @p packings are shared, or null. */
+  SpaceResult find(const std::filesystem::path &directory,
+                   SharedPackings<CheckedPacking> *packings);
   /** The stress inside, as it is asked for. */
   void find_stress(SpaceResults &results) const;
-  void write(ResultDirectory &files, const SpaceResult &result) const;
+  void write(ResultDirectory &files, SpaceResult &result);
   void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 
+  /** The times so far, into what is written. */
+  void keep_timings(SpaceResults &results);
+
+  /** The wall clock times of the stages. */
+  dealii::TimerOutput timer;
   OutputEntries output;
   SpaceSceneParameters of_scene;
   SpaceAnalysis analysis;

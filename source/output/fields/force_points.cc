@@ -4,7 +4,7 @@
 namespace Voussoir
 {
 ForcePoints::ForcePoints(const SpaceResults &answer)
-    : have_forces(!answer.forces.empty())
+    : have_forces(answer.is_carried())
 {
   if (!answer.is_analysed)
     return;

@@ -34,7 +34,7 @@ struct FaceForce
 FieldCondition<SpaceResults> with_forces()
 {
   return {"with loads that are carried",
-          [](const SpaceResults &a) { return !a.forces.empty(); }};
+          [](const SpaceResults &a) { return a.is_carried(); }};
 }
 
 FieldCondition<SpaceResults> with_motion()

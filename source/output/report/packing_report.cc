@@ -70,7 +70,7 @@ void add_answer(const SpaceResults &answer, SpaceReport &report)
     add("Load factor", answer.summary["load_factor"]["meaning"]);
   for (const auto &[title, line] : answer.lines)
     add(title, line);
-  if (answer.forces.empty())
+  if (!answer.is_carried())
     return;
   add("Balance of forces",
       text(answer.certificate.equilibrium_residual, " of the largest load"));

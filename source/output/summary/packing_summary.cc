@@ -135,7 +135,7 @@ void add_answer(const SpaceResults &answer, Json &summary)
                       {"size", size}};
   for (const auto &[name, value] : answer.summary.items())
     summary[name] = value;
-  if (!answer.forces.empty())
+  if (answer.is_carried())
   {
     const Certificate &of = answer.certificate;
     summary["certificate"] = {
@@ -191,6 +191,7 @@ Json summary_of(const SpaceResults &answer,
       {"defects", json_of_kinds(defects)}};
   if (answer.is_analysed)
     add_answer(answer, summary);
+  summary["timings"] = answer.timings;
   summary["versions"] = library_versions();
   return summary;
 }

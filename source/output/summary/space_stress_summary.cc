@@ -26,9 +26,9 @@ struct StressExtremes
     for (unsigned int c = 0; c < results.principal.size(); ++c)
     {
       const PrincipalStresses &of = results.principal[c];
-      if (of.least < least.value)
+      if (c == 0 || of.least < least.value)
         least = {of.least, c};
-      if (of.greatest > greatest.value)
+      if (c == 0 || of.greatest > greatest.value)
         greatest = {of.greatest, c};
     }
     for (const LinearStress &of : results.stresses)

@@ -46,6 +46,12 @@ struct SpaceAnswer
   nlohmann::ordered_json summary = {};
   /** If the loads are not carried by what, for the user. */
   std::string message = {};
+
+  /** Whether forces were found; without joints there are none, and it is. */
+  bool is_carried() const
+  {
+    return is_analysed && status.kind != Status::Kind::collapse;
+  }
 };
 
 /**
