@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/space_results.h>
 
+#include <deal.II/base/parallel.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace
 {
 /** Values nearer than this, over the largest, lose digits in closed form. */
 constexpr double near = 1e-3;
+/** The cells that a thread takes at a time. */
+constexpr unsigned int grain_size = 256;
 } // namespace
 
 PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma)
@@ -30,9 +33,7 @@ PrincipalStresses principal_stresses(const dealii::Tensor<2, 3> &sigma)
 void SpaceResults::find_principal_stresses()
 {
   const CellFaces &cells = scene.packing().polyhedra();
-  principal.clear();
-  for (unsigned int c = 0; c < mean_stresses.size(); ++c)
-  {
+  const auto extremes_of = [&](const unsigned int c) {
     PrincipalStresses found = principal_stresses(mean_stresses[c]);
     const auto add = [&found](const dealii::Tensor<2, 3> &sigma) {
       const PrincipalStresses there = principal_stresses(sigma);
@@ -50,7 +51,15 @@ void SpaceResults::find_principal_stresses()
       for (std::size_t t = tetrahedra->first[c]; t < tetrahedra->first[c + 1];
            ++t)
         add(tetrahedra->list[t].stress);
-    principal.push_back(found);
-  }
+    return found;
+  };
+  principal.resize(mean_stresses.size());
+  dealii::parallel::apply_to_subranges(
+      0u, static_cast<unsigned int>(principal.size()),
+      [&](const unsigned int begin, const unsigned int end) {
+        for (unsigned int c = begin; c < end; ++c)
+          principal[c] = extremes_of(c);
+      },
+      grain_size);
 }
 } // namespace Voussoir

@@ -160,8 +160,8 @@ SpaceResult SpaceRun::find(const std::filesystem::path &directory,
 {
   timer.reset(); // what an exception in a run before has left
   timer.enter_subsection("packing");
-  CheckedPacking checked =
-      packings ? *shared_packing(directory, *packings) : read_packing(directory);
+  CheckedPacking checked = packings ? *shared_packing(directory, *packings)
+                                    : read_packing(directory);
   timer.leave_subsection();
   timer.enter_subsection("statics");
   SpaceResults answer(analysis.answer(

@@ -36,14 +36,14 @@ void check_stress(const std::string &accuracy)
         run_scene({"--set", "Accuracy=" + accuracy}) == 0);
   const nlohmann::json found = summary();
   const nlohmann::json &stress = found["stress"];
-  check_error("  the least stress",
-              std::abs(stress["principal_stress_min"]["value"].get<double>() +
-                       3.),
-              1e-12);
-  check_error("  the greatest is a pressure, too",
-              std::abs(stress["principal_stress_max"]["value"].get<double>() +
-                       2.),
-              1e-12);
+  check_error(
+      "  the least stress",
+      std::abs(stress["principal_stress_min"]["value"].get<double>() + 3.),
+      1e-12);
+  check_error(
+      "  the greatest is a pressure, too",
+      std::abs(stress["principal_stress_max"]["value"].get<double>() + 2.),
+      1e-12);
   const Table cells = read_table("output/cells.csv");
   check_error("  the mean stress",
               std::abs(cells.at("sxx").at(0) + 2.) +
