@@ -71,8 +71,8 @@ def friction_cells(bench):
     the continuous face, the factor that is carried and the bound."""
     by_name = {
         "column in torsion": scenes.twisted_column(8, 12),
-        "wall out of its plane": scenes.wall_between_walls(
-            *bench.sized((12, 8), (3, 3))),
+        "wall pushed at an end": scenes.wall_pushed_at_an_end(
+            *bench.sized((8, 4), (3, 3))),
         "dome": scenes.cohesive(
             scenes.dome(*bench.sized((8, 12), (3, 5))), 4)}
     rows = []

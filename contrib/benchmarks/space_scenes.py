@@ -79,13 +79,13 @@ def twisted_column(drums, sides):
             "Friction/Law": "Tresca", "Friction/Strength": 8}
 
 
-def wall_between_walls(courses, bricks):
-    """A wall that is held below and at its ends, and pushed out of its plane;
+def wall_pushed_at_an_end(courses, bricks):
+    """A wall that is pushed out of its plane at one end, so that beds twist;
     its joints have Tresca's strength."""
     return {**cohesive(wall(courses, bricks), 2),
-            "Supports/Where": f"z < 1e-9 || abs(x - {0.25 * bricks!r}) > "
-                              f"{0.25 * bricks - 1e-9!r}",
-            "Live loads/Body force": "0; 20; 0"}
+            "Live loads/Body force": "0; 0; 0",
+            "Live loads/Traction":
+                f"0; x > {0.5 * bricks - 1e-9!r} ? 1 : 0; 0"}
 
 
 def grains(cells, turning):
