@@ -227,6 +227,7 @@ class SpaceJudgement:
         if self.kind not in ("doubtful", kind):
             self.report("fault", found, f"{kind}, where HiGHS has {inside}")
             return
+        self.judge_factor(found, kind, factor and factor["carried"])
         self.judge_state(state, 0.)
         if kind != "bounded":
             return
@@ -263,6 +264,9 @@ class SpaceJudgement:
                 else:
                     self.report("fault", run, f"{verdict}, not {wanted} at "
                                 f"{distance} from the limit")
+
+    def judge_factor(self, found, kind, carried):
+        """By a further judge; there is none."""
 
     def limits(self, sense):
         """The answers with polygons inside the circles and around them."""

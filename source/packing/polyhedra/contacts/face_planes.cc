@@ -23,7 +23,10 @@ bool is_finite_place(const Point<3> &place)
          std::isfinite(place[2]);
 }
 
-/** The plane of a face with these vertices. */
+/**
+ * The plane of a face with these vertices. Where they are in no plane the
+ * height of the centroid would depend on the vertex at which the face begins.
+ */
 FacePlane plane_of(const std::vector<Point<3>> &polygon)
 {
   const PolygonMoments moments =
@@ -32,7 +35,13 @@ FacePlane plane_of(const std::vector<Point<3>> &polygon)
   plane.area = moments.area();
   plane.centre = moments.centroid;
   if (plane.area > 0.)
+  {
     plane.normal = moments.normal();
+    double height = 0.;
+    for (const Point<3> &place : polygon)
+      height += plane.normal * (place - plane.centre) / polygon.size();
+    plane.centre += height * plane.normal;
+  }
   double square = 0.;
   for (const Point<3> &place : polygon)
     square = std::max(square, plane.centre.distance_square(place));

@@ -16,7 +16,10 @@ struct FacePlane
 {
   /** The unit normal out of the cell; zero if the face has no area. */
   dealii::Tensor<1, 3> normal;
-  /** The centroid of the face, through which the plane goes; a length. */
+  /**
+   * The centroid of the face in its plane, which goes through the mean of its
+   * vertices; a length.
+   */
   dealii::Point<3> centre;
   /** The distance of the farthest vertex from the centre; a length. */
   double radius;
