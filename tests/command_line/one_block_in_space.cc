@@ -58,6 +58,7 @@ void check_stress(const std::string &accuracy)
 
 void run()
 {
+  work_in_own_directory();
   for (const std::string accuracy : {"draft", "standard", "fine"})
     check_stress(accuracy);
   check("out of balance",
