@@ -114,7 +114,8 @@ def friction_cells_advice(rows):
             widest = max(row["bracket"] for row in own)
             slowest = max(row["time_ratio"] for row in own)
             parts.append(f"{number(100 * widest)} per cent with "
-                         f"{number(cells)}"
+                         + ("`Friction cells` = " if not parts else "")
+                         + number(cells)
                          + (f", in up to {number(slowest)} times the time"
                             if cells > 1 else ""))
     return ("the factor of the continuous face with Tresca's strength is known "
@@ -148,13 +149,13 @@ def extruded(rows):
 
 
 def rate(rows, key):
-    """The power of the inradius with which an error falls, by its two smallest
+    """The power of the inradius with which an error falls over the three smallest
     blocks; empty where it is rounding."""
-    last = sorted(rows, key=lambda row: row["inradius"])[:2]
+    last = sorted(rows, key=lambda row: row["inradius"])[:3]
     if len(last) < 2 or any(row[key] == "" or row[key] < 1e-9 for row in last):
         return ""
-    return (math.log(last[1][key] / last[0][key]) /
-            math.log(last[1]["inradius"] / last[0]["inradius"]))
+    return (math.log(last[-1][key] / last[0][key]) /
+            math.log(last[-1]["inradius"] / last[0]["inradius"]))
 
 
 def space_stress(rows):
@@ -171,7 +172,7 @@ def space_stress(rows):
         "of which the block is cut at the radius 1.45. The columns are the "
         "inradius of the block. An entry is the L2 distance of the stress from "
         "the closed form, over its largest component, and the last column the "
-        "power of the inradius with which it falls between the two smallest "
+        "power of the inradius with which it falls over the three smallest "
         "blocks; a dash where it is rounding.",
         pivot(rows, {"field": "field", "block": "shape",
                      "Accuracy": "accuracy"}, "inradius", entry,

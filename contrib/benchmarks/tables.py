@@ -61,7 +61,9 @@ def number(value):
 
 
 def power(value):
-    """A round number, such as a tolerance, as in 1e-4."""
+    """A round number, such as a tolerance, as in 1e-4; others as they are."""
+    if f"{value:.0e}"[0] != "1" or float(f"{value:.0e}") != value:
+        return f"{value:g}"
     return (f"{value:g}" if 1 <= value < 1e4 else
             f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e"))
 

@@ -186,6 +186,8 @@ class Picture:
             return "where blocks touch"
         if self.name == "utilisation":
             return "utilisation of friction; at 1 an interface slides"
+        if self.name == "mechanism" and self.results[0].in_space():
+            return "displacement in the mechanism, over the largest"
         if self.name in ("mechanism", "animation"):
             hinged = any(len(result.hinges()) for result in self.results)
             return ("displacement, on the scale of the picture" +

@@ -151,9 +151,10 @@ def cut(faces, normal, offset):
     return Faces.of(left)
 
 
-def faces_shown(results, file, options):
-    """Of the file, as the options of a picture have them."""
-    faces = faces_of(results.read(file))
+def faces_shown(results, file, options, move=lambda faces: faces):
+    """Of the file, as the options of a picture have them; what moves is cut and
+    taken apart where it was at rest."""
+    faces = move(faces_of(results.read(file)))
     middles = faces.middles()
     if options.cut:
         faces = cut(faces, *options.cut)
@@ -226,8 +227,79 @@ def joint_panel(results, limit, options):
                 np.where(support, SUPPORT, JOINT), options, both_sides=True)
 
 
+@dataclass
+class SpaceView(View):
+    """field: what the file must have, an answer on loads; falls: only where that is a
+    mechanism."""
+    field: str = ""
+    falls: bool = False
+
+    def missing(self, results):
+        if not results.has(self.file):
+            return super().missing(results)
+        grid = results.grid(self.file)
+        if self.field and self.field not in {**grid.of_cells, **grid.of_points}:
+            return f"needs loads that are carried, and '{results.directory}' has none"
+        if self.falls and not {"mechanism", "load_factor"} & results.summary.keys():
+            return f"shows a mechanism, and '{results.directory}' has none"
+        return super().missing(results)
+
+
+def sizes_of_motion(results, options=None):
+    """The largest displacement of each block, over that of all."""
+    faces = faces_of(results.read("blocks.vtu"))
+    of_points = np.linalg.norm(
+        results.blocks().of_points["displacement"][faces.vertices], axis=1)
+    largest = np.zeros(results.blocks().size)
+    np.maximum.at(largest, np.repeat(faces.block, np.diff(faces.offsets)), of_points)
+    return largest / max(largest.max(initial=0), 1e-300)
+
+
+def mechanism_panel(results, limit, options):
+    """Blocks where they have gone to: the fastest by a part of a block."""
+    motion = results.blocks().of_points["displacement"]
+    largest = max(np.linalg.norm(motion, axis=1).max(initial=0), 1e-300)
+    factor = options.fraction * np.cbrt(volumes(results).mean()) / largest
+
+    def move(faces):
+        return replace(faces, points=faces.points + factor * motion[faces.vertices])
+
+    colours = interpolate(SEQUENTIAL, sizes_of_motion(results) / limit)
+    return seen(results, faces_shown(results, "blocks.vtu", options, move), colours,
+                options)
+
+
+def largest_pressures(results, options=None):
+    """The least principal stress of each block."""
+    return results.blocks().of_cells["principal_stress_min"]
+
+
+def pressure_panel(results, limit, options):
+    scale, sign = options.colours
+    colours = interpolate(scale, largest_pressures(results) / (sign * limit))
+    return seen(results, faces_shown(results, "blocks.vtu", options), colours, options)
+
+
+def utilisations(results, options=None):
+    return results.interfaces().of_cells["utilisation"]
+
+
+def utilisation_panel(results, limit, options):
+    return seen(results, faces_shown(results, "interfaces.vtu", options),
+                interpolate(SEQUENTIAL, utilisations(results)), options,
+                both_sides=True)
+
+
 VIEWS_IN_SPACE = {
     "blocks": View("blocks.vtu", group_panel, legend="groups"),
     "volume": View("blocks.vtu", volume_panel, volumes, scale=SEQUENTIAL),
     "joints": View("interfaces.vtu", joint_panel, areas, legend="joints",
-                   shows="interfaces")}
+                   shows="interfaces"),
+    "principal_stress_min": SpaceView(
+        "blocks.vtu", pressure_panel, largest_pressures,
+        lambda results: results.blocks().of_cells["mean_stress"],
+        field="principal_stress_min"),
+    "utilisation": SpaceView("interfaces.vtu", utilisation_panel, utilisations, scale=SEQUENTIAL,
+                             shows="interfaces", field="utilisation"),
+    "mechanism": SpaceView("blocks.vtu", mechanism_panel, sizes_of_motion,
+                           scale=SEQUENTIAL, field="displacement", falls=True)}

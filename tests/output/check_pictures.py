@@ -21,7 +21,7 @@ import pictures  # noqa: E402
 import render  # noqa: E402
 from macro import chains  # noqa: E402
 from space_views import (  # noqa: E402
-    LIGHT, SHADE, SUPPORT, cut, faces_of, following, half_space)
+    LIGHT, SHADE, SUPPORT, cut, faces_of, following, half_space, sizes_of_motion)
 from voussoir_views import MIDDLE_THIRD, ONE_SIGN, Results, interpolate  # noqa: E402
 
 WIDTH = 240
@@ -321,15 +321,32 @@ def check_extremes():
     expect("the means of a draft", share(view("sigma_xx", draft), DARKEST) > 0.6)
 
 
+def views_in_space(directory):
+    """Of blocks, and of what was answered on loads."""
+    summary = Results(directory).summary
+    views = set(IN_SPACE)
+    if "certificate" in summary:
+        views |= {"principal_stress_min", "utilisation"}
+    if not summary.get("load_factor", {}).get("unbounded", True):
+        views.add("mechanism")
+    return views
+
+
 def check_space():
     """Scenes in space; a cube from above, cut, and taken apart; what is not convex."""
+    of_answers = set()
     for file in glob.glob(f"{SOURCE}/prm/space/**/*.prm", recursive=True):
         scene = os.path.relpath(file, f"{SOURCE}/prm")[:-4]
-        expect_views(run(scene, scene.replace("/", "_")), IN_SPACE)
+        directory = run(scene, scene.replace("/", "_"))
+        views = views_in_space(directory)
+        of_answers |= views
+        expect_views(directory, views)
+    expect("answers in space are shown", len(of_answers - IN_SPACE) == 3)
+    expect_fall()
     cube = run("space/grains", "cube", "Packing/Voronoi/Number of points=1")
     alone = run("space/grains", "alone", "Packing/Voronoi/Number of points=1",
                 "Supports/Where=0")
-    expect_views(alone, IN_SPACE - {"joints"})
+    expect_views(alone, views_in_space(alone) - {"joints", "utilisation"})
     above = "--from=0,0,1"
     image = view("volume", cube, options=[above])
     lit = np.array(MOST) * (SHADE + (1 - SHADE) * LIGHT[2])
@@ -349,6 +366,22 @@ def check_space():
     image, _ = above_legend("blocks", "pictures/space_models_snake", "--from=0,-1,0")
     drawn = 1 - share(image, (255, 255, 255))
     expect(f"what is not convex is not filled, {drawn}", 0.2 < drawn < 0.3)
+
+
+def expect_fall():
+    """A dome that collapses: one block is the fastest, and it spreads."""
+    dome = run("space/dome", "fallen", "Analysis=state", "Packing/dome/Thickness=0.03",
+               "Packing/dome/Bond=stack", status=3)
+    expect("a mechanism", "mechanism" in Results(dome).summary)
+    expect_views(dome, IN_SPACE | {"mechanism"})
+    sizes = sizes_of_motion(Results(dome))
+    expect("sizes of the motion", sizes.max() == 1 and sizes.min() < 0.9)
+
+    def extent(name):
+        options = render.parse([name, "", dome, "--from=0,0,1"])
+        panel, = render.Picture(name, [Results(dome)], options).panels()
+        return np.ptp(panel.bounds(), axis=0)
+    expect("it spreads", (extent("mechanism") > 1.001 * extent("blocks")).all())
 
 
 def expect_half_of_the_dome():
@@ -398,7 +431,13 @@ def check_refusals():
             ([["sigma_xx", to, arch, "--limit", "0"]], "The limit must be positive."),
             ([["sigma_xx", to, dome]],
              "There is no view 'sigma_xx' of packings in space; choose one of "
-             "blocks, volume, joints, or all."),
+             "blocks, volume, joints, principal_stress_min, utilisation, mechanism, or "
+             "all."),
+            ([["mechanism", to, "pictures/cube"]],
+             "The view 'mechanism' shows a mechanism, and 'pictures/cube' has none."),
+            ([["utilisation", to, "pictures/fallen"]],
+             "The view 'utilisation' needs loads that are carried, and "
+             "'pictures/fallen' has none."),
             ([["blocks", to, dome, arch]],
              "Packings in the plane and in space have no view in common."),
             ([["blocks", to, dome, "--cut=z < 2"]],
