@@ -12,6 +12,7 @@ from runs import SOLVED
 from scenes import FORCES_ONLY, STRENGTH, WAYS, random_cells
 
 DEVIATOR = 0.2  # of the scenes far from collapse
+USUAL_TOLERANCE = 1e-8  # of load factors, by default
 CLOSE = 0.99  # of the limit, in the scenes close to collapse
 
 

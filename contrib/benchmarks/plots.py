@@ -28,6 +28,11 @@ def save(figure, panel, path):
     """Write a figure with the legend of a panel to its right."""
     figure.legend(*panel.get_legend_handles_labels(), loc="center left",
                   bbox_to_anchor=(1, 0.5), frameon=False)
+    close(figure, path)
+
+
+def close(figure, path):
+    """Write a figure that has its legends."""
     figure.tight_layout()
     figure.savefig(path, dpi=100, bbox_inches="tight")
     plt.close(figure)

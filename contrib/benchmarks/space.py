@@ -4,12 +4,10 @@ import numpy as np
 
 import space_fields
 import space_scenes as scenes
+from common import USUAL_TOLERANCE as USUAL
 from common import ending, picked, statics, times
 from measures import columns
-from runs import SOLVED
 from scenes import FORCES_ONLY, random_cells
-
-USUAL = 1e-8  # the tolerance of load factors, by default
 
 
 def sideways(scene):
@@ -234,7 +232,8 @@ def errors_of(bench, shape, size, name, model, vertices, faces):
 
 
 def write_obj(path, vertices, faces):
-    """Write one polyhedron."""
+    """Write one polyhedron, with all digits: which of the cuts of its faces that
+    are as good as others `standard` takes depends on the last ones."""
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
     lines += ["f " + " ".join(str(v + 1) for v in face) for face in faces]
     path.write_text("\n".join(lines) + "\n")

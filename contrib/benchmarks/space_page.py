@@ -2,14 +2,10 @@
 on blocks in space."""
 import math
 
-import matplotlib.pyplot as plt
-
 from advice import root_mean_square, sentence, solved
-from plots import axes, save
+from common import USUAL_TOLERANCE as USUAL
+from plots import FLOOR, axes, close, save
 from tables import distinct, listed, number, pivot, power, ratio, where
-
-USUAL = 1e-8
-FLOOR = 1e-17  # where an error of zero is drawn
 
 
 def answered(rows, key):
@@ -249,13 +245,6 @@ def lines(tables):
         said("friction_cells", friction_cells_advice)]),
         "**Space.** " + sentence([said("space_stress", space_stress_advice),
                                   said("extruded", extruded_advice)])]
-
-
-def close(figure, path):
-    """Write a figure whose panels have legends of their own."""
-    figure.tight_layout()
-    figure.savefig(path, dpi=100, bbox_inches="tight")
-    plt.close(figure)
 
 
 SECTIONS = {"factors": ("Load factors", factors),

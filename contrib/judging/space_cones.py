@@ -4,15 +4,11 @@ A second judge beside the polygons of HiGHS, for small scenes: its systems are
 dense, and it ends without an answer in some. Its answers are good to about
 1e-7 of the factor.
 """
+import cvxopt
+import cvxopt.solvers
 import numpy
 
 from judging.space import SpaceJudgement
-
-try:
-    import cvxopt
-    import cvxopt.solvers
-except ImportError:
-    cvxopt = None
 
 # The forces up to which it is asked, and of its factors the largest error.
 MOST_FORCES = 1000

@@ -2,6 +2,7 @@
 are as a third coordinate, by which the figure hides what is behind them."""
 import re
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -151,10 +152,16 @@ def cut(faces, normal, offset):
     return Faces.of(left)
 
 
+@lru_cache(maxsize=None)
+def faces_in(results, file):
+    """Of a file of results."""
+    return faces_of(results.read(file))
+
+
 def faces_shown(results, file, options, move=lambda faces: faces):
     """Of the file, as the options of a picture have them; what moves is cut and
     taken apart where it was at rest."""
-    faces = move(faces_of(results.read(file)))
+    faces = move(faces_in(results, file))
     middles = faces.middles()
     if options.cut:
         faces = cut(faces, *options.cut)
@@ -229,25 +236,28 @@ def joint_panel(results, limit, options):
 
 @dataclass
 class SpaceView(View):
-    """field: what the file must have, an answer on loads; falls: only where that is a
-    mechanism."""
+    """field: what cells of the file must have, if loads are carried; falls: only where
+    blocks have the motion of a mechanism."""
     field: str = ""
     falls: bool = False
 
     def missing(self, results):
-        if not results.has(self.file):
-            return super().missing(results)
-        grid = results.grid(self.file)
-        if self.field and self.field not in {**grid.of_cells, **grid.of_points}:
-            return f"needs loads that are carried, and '{results.directory}' has none"
-        if self.falls and not {"mechanism", "load_factor"} & results.summary.keys():
-            return f"shows a mechanism, and '{results.directory}' has none"
-        return super().missing(results)
+        if lack := super().missing(results):
+            return lack
+        grid, directory = results.grid(self.file), results.directory
+        if not grid.size:
+            return f"shows interfaces, and '{directory}' has none but rounding"
+        if self.field and self.field not in grid.of_cells:
+            return f"needs loads that are carried, and '{directory}' has none"
+        if self.falls and not ({"mechanism", "load_factor"} & results.summary.keys()
+                               and "displacement" in grid.of_points):
+            return f"shows a mechanism, and '{directory}' has none"
+        return None
 
 
 def sizes_of_motion(results, options=None):
     """The largest displacement of each block, over that of all."""
-    faces = faces_of(results.read("blocks.vtu"))
+    faces = faces_in(results, "blocks.vtu")
     of_points = np.linalg.norm(
         results.blocks().of_points["displacement"][faces.vertices], axis=1)
     largest = np.zeros(results.blocks().size)
@@ -280,14 +290,10 @@ def pressure_panel(results, limit, options):
     return seen(results, faces_shown(results, "blocks.vtu", options), colours, options)
 
 
-def utilisations(results, options=None):
-    return results.interfaces().of_cells["utilisation"]
-
-
 def utilisation_panel(results, limit, options):
-    return seen(results, faces_shown(results, "interfaces.vtu", options),
-                interpolate(SEQUENTIAL, utilisations(results)), options,
-                both_sides=True)
+    colours = interpolate(SEQUENTIAL, results.interfaces().of_cells["utilisation"])
+    return seen(results, faces_shown(results, "interfaces.vtu", options), colours,
+                options, both_sides=True)
 
 
 VIEWS_IN_SPACE = {
@@ -299,7 +305,7 @@ VIEWS_IN_SPACE = {
         "blocks.vtu", pressure_panel, largest_pressures,
         lambda results: results.blocks().of_cells["mean_stress"],
         field="principal_stress_min"),
-    "utilisation": SpaceView("interfaces.vtu", utilisation_panel, utilisations, scale=SEQUENTIAL,
-                             shows="interfaces", field="utilisation"),
+    "utilisation": SpaceView("interfaces.vtu", utilisation_panel, scale=SEQUENTIAL,
+                             field="utilisation"),
     "mechanism": SpaceView("blocks.vtu", mechanism_panel, sizes_of_motion,
-                           scale=SEQUENTIAL, field="displacement", falls=True)}
+                           scale=SEQUENTIAL, falls=True)}

@@ -5,16 +5,12 @@
 #include <voussoir/run/analysis_run.h>
 #include <voussoir/scene/proofs/reactions.h>
 
-#include <iostream>
 #include <variant>
 
 namespace Voussoir
 {
 AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
     : Run(terminal), processes(processes),
-      timer(std::cout,
-            dealii::TimerOutput::never,
-            dealii::TimerOutput::wall_times),
       analysis(terminal, this->processes, timer),
       writer(terminal, this->processes, timer)
 {}

@@ -9,6 +9,8 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <iostream>
+
 namespace Voussoir
 {
 namespace
@@ -39,6 +41,12 @@ std::vector<ParameterInput> ParameterSources::inputs() const
     inputs.emplace_back(text, "the text");
   return inputs;
 }
+
+Run::Run(Terminal &terminal)
+    : terminal(terminal), timer(std::cout,
+                                dealii::TimerOutput::never,
+                                dealii::TimerOutput::wall_times)
+{}
 
 void Run::read(const ParameterSources &sources)
 {

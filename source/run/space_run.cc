@@ -21,8 +21,8 @@
 #include <voussoir/packing/polyhedra/models/writers.h>
 #include <voussoir/run/space_run.h>
 
-#include <iostream>
 #include <optional>
+#include <ostream>
 #include <utility>
 
 namespace Voussoir
@@ -63,12 +63,6 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
            pairs_with(larger_tolerance), " within ten times"));
 }
 } // namespace
-
-SpaceRun::SpaceRun(Terminal &terminal)
-    : Run(terminal), timer(std::cout,
-                           dealii::TimerOutput::never,
-                           dealii::TimerOutput::wall_times)
-{}
 
 void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
 {

@@ -431,50 +431,8 @@ void check_rough_blocks()
   check_error("  of the same areas", order_error, 1e-12);
 }
 
-/** The corners of all faces of a cell begin @p n places later. */
-void roll_faces(CellFaces &cells, const unsigned int cell, const unsigned int n)
-{
-  for (unsigned int f = cells.first_face[cell]; f < cells.first_face[cell + 1];
-       ++f)
-  {
-    const auto first = cells.loops.begin() + cells.first_corner[f];
-    std::rotate(first, first + n % cells.corners(f).size(),
-                cells.loops.begin() + cells.first_corner[f + 1]);
-  }
-}
-
-void check_warped_faces()
-{
-  std::cout << "Blocks with a face in common that is in no plane" << std::endl;
-  const double warp = 0.05;
-  CellFaces cells;
-  add_box(cells, {0., 0., 0.}, {1., 1., 1.});
-  add_box(cells, {0., 0., 1.}, {1., 1., 2.});
-  for (Point<3> &vertex : cells.vertices)
-    if (vertex == Point<3>(1., 1., 1.))
-      vertex[2] += warp;
-  bool touch = true;
-  double difference = 0.;
-  const double area =
-      moments_of(face_contacts(cells, {tolerance}).patches[0]).area();
-  for (unsigned int k = 0; k < 16; ++k)
-  {
-    CellFaces rolled = cells;
-    roll_faces(rolled, 0, k % 4);
-    roll_faces(rolled, 1, k / 4);
-    const FaceContacts contacts = face_contacts(rolled, {tolerance});
-    touch = touch && contacts.faces.size() == 1;
-    if (touch)
-      difference = std::max(
-          difference, std::abs(moments_of(contacts.patches[0]).area() - area));
-  }
-  check("  they touch wherever faces begin", touch);
-  check_error("  in the same area", difference, 1e-12);
-}
-
 void run()
 {
-  check_warped_faces();
   check_invariance();
   check_wedges();
   check_closed_cells();

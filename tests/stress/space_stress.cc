@@ -4,6 +4,7 @@
 // and in what each generator makes, and a linear one in random cells, convex or
 // not; a column under its weight, and a block that is bent.
 
+#include <voussoir/packing/polyhedra/contacts/face_planes.h>
 #include <voussoir/packing/polyhedra/generators/building.h>
 #include <voussoir/packing/polyhedra/generators/column.h>
 #include <voussoir/packing/polyhedra/generators/cross_vault.h>
@@ -150,6 +151,68 @@ double largest_error(const std::vector<LinearStress> &found,
   return error;
 }
 
+/** The plane of a cell, the first of its faces, in which these points are. */
+unsigned int plane_with(const std::vector<FacePlane> &planes,
+                        const unsigned int first,
+                        const unsigned int end,
+                        const std::vector<Point<3>> &points)
+{
+  constexpr double rounding = 1e-9;
+  for (unsigned int f = first; f < end; ++f)
+    if (std::all_of(points.begin(), points.end(), [&](const Point<3> &x) {
+          return std::abs((x - planes[f].centre) * planes[f].normal) < rounding;
+        }))
+      return f;
+  return end;
+}
+
+/**
+ * The largest difference of the force through the triangles in a plane of a
+ * cell from that of a uniform stress on its faces there, over the area of the
+ * largest face.
+ */
+double error_of_tractions(const TetrahedralStress &found,
+                          const Packing<3> &packing,
+                          const dealii::Tensor<2, 3> &sigma)
+{
+  const CellFaces &cells = packing.polyhedra();
+  const std::vector<FacePlane> planes = face_planes(cells);
+  double error = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const unsigned int first = cells.first_face[c],
+                       end = cells.first_face[c + 1];
+    std::vector<Vector3> force(end - first);
+    double largest = 0.;
+    for (unsigned int f = first; f < end; ++f)
+    {
+      std::vector<Point<3>> corners;
+      for (const unsigned int v : cells.corners(f))
+        corners.push_back(cells.vertices[v]);
+      force[plane_with(planes, first, end, corners) - first] -=
+          planes[f].area * (sigma * planes[f].normal);
+      largest = std::max(largest, planes[f].area);
+    }
+    for (std::size_t t = found.first[c]; t < found.first[c + 1]; ++t)
+    {
+      const auto &of = found.list[t];
+      const auto &x = of.corners; // the centroid of the cell comes first
+      const unsigned int f =
+          plane_with(planes, first, end, {x.begin() + 1, x.end()});
+      if (f == end)
+        return 1e300;
+      // What RT_0 has there, from its mean in the tetrahedron.
+      const double height = 0.25 * ((x[1] - x[0]) * planes[f].normal);
+      force[f - first] +=
+          0.5 * cross_product_3d(x[2] - x[1], x[3] - x[1]).norm() *
+          (of.stress * planes[f].normal + height / 3. * of.divergence);
+    }
+    for (const Vector3 &left : force)
+      error = std::max(error, left.norm() / largest);
+  }
+  return error;
+}
+
 /** The stress of Raviart and Thomas: what it has to meet, and how well. */
 void check_tetrahedra(const Known &known,
                       const Packing<3> &packing,
@@ -183,7 +246,11 @@ void check_tetrahedra(const Known &known,
   check_error("  volume of tetrahedra", volume_error, 1e-12);
   check_error("  they are symmetric", skew, 1e-10);
   if (is_uniform)
+  {
     check_error("  and have a uniform stress", error, 1e-10);
+    check_error("  whose tractions are met on each face",
+                error_of_tractions(found, packing, field.mean), 1e-12);
+  }
 }
 
 void check_field(const std::string &name,

@@ -8,8 +8,6 @@
 #include <voussoir/run/scene_analysis.h>
 #include <voussoir/terminal/terminal.h>
 
-#include <deal.II/base/timer.h>
-
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -90,8 +88,6 @@ private:
                           ResultDirectory *files);
 
   const ProcessGroup processes;
-  /** The wall clock times of the stages. */
-  dealii::TimerOutput timer;
   /** The scene and the question about it. */
   SceneAnalysis analysis;
   /** What is done with the answer. */

@@ -10,6 +10,7 @@
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/timer.h>
 
 #include <nlohmann/json.hpp>
 
@@ -131,7 +132,7 @@ public:
 
 protected:
   /** @param terminal sees what the run notices. */
-  explicit Run(Terminal &terminal) : terminal(terminal) {}
+  explicit Run(Terminal &terminal);
   /** Declare all parameters but `Dimension`, with load cases by their names. */
   virtual void declare(const std::set<std::string> &load_cases) = 0;
   /** Warn of settings that have no effect. */
@@ -141,6 +142,8 @@ protected:
   Terminal &terminal;
   /** All parameters. */
   dealii::ParameterHandler prm;
+  /** The wall clock times of the stages. */
+  dealii::TimerOutput timer;
 
 private:
   /** @throws InputError if `Dimension` is not dimension(), as it is then. */

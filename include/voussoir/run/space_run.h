@@ -8,8 +8,6 @@
 #include <voussoir/run/run.h>
 #include <voussoir/scene/space/space_scene_parameters.h>
 
-#include <deal.II/base/timer.h>
-
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -33,7 +31,7 @@ class SpaceRun : public Run
 {
 public:
   /** @param terminal sees what the run notices. */
-  explicit SpaceRun(Terminal &terminal);
+  explicit SpaceRun(Terminal &terminal) : Run(terminal) {}
 
   unsigned int dimension() const override { return 3; }
   unsigned int verbosity() const override { return output.verbosity; }
@@ -102,8 +100,6 @@ private:
   /** The times so far, into what is written. */
   void keep_timings(SpaceResults &results);
 
-  /** The wall clock times of the stages. */
-  dealii::TimerOutput timer;
   OutputEntries output;
   SpaceSceneParameters of_scene;
   SpaceAnalysis analysis;
