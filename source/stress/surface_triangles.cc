@@ -20,11 +20,9 @@ constexpr double same_place = 1e-7, no_area = 1e-12;
 class SurfaceCut
 {
 public:
-  SurfaceCut(const std::vector<LoadedFace> &faces,
-             const double size,
-             const FaceCut rule)
+  SurfaceCut(const std::vector<LoadedFace> &faces, const double size)
       : faces(faces), tolerance(same_place * size),
-        least_area(no_area * size * size), rule(rule)
+        least_area(no_area * size * size)
   {}
 
   SurfaceTriangles find();
@@ -39,8 +37,8 @@ private:
 
   unsigned int point_at(const Point<3> &x);
   void insert_points(Loop &loop) const;
-  bool cut(Loop loop);
-  double merit(unsigned int a, unsigned int b, unsigned int c) const;
+  bool cut(const Loop &loop);
+  Point<3> centroid(const Loop &loop) const;
   double twice_area(const Tensor<1, 3> &normal,
                     unsigned int a,
                     unsigned int b,
@@ -48,7 +46,6 @@ private:
 
   const std::vector<LoadedFace> &faces;
   const double tolerance, least_area;
-  const FaceCut rule;
   SurfaceTriangles found;
 };
 
@@ -98,65 +95,38 @@ double SurfaceCut::twice_area(const Tensor<1, 3> &normal,
          normal;
 }
 
-/** How good it is to cut off corner b between a and c. */
-double SurfaceCut::merit(const unsigned int a,
-                         const unsigned int b,
-                         const unsigned int c) const
+/** The centroid of a polygon, of which the area is not zero. */
+Point<3> SurfaceCut::centroid(const Loop &loop) const
 {
-  const auto &x = found.points;
-  const double side = x[a].distance(x[c]);
-  if (rule == FaceCut::short_sides)
-    return -side;
-  if (rule == FaceCut::long_sides)
-    return side;
-  std::array<double, 3> sides = {
-      {x[a].distance(x[b]), x[b].distance(x[c]), side}};
-  std::sort(sides.begin(), sides.end());
-  return cross_product_3d(x[b] - x[a], x[c] - x[a]).norm() /
-         (sides[1] * sides[2]);
+  const Point<3> &start = found.points[loop.points[0]];
+  double area = 0.;
+  Tensor<1, 3> sum;
+  for (unsigned int k = 1; k + 1 < loop.points.size(); ++k)
+  {
+    const unsigned int b = loop.points[k], c = loop.points[k + 1];
+    const double part =
+        twice_area(faces[loop.face].normal, loop.points[0], b, c);
+    area += part;
+    sum += part / 3. * ((found.points[b] - start) + (found.points[c] - start));
+  }
+  return start + sum / area;
 }
 
-/** Cut off one corner after the other, of all those whose triangle has an area
- * the best. */
-bool SurfaceCut::cut(Loop loop)
+/** Cut into triangles between the centroid and the sides.
+ *  @return false if one of them has no area. */
+bool SurfaceCut::cut(const Loop &loop)
 {
-  const Tensor<1, 3> &normal = faces[loop.face].normal;
-  std::vector<unsigned int> &p = loop.points;
-  while (p.size() >= 3)
+  const unsigned int centre = found.points.size();
+  found.points.push_back(centroid(loop));
+  const unsigned int n = loop.points.size();
+  for (unsigned int k = 0; k < n; ++k)
   {
-    const unsigned int n = p.size();
-    unsigned int best = n;
-    double greatest = 0.;
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      const unsigned int before = p[(k + n - 1) % n], after = p[(k + 1) % n];
-      if (!(twice_area(normal, before, p[k], after) > least_area))
-        continue;
-      // What is left must not be a line.
-      double left = 0.;
-      for (unsigned int m = 1; m + 2 < n; ++m)
-        left +=
-            twice_area(normal, after, p[(k + 1 + m) % n], p[(k + 2 + m) % n]);
-      if (n > 3 && !(left > least_area))
-        continue;
-      const double of_this = merit(before, p[k], after);
-      if (best < n && of_this <= greatest)
-        continue;
-      best = k;
-      greatest = of_this;
-    }
-    if (best == n)
+    const unsigned int a = loop.points[k], b = loop.points[(k + 1) % n];
+    if (!(twice_area(faces[loop.face].normal, centre, a, b) > least_area))
       return false;
-    found.triangles.push_back(
-        {{{p[(best + n - 1) % n], p[best], p[(best + 1) % n]}},
-         loop.face,
-         {},
-         {}});
-    p.erase(p.begin() + best);
-    if (n == 3)
-      return true;
+    found.triangles.push_back({{{centre, a, b}}, loop.face, {}, {}});
   }
-  return false;
+  return true;
 }
 
 SurfaceTriangles SurfaceCut::find()
@@ -183,21 +153,19 @@ SurfaceTriangles SurfaceCut::find()
       loops.push_back(std::move(loop));
     }
   for (Loop &loop : loops)
-  {
     insert_points(loop);
+  for (const Loop &loop : loops)
     if (!cut(loop))
       return found;
-  }
   number_edges(found);
   return std::move(found);
 }
 } // namespace
 
 SurfaceTriangles surface_triangles(const std::vector<LoadedFace> &faces,
-                                   const double size,
-                                   const FaceCut cut)
+                                   const double size)
 {
-  return SurfaceCut(faces, size, cut).find();
+  return SurfaceCut(faces, size).find();
 }
 
 void number_edges(SurfaceTriangles &surface)

@@ -10,18 +10,18 @@ namespace Voussoir
 {
 using dealii::Point;
 using dealii::Tensor;
+using dealii::Vector;
 
 namespace
 {
 /** The volume of no tetrahedron, where the size is one. */
-constexpr double no_volume = 1e-9;
+constexpr double no_volume = 1e-15;
 /**
- * The weight of the square of the stress beside that of the divergence times
- * the size of the cell, which it hardly changes where fluxes are determined;
- * and the change of fluxes, over that of the step before, from which on
- * it is rounding.
+ * The weight of the square of the stress beside that of what div sigma times
+ * the size of the cell lacks, in a step; and the change of fluxes, over that of
+ * the step before, from which on it is rounding.
  */
-constexpr double weight_of_stress = 1e-3, no_progress = 0.1;
+constexpr double weight_of_stress = 1e-3, no_progress = 0.5;
 constexpr unsigned int n_most_steps = 20;
 /**
  * What lets the systems of the multipliers be solved, over their diagonal,
@@ -53,6 +53,8 @@ bool SymmetricFluxes::find()
     return false;
   try
   {
+    collect_integrals();
+    assemble();
     return find_fluxes();
   }
   catch (const dealii::LACExceptions::ExcSingular &)
@@ -61,13 +63,36 @@ bool SymmetricFluxes::find()
   }
 }
 
-/** The inverse of least squares, and what the multipliers see of it. */
+void SymmetricFluxes::collect_integrals()
+{
+  for (unsigned int t = 0; t < surface.triangles.size(); ++t)
+  {
+    const SurfaceTriangles::Triangle &of = surface.triangles[t];
+    if (of.face >= of_faces.size())
+      of_faces.resize(of.face + 1);
+    FaceIntegrals &list = of_faces[of.face];
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const auto known =
+          std::find_if(list.begin(), list.end(), [&](const auto &entry) {
+            return entry.first == of.edges[i];
+          });
+      const Tensor<1, 3> integral = of.signs[i] * fields[t].integral(i);
+      if (known == list.end())
+        list.emplace_back(of.edges[i], integral);
+      else
+        known->second += integral;
+    }
+  }
+}
+
+/** The inverse of what a step minimises, and what the multipliers see of it. */
 void SymmetricFluxes::assemble()
 {
-  const unsigned int n = surface.n_edges, m = surface.triangles.size();
+  const unsigned int n = surface.n_edges;
   inverse.reinit(n, n);
   inverse = 0.;
-  for (unsigned int t = 0; t < m; ++t)
+  for (unsigned int t = 0; t < surface.triangles.size(); ++t)
   {
     const SurfaceTriangles::Triangle &of = surface.triangles[t];
     for (unsigned int i = 0; i < 3; ++i)
@@ -79,28 +104,31 @@ void SymmetricFluxes::assemble()
   }
   inverse.set_property(dealii::LAPACKSupport::symmetric);
   inverse.invert();
-  // Row q of tetrahedron t is sigma_kj - sigma_jk, j = q + 1, k = q + 2.
+  assemble_multipliers();
+}
+
+void SymmetricFluxes::assemble_multipliers()
+{
+  // Row q of a face is the integral of sigma_kj - sigma_jk, j = q + 1, k = q +
+  // 2.
+  const unsigned int m = of_faces.size();
   schur.reinit(3 * m, 3 * m);
-  // What a flux through an edge changes in the integral of tetrahedron t.
-  std::vector<Tensor<1, 3>> of_edge(n);
-  for (unsigned int t = 0; t < m; ++t)
+  // What a flux through an edge changes in the integral of face f.
+  std::vector<Tensor<1, 3>> of_edge(surface.n_edges);
+  for (unsigned int f = 0; f < m; ++f)
   {
-    const SurfaceTriangles::Triangle &of = surface.triangles[t];
-    for (unsigned int e = 0; e < n; ++e)
+    for (unsigned int e = 0; e < surface.n_edges; ++e)
     {
       of_edge[e] = 0.;
-      for (unsigned int i = 0; i < 3; ++i)
-        of_edge[e] +=
-            of.signs[i] * inverse(e, of.edges[i]) * fields[t].integral(i);
+      for (const auto &[d, integral] : of_faces[f])
+        of_edge[e] += inverse(e, d) * integral;
     }
-    for (unsigned int s = 0; s <= t; ++s)
+    for (unsigned int g = 0; g <= f; ++g)
     {
-      const SurfaceTriangles::Triangle &other = surface.triangles[s];
       Tensor<2, 3> moment;
-      for (unsigned int j = 0; j < 3; ++j)
-        moment += outer_product(other.signs[j] * of_edge[other.edges[j]],
-                                fields[s].integral(j));
-      // With g and h in row r: row q sees g_j in row k, and -g_k in row j.
+      for (const auto &[e, integral] : of_faces[g])
+        moment += outer_product(of_edge[e], integral);
+      // With a and b in row r: row q sees a_j in row k, and -b_k in row j.
       for (unsigned int q = 0; q < 3; ++q)
         for (unsigned int w = 0; w < 3; ++w)
         {
@@ -115,11 +143,11 @@ void SymmetricFluxes::assemble()
             sum -= moment[k][l];
           if (j == l)
             sum += moment[k][o];
-          schur(3 * s + w, 3 * t + q) = schur(3 * t + q, 3 * s + w) = sum;
+          schur(3 * g + w, 3 * f + q) = schur(3 * f + q, 3 * g + w) = sum;
         }
     }
   }
-  // Each condition counts by itself: those of slender tetrahedra are small.
+  // Each condition counts by itself: those of small faces are small.
   scale.reinit(3 * m);
   for (unsigned int i = 0; i < 3 * m; ++i)
     scale[i] = 1. / std::sqrt(schur(i, i));
@@ -132,89 +160,118 @@ void SymmetricFluxes::assemble()
   schur.compute_cholesky_factorization();
 }
 
-/** Steps of the multipliers, each with the least stress for them. */
-bool SymmetricFluxes::find_fluxes()
+void SymmetricFluxes::add_force_of_multipliers(const Vector<double> &of,
+                                               Rows &to) const
 {
-  assemble();
-  const unsigned int n = surface.n_edges, m = surface.triangles.size();
-  // The multipliers of all steps so far, as they act on the fluxes.
-  std::array<dealii::Vector<double>, 3> known, next, right, of_symmetry,
-      change_of_symmetry;
-  dealii::Vector<double> multipliers(3 * m);
-  double last_change = HUGE_VAL;
-  for (unsigned int r = 0; r < 3; ++r)
-  {
-    for (auto *const v : {&known[r], &next[r], &right[r], &of_symmetry[r],
-                          &change_of_symmetry[r], &fluxes[r]})
-      v->reinit(n);
-    for (unsigned int t = 0; t < m; ++t)
-    {
-      const SurfaceTriangles::Triangle &of = surface.triangles[t];
-      const double missing = wanted[r] - forces[t][r] / fields[t].volume;
-      for (unsigned int i = 0; i < 3; ++i)
-        known[r][of.edges[i]] +=
-            of.signs[i] *
-            (missing -
-             weight_of_stress * fields[t].product(i, 3) * forces[t][r]);
-    }
-  }
-  for (unsigned int step = 0; step < n_most_steps; ++step)
-  {
-    for (unsigned int r = 0; r < 3; ++r)
-    {
-      right[r] = known[r];
-      right[r] -= of_symmetry[r];
-      inverse.vmult(next[r], right[r]);
-    }
-    for (unsigned int t = 0; t < m; ++t)
-    {
-      const SurfaceTriangles::Triangle &of = surface.triangles[t];
-      Tensor<2, 3> sum = outer_product(forces[t], fields[t].integral(3));
-      for (unsigned int r = 0; r < 3; ++r)
-        for (unsigned int i = 0; i < 3; ++i)
-          sum[r] += of.signs[i] * next[r][of.edges[i]] * fields[t].integral(i);
+  for (unsigned int f = 0; f < of_faces.size(); ++f)
+    for (const auto &[e, integral] : of_faces[f])
       for (unsigned int q = 0; q < 3; ++q)
       {
         const unsigned int j = (q + 1) % 3, k = (q + 2) % 3;
-        multipliers[3 * t + q] = sum[k][j] - sum[j][k];
+        to[k][e] += of[3 * f + q] * integral[j];
+        to[j][e] -= of[3 * f + q] * integral[k];
       }
-    }
-    multipliers.scale(scale);
-    schur.solve(multipliers);
-    multipliers.scale(scale);
-    for (unsigned int r = 0; r < 3; ++r)
-      change_of_symmetry[r] = 0.;
-    for (unsigned int t = 0; t < m; ++t)
+}
+
+void SymmetricFluxes::set_skew_parts(const Rows &of, Vector<double> &skew) const
+{
+  for (unsigned int f = 0; f < of_faces.size(); ++f)
+  {
+    Tensor<2, 3> sum;
+    for (const auto &[e, integral] : of_faces[f])
+      for (unsigned int r = 0; r < 3; ++r)
+        sum[r] += of[r][e] * integral;
+    for (unsigned int q = 0; q < 3; ++q)
     {
-      const SurfaceTriangles::Triangle &of = surface.triangles[t];
-      for (unsigned int q = 0; q < 3; ++q)
-        for (unsigned int i = 0; i < 3; ++i)
-        {
-          const unsigned int j = (q + 1) % 3, k = (q + 2) % 3;
-          const double times = of.signs[i] * multipliers[3 * t + q];
-          change_of_symmetry[k][of.edges[i]] +=
-              times * fields[t].integral(i)[j];
-          change_of_symmetry[j][of.edges[i]] -=
-              times * fields[t].integral(i)[k];
-        }
+      const unsigned int j = (q + 1) % 3, k = (q + 2) % 3;
+      skew[3 * f + q] = sum[k][j] - sum[j][k];
     }
-    double change = 0.;
-    for (unsigned int r = 0; r < 3; ++r)
+  }
+}
+
+/**
+ * One of the method of multipliers: the least of the weighted squares under the
+ * conditions of symmetry, from all that is left.
+ * @return the largest change of a flux.
+ */
+double SymmetricFluxes::take_step()
+{
+  const unsigned int n = surface.n_edges, m = of_faces.size();
+  Rows left, step;
+  for (unsigned int r = 0; r < 3; ++r)
+  {
+    left[r].reinit(n);
+    step[r].reinit(n);
+    left[r] -= of_symmetry[r];
+  }
+  Vector<double> multipliers(3 * m);
+  set_skew_parts(fluxes, multipliers);
+  for (unsigned int t = 0; t < surface.triangles.size(); ++t)
+  {
+    const SurfaceTriangles::Triangle &of = surface.triangles[t];
+    const Tensor<1, 3> lacks = wanted - divergence(t) + of_divergence[t];
+    const Tensor<2, 3> outer = outer_product(forces[t], fields[t].integral(3));
+    for (unsigned int q = 0; q < 3; ++q)
     {
-      of_symmetry[r] += change_of_symmetry[r];
-      right[r] -= change_of_symmetry[r];
-      inverse.vmult(next[r], right[r]);
-      for (unsigned int e = 0; e < n; ++e)
-        change = std::max(change, std::abs(next[r][e] - fluxes[r][e]));
-      fluxes[r] = next[r];
+      const unsigned int j = (q + 1) % 3, k = (q + 2) % 3;
+      multipliers[3 * of.face + q] += outer[k][j] - outer[j][k];
     }
+    for (unsigned int r = 0; r < 3; ++r)
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        double of_stress = fields[t].product(i, 3) * forces[t][r];
+        for (unsigned int j = 0; j < 3; ++j)
+          of_stress +=
+              of.signs[j] * fields[t].product(i, j) * fluxes[r][of.edges[j]];
+        left[r][of.edges[i]] +=
+            of.signs[i] * (lacks[r] - weight_of_stress * of_stress);
+      }
+  }
+  for (unsigned int r = 0; r < 3; ++r)
+    inverse.vmult(step[r], left[r]);
+  Vector<double> of_step(3 * m);
+  set_skew_parts(step, of_step);
+  multipliers += of_step;
+  multipliers.scale(scale);
+  schur.solve(multipliers);
+  multipliers.scale(scale);
+  Rows change;
+  for (unsigned int r = 0; r < 3; ++r)
+    change[r].reinit(n);
+  add_force_of_multipliers(multipliers, change);
+  double largest = 0.;
+  for (unsigned int r = 0; r < 3; ++r)
+  {
+    of_symmetry[r] += change[r];
+    left[r] -= change[r];
+    inverse.vmult(step[r], left[r]);
+    fluxes[r] += step[r];
+    largest = std::max<double>(largest, step[r].linfty_norm());
+  }
+  return largest;
+}
+
+bool SymmetricFluxes::find_fluxes()
+{
+  for (unsigned int r = 0; r < 3; ++r)
+    for (Rows *const rows : {&fluxes, &of_symmetry})
+      (*rows)[r].reinit(surface.n_edges);
+  of_divergence.assign(surface.triangles.size(), {});
+  double last_change = HUGE_VAL;
+  for (unsigned int step = 0; step < n_most_steps; ++step)
+  {
+    const double change = take_step();
     if (!std::isfinite(change))
       return false;
     if (!(change > 0.) || (step > 1 && change >= no_progress * last_change))
       break;
     last_change = change;
+    for (unsigned int t = 0; t < surface.triangles.size(); ++t)
+      of_divergence[t] += wanted - divergence(t);
   }
-  return true;
+  // Where the divergence cannot be met, its multipliers go on growing, and
+  // those of the symmetry with them; without that these have all digits.
+  return std::isfinite(take_step());
 }
 
 Tensor<2, 3> SymmetricFluxes::stress(const unsigned int t) const
@@ -236,13 +293,5 @@ Tensor<1, 3> SymmetricFluxes::divergence(const unsigned int t) const
     for (unsigned int i = 0; i < 3; ++i)
       out[r] += of.signs[i] * fluxes[r][of.edges[i]];
   return out / fields[t].volume;
-}
-
-double SymmetricFluxes::square() const
-{
-  double sum = 0.;
-  for (unsigned int t = 0; t < fields.size(); ++t)
-    sum += fields[t].volume * stress(t).norm_square();
-  return sum;
 }
 } // namespace Voussoir

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/stress/slender_tetrahedra.h>
 #include <voussoir/stress/symmetric_fluxes.h>
 #include <voussoir/stress/tetrahedral_stress.h>
 
@@ -19,22 +18,22 @@ using Tetrahedron = TetrahedralStress::Tetrahedron;
 /** An eigenvalue of the inertia of triangles that is none, over the square of
  * their area. */
 constexpr double no_inertia = 1e-9;
-/**
- * Up to how much of the mean stress the root of the mean square of what comes
- * to it may be, for faces not to be cut in other ways as well: 97 in a hundred
- * random cells have less.
- */
-constexpr double usual_deviation = 1.;
+/** A moment of a face, over its force and the size of the cell, that is
+ * rounding. */
+constexpr double no_moment = 1e-14;
 constexpr unsigned int cells_of_task = 16;
 
-/** The least solution of J a = M where J is no less than @p least. */
-Tensor<1, 3>
-least_solution(const Tensor<2, 3> &J, const Tensor<1, 3> &M, const double least)
+/** The least solution of J a = M where J is no less than @p least, and M more
+ * than @p rounding. */
+Tensor<1, 3> least_solution(const Tensor<2, 3> &J,
+                            const Tensor<1, 3> &M,
+                            const double least,
+                            const double rounding)
 {
   const auto pairs = dealii::eigenvectors(dealii::symmetrize(J));
   Tensor<1, 3> a;
   for (const auto &[value, vector] : pairs)
-    if (value > least)
+    if (value > least && std::abs(vector * M) > rounding)
       a += (vector * M / value) * vector;
   return a;
 }
@@ -73,6 +72,7 @@ void CellOfTetrahedra::set_mean(const SurfaceTriangles &surface,
   for (const SurfaceTriangles::Triangle &triangle : surface.triangles)
     tetrahedra.push_back({{{centroid, p[triangle.corners[0]],
                             p[triangle.corners[1]], p[triangle.corners[2]]}},
+                          triangle.face,
                           mean,
                           {}});
 }
@@ -105,7 +105,8 @@ CellOfTetrahedra::deviations(const SurfaceTriangles &surface) const
   std::vector<Tensor<1, 3>> angle, forces;
   for (unsigned int f = 0; f < faces.size(); ++f)
     angle.push_back(least_solution(inertia[f], faces[f].moment,
-                                   no_inertia * faces[f].area * faces[f].area));
+                                   no_inertia * faces[f].area * faces[f].area,
+                                   no_moment * size * faces[f].force.norm()));
   for (unsigned int t = 0; t < surface.triangles.size(); ++t)
   {
     const LoadedFace &face = faces[surface.triangles[t].face];
@@ -132,36 +133,21 @@ bool CellOfTetrahedra::find(std::vector<Tetrahedron> &tetrahedra)
   Tensor<1, 3> divergence;
   for (const LoadedFace &face : faces)
     divergence += face.force / (size * size);
-  const double usual = usual_deviation * usual_deviation * mean.norm_square();
-  double least = HUGE_VAL;
-  for (const FaceCut cut :
-       {FaceCut::short_sides, FaceCut::wide_angles, FaceCut::long_sides})
+  const SurfaceTriangles surface = surface_triangles(faces, size);
+  set_mean(surface, tetrahedra);
+  if (!surface.is_closed)
+    return false;
+  const SurfaceTriangles of_unit_size = scaled(surface, centroid, size);
+  const std::vector<Tensor<1, 3>> forces = deviations(surface);
+  SymmetricFluxes fluxes(of_unit_size, forces, divergence);
+  if (!fluxes.find())
+    return false;
+  for (unsigned int t = 0; t < tetrahedra.size(); ++t)
   {
-    const SurfaceTriangles surface = surface_triangles(faces, size, cut);
-    if (tetrahedra.empty())
-      set_mean(surface, tetrahedra);
-    if (!surface.is_closed)
-      continue;
-    const SlenderTetrahedra rest(scaled(surface, centroid, size),
-                                 deviations(surface));
-    SymmetricFluxes fluxes(rest.surface, rest.forces, divergence);
-    if (!fluxes.find())
-      continue;
-    const double square = fluxes.square();
-    if (!(square < least))
-      continue;
-    least = square;
-    set_mean(surface, tetrahedra);
-    for (unsigned int t = 0; t < tetrahedra.size(); ++t)
-      for (const auto &[of, share] : rest.heirs[t])
-      {
-        tetrahedra[t].stress += share * fluxes.stress(of);
-        tetrahedra[t].divergence += share / size * fluxes.divergence(of);
-      }
-    if (square <= usual)
-      break;
+    tetrahedra[t].stress += fluxes.stress(t);
+    tetrahedra[t].divergence = fluxes.divergence(t) / size;
   }
-  return std::isfinite(least);
+  return true;
 }
 } // namespace
 

@@ -38,28 +38,17 @@ struct SurfaceTriangles
   bool is_closed = false;
 };
 
-/** Which corner of a polygon is cut off next. */
-enum class FaceCut
-{
-  /** That with the shortest new side. */
-  short_sides,
-  /** That of which the triangle has the widest least angle. */
-  wide_angles,
-  /** That with the longest new side, which makes fans. */
-  long_sides
-};
-
 /**
- * Cut the faces of a cell into triangles without new points: where the vertex
- * of one polygon lies within the side of another, it is a corner of both.
+ * Cut the faces of a cell into the triangles between the sides of their
+ * polygons and the centroids of these; where the vertex of one polygon lies
+ * within the side of another, it is a corner of both. So triangles do not
+ * depend on where a face begins, nor on how the cell is turned.
  *
- * @param faces of the cell.
+ * @param faces of the cell, whose polygons are convex.
  * @param size of it, a length, to which distances are compared.
- * @param cut of polygons with more than three corners.
  */
 SurfaceTriangles surface_triangles(const std::vector<LoadedFace> &faces,
-                                   double size,
-                                   FaceCut cut = FaceCut::short_sides);
+                                   double size);
 
 /**
  * Number the edges of all triangles anew, by their corners, and find whether

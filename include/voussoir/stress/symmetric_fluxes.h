@@ -9,6 +9,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -16,9 +17,10 @@ namespace Voussoir
 /**
  * A stress sigma on the tetrahedra between the origin and the triangles of a
  * closed surface, about as large as one: the rows of sigma are in RT_0, the
- * triangles bear given forces, sigma is symmetric in the mean of every
- * tetrahedron, and div sigma comes closest to a given vector in the sense of
- * least squares. Where that leaves several, it is the least.
+ * triangles bear given forces, sigma is symmetric in the mean of all tetrahedra
+ * of a face, and div sigma is a given vector, or comes closest to it in the
+ * sense of least squares where that cannot be. Where that leaves several, it is
+ * the least.
  */
 class SymmetricFluxes
 {
@@ -36,12 +38,21 @@ public:
   dealii::Tensor<2, 3> stress(unsigned int t) const;
   /** Its divergence there. */
   dealii::Tensor<1, 3> divergence(unsigned int t) const;
-  /** The sum of |stress()|^2 times the volume. */
-  double square() const;
 
 private:
-  bool find_fluxes();
+  /** The integrals of the unit fluxes through the edges of a face. */
+  using FaceIntegrals =
+      std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>>;
+  using Rows = std::array<dealii::Vector<double>, 3>;
+
+  void collect_integrals();
   void assemble();
+  void assemble_multipliers();
+  bool find_fluxes();
+  double take_step();
+  void add_force_of_multipliers(const dealii::Vector<double> &of,
+                                Rows &to) const;
+  void set_skew_parts(const Rows &of, dealii::Vector<double> &skew) const;
 
   const SurfaceTriangles &surface;
   const std::vector<dealii::Tensor<1, 3>> &forces;
@@ -49,11 +60,14 @@ private:
   /** Of each tetrahedron; the facet opposite to corner three is the triangle.
    */
   std::vector<UnitFluxes> fields;
+  std::vector<FaceIntegrals> of_faces;
   dealii::LAPACKFullMatrix<double> inverse, schur;
   /** Of the conditions of symmetry. */
   dealii::Vector<double> scale;
-  /** Of each row, of each edge. */
-  std::array<dealii::Vector<double>, 3> fluxes;
+  /** By row of sigma and edge; what the multipliers do to them. */
+  Rows fluxes, of_symmetry;
+  /** What the multiplier of the divergence is in each tetrahedron. */
+  std::vector<dealii::Tensor<1, 3>> of_divergence;
 };
 } // namespace Voussoir
 

@@ -17,6 +17,8 @@ struct TetrahedralStress
   {
     /** The centroid first; lengths. */
     std::array<dealii::Point<3>, 4> corners;
+    /** That of the triangle, among the loaded_faces() of the cell. */
+    unsigned int face;
     /** The mean of sigma; S. */
     dealii::Tensor<2, 3> stress;
     /** The mean of div sigma; S/L. */
@@ -36,15 +38,17 @@ struct TetrahedralStress
 };
 
 /**
- * The paper's reconstruction in space (eq. 15): in each cell, on the tetrahedra
- * between its centroid and triangles of its surface without new points, the
- * rows of sigma in RT_0 with constant normal traces on the triangles, weakly
- * symmetric with a multiplier in P_0, and div sigma = -b in the sense of least
- * squares; where that leaves several, as in an octahedron, the least one.
+ * The paper's reconstruction in space (eq. 15): the sub-cells of a cell are the
+ * pyramids between its centroid and its faces, as in the plane the triangles
+ * over its sides. The multiplier of the weak symmetry is constant in each, the
+ * rows of sigma are in RT_0 on the tetrahedra into which the lines from the
+ * centroids of faces cut them, with constant normal traces on the triangles,
+ * and div sigma = -b; where these have no solution, as in an octahedron, that
+ * in the sense of least squares, and where they have several, the least one.
  *
  * On a face that bears the force F and the moment M about its centroid the
  * trace of each triangle is F / |f| + a x (x - x_f), with the angle a by which
- * the triangles together have M as far as they can.
+ * the triangles together have M.
  *
  * The symmetric part of the mean stress is taken out first, so that a uniform
  * stress comes back to rounding.
