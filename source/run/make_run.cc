@@ -33,7 +33,7 @@ std::unique_ptr<Run> make_run(const ParameterSources &sources,
 {
   std::unique_ptr<Run> run;
   if (dimension_of(sources) == 3)
-    run = std::make_unique<SpaceRun>(terminal);
+    run = std::make_unique<SpaceRun>(terminal, processes);
   else
     run = std::make_unique<AnalysisRun>(terminal, processes);
   run->read(sources);

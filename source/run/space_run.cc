@@ -20,6 +20,7 @@
 #include <voussoir/packing/polyhedra/cell_overlaps.h>
 #include <voussoir/packing/polyhedra/models/writers.h>
 #include <voussoir/run/space_run.h>
+#include <voussoir/stress/shared_tetrahedra.h>
 
 #include <optional>
 #include <ostream>
@@ -153,6 +154,8 @@ SpaceResult SpaceRun::find(const std::filesystem::path &directory,
                            SharedPackings<CheckedPacking> *const packings)
 {
   timer.reset(); // what an exception in a run before has left
+  if (processes.size() > 1)
+    terminal.stage("Processes", std::to_string(processes.size()));
   timer.enter_subsection("packing");
   CheckedPacking checked = packings ? *shared_packing(directory, *packings)
                                     : read_packing(directory);
@@ -181,8 +184,8 @@ void SpaceRun::find_stress(SpaceResults &results) const
   const SpaceScene &scene = results.scene;
   results.mean_stresses = cell_mean_stresses(scene, results.forces);
   if (accuracy == Accuracy::standard)
-    results.tetrahedra =
-        tetrahedral_stress(scene, results.forces, results.mean_stresses);
+    results.tetrahedra = tetrahedral_stress(scene, results.forces,
+                                            results.mean_stresses, processes);
   else if (accuracy == Accuracy::fine)
     results.stresses =
         linear_stresses(scene, results.forces, results.mean_stresses);

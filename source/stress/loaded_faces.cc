@@ -40,9 +40,8 @@ std::vector<std::vector<LoadedFace>> loaded_faces(const SpaceScene &scene,
     if (i.is_at_edge)
       continue;
     const FaceResultant of = forces.resultant(packing, e);
-    LoadedFace face = {
-        i.centroid,          i.normal, i.area, {}, of.force, of.moment,
-        {packing.polygon(e)}};
+    LoadedFace face = {{i.centroid, i.normal, i.area, {}, of.force, of.moment},
+                       {packing.polygon(e)}};
     add_second_moments(packing.polygon(e), i.centroid, face.second);
     of_cells[i.cell_minus].push_back(face);
     if (i.cell_plus == packing.ground())
@@ -55,7 +54,7 @@ std::vector<std::vector<LoadedFace>> loaded_faces(const SpaceScene &scene,
   for (unsigned int b = 0; b < packing.boundary_faces().size(); ++b)
   {
     const Packing<3>::BoundaryFace &free = packing.boundary_faces()[b];
-    LoadedFace face = {free.centroid, free.normal, free.area, {}, {}, {}, {}};
+    LoadedFace face = {{free.centroid, free.normal, free.area, {}, {}, {}}};
     if (!loads.empty())
     {
       face.force = loads[b].force;

@@ -43,11 +43,9 @@ class CellOfTetrahedra
 {
 public:
   CellOfTetrahedra(const std::vector<LoadedFace> &faces,
-                   const Point<3> &centroid,
-                   const double volume,
-                   const Tensor<2, 3> &mean)
-      : faces(faces), centroid(centroid), size(std::cbrt(volume)),
-        mean(0.5 * (mean + transpose(mean)))
+                   const StressedCell &cell)
+      : faces(faces), centroid(cell.centroid), size(std::cbrt(cell.volume)),
+        mean(0.5 * (cell.mean + transpose(cell.mean)))
   {}
 
   /** @return false if the tetrahedra have the mean stress. */
@@ -151,26 +149,32 @@ bool CellOfTetrahedra::find(std::vector<Tetrahedron> &tetrahedra)
 }
 } // namespace
 
-TetrahedralStress tetrahedral_stress(const SpaceScene &scene,
-                                     const FaceForces &forces,
-                                     const std::vector<Tensor<2, 3>> &means)
+std::vector<StressedCell> stressed_cells(const SpaceScene &scene,
+                                         const std::vector<Tensor<2, 3>> &means)
 {
   const Packing<3> &packing = scene.packing();
-  const std::vector<std::vector<LoadedFace>> faces =
-      loaded_faces(scene, forces);
-  std::vector<std::vector<Tetrahedron>> of_cells(packing.n_cells());
-  std::vector<char> is_found(packing.n_cells(), false);
+  std::vector<StressedCell> cells;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    cells.push_back({packing.moments(c).centroid, packing.volume(c), means[c]});
+  return cells;
+}
+
+TetrahedralStress
+tetrahedral_stress(const std::vector<StressedCell> &cells,
+                   const std::vector<std::vector<LoadedFace>> &faces)
+{
+  const unsigned int n = cells.size();
+  std::vector<std::vector<Tetrahedron>> of_cells(n);
+  std::vector<char> is_found(n, false);
   dealii::parallel::apply_to_subranges(
-      0U, packing.n_cells(),
+      0U, n,
       [&](const unsigned int begin, const unsigned int end) {
         for (unsigned int c = begin; c < end; ++c)
-          is_found[c] = CellOfTetrahedra(faces[c], packing.moments(c).centroid,
-                                         packing.volume(c), means[c])
-                            .find(of_cells[c]);
+          is_found[c] = CellOfTetrahedra(faces[c], cells[c]).find(of_cells[c]);
       },
       cells_of_task);
   TetrahedralStress stress;
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  for (unsigned int c = 0; c < n; ++c)
   {
     if (!is_found[c])
       stress.undetermined.push_back(c);

@@ -218,6 +218,16 @@ public:
   /** Call @p f for each FaceSet of joint @p e. */
   template <typename F>
   void for_each_face_set(unsigned int e, const F &f) const;
+  /**
+   * The part of the stiffness along joint @p e in space that each of its two
+   * kinds of sets has: all of it, or half where cones of friction and discs
+   * share it.
+   */
+  double tangential_part(const unsigned int e) const
+  {
+    const Joint &joint = joints()[e];
+    return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
+  }
   /** True if some set has more rows than one. */
   bool has_blocks() const { return !own.joints.set_sizes.empty(); }
   /**

@@ -24,6 +24,12 @@ namespace Voussoir
 class SpaceAnalysis
 {
 public:
+  /** @param processes those that help, beside this one, their root. */
+  explicit SpaceAnalysis(const ProcessGroup &processes = ProcessGroup())
+  {
+    controls.processes = processes;
+  }
+
   /** @{ */
   /** Declare the entry `Analysis`, and the sections. */
   void add_entries(dealii::ParameterHandler &prm);

@@ -30,8 +30,14 @@ struct SpaceResult
 class SpaceRun : public Run
 {
 public:
-  /** @param terminal sees what the run notices. */
-  explicit SpaceRun(Terminal &terminal) : Run(terminal) {}
+  /**
+   * @param terminal sees what the run notices.
+   * @param processes the processes that help, beside this one, its root.
+   */
+  explicit SpaceRun(Terminal &terminal,
+                    const ProcessGroup &processes = ProcessGroup())
+      : Run(terminal), processes(processes), analysis(processes)
+  {}
 
   unsigned int dimension() const override { return 3; }
   unsigned int verbosity() const override { return output.verbosity; }
@@ -100,6 +106,7 @@ private:
   /** The times so far, into what is written. */
   void keep_timings(SpaceResults &results);
 
+  const ProcessGroup processes;
   OutputEntries output;
   SpaceSceneParameters of_scene;
   SpaceAnalysis analysis;

@@ -13,8 +13,8 @@
 
 namespace Voussoir
 {
-/** A part of the surface of a cell, and what goes through it. */
-struct LoadedFace
+/** A part of the surface of a cell, and what goes through it; plain data. */
+struct FaceLoad
 {
   /** A length. */
   dealii::Point<3> centroid;
@@ -28,6 +28,11 @@ struct LoadedFace
   dealii::Tensor<1, 3> force;
   /** Of that about the centroid; S L^3. */
   dealii::Tensor<1, 3> moment;
+};
+
+/** The same with its shape. */
+struct LoadedFace : FaceLoad
+{
   /** What it consists of, as lists of vertices; a free face has several. */
   std::vector<dealii::ArrayView<const dealii::Point<3>>> polygons = {};
 };

@@ -37,6 +37,22 @@ struct TetrahedralStress
   std::vector<unsigned int> undetermined;
 };
 
+/** What the stress in a cell needs beside its faces; plain data. */
+struct StressedCell
+{
+  /** A length. */
+  dealii::Point<3> centroid;
+  /** L^3. */
+  double volume;
+  /** Of cell_mean_stresses(); S. */
+  dealii::Tensor<2, 3> mean;
+};
+
+/** Of all cells of a scene. */
+std::vector<StressedCell>
+stressed_cells(const SpaceScene &scene,
+               const std::vector<dealii::Tensor<2, 3>> &means);
+
 /**
  * The paper's reconstruction in space (eq. 15): the sub-cells of a cell are the
  * pyramids between its centroid and its faces, as in the plane the triangles
@@ -51,14 +67,24 @@ struct TetrahedralStress
  * the triangles together have M.
  *
  * The symmetric part of the mean stress is taken out first, so that a uniform
- * stress comes back to rounding.
+ * stress comes back to rounding. By all threads.
  *
- * @param means cell_mean_stresses().
+ * @param cells as many as there are,
+ * @param faces loaded_faces() of each.
  */
 TetrahedralStress
+tetrahedral_stress(const std::vector<StressedCell> &cells,
+                   const std::vector<std::vector<LoadedFace>> &faces);
+
+/** The same of all cells of a scene with cell_mean_stresses(). */
+inline TetrahedralStress
 tetrahedral_stress(const SpaceScene &scene,
                    const FaceForces &forces,
-                   const std::vector<dealii::Tensor<2, 3>> &means);
+                   const std::vector<dealii::Tensor<2, 3>> &means)
+{
+  return tetrahedral_stress(stressed_cells(scene, means),
+                            loaded_faces(scene, forces));
+}
 } // namespace Voussoir
 
 #endif

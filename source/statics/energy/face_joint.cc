@@ -129,32 +129,31 @@ struct ElasticCone
     }
   }
 };
+} // namespace
+
 /** Call @p f for each set of joint @p e, with its law. */
 template <typename F>
-void for_each_law(const DiscreteProblem &problem,
-                  const unsigned int e,
-                  const F &f)
+void FaceJoint::for_each_law(const unsigned int e, const F &f) const
 {
-  const Joint &joint = problem.joints()[e];
-  const double part = problem.tangential_part(e);
-  problem.for_each_face_set(e, [&](const Structure::FaceSet &set) {
+  const Structure::Joint &joint = structure.joints()[e];
+  const double part = structure.tangential_part(e);
+  structure.for_each_face_set(e, [&](const Structure::FaceSet &set) {
     const double stiffness = joint.stiffness() * set.share;
-    const double tension = problem.tension(e) * set.share;
+    const double of_set = tension[e] * set.share;
     if (set.size == 1)
-      f(set, ElasticContact{stiffness, tension});
+      f(set, ElasticContact{stiffness, of_set});
     else if (set.size == 2)
       f(set, ElasticDisc{part * stiffness, set.strength});
     else
-      f(set, ElasticCone{stiffness, part, joint.coefficient, tension});
+      f(set, ElasticCone{stiffness, part, joint.coefficient, of_set});
   });
 }
-} // namespace
 
 void FaceJoint::find_forces(const unsigned int e,
                             const double *jumps,
                             double *forces) const
 {
-  for_each_law(problem, e, [&](const Structure::FaceSet &set, const auto &law) {
+  for_each_law(e, [&](const Structure::FaceSet &set, const auto &law) {
     law.find_forces(jumps + set.row, forces + set.row);
   });
 }
@@ -163,14 +162,14 @@ bool FaceJoint::find_second_derivatives(const unsigned int e,
                                         const double *jumps,
                                         double *second) const
 {
-  for_each_law(problem, e, [&](const Structure::FaceSet &set, const auto &law) {
+  for_each_law(e, [&](const Structure::FaceSet &set, const auto &law) {
     law.find_second_derivatives(jumps + set.row, second + set.coefficient);
   });
-  const Joint &joint = problem.joints()[e];
+  const Structure::Joint &joint = structure.joints()[e];
   // At one point, or at two in the same place: k_e in all directions, or less.
   const double k = joint.stiffness();
-  const unsigned int n = problem.n_rows(e);
-  if (problem.kinematics().turns() || problem.tangential_part(e) != 1.)
+  const unsigned int n = structure.n_rows(e);
+  if (structure.kinematics().turns() || structure.tangential_part(e) != 1.)
     return false;
   if (joint.coefficient > 0.)
     return n == 3 && second[0] == k && second[4] == k && second[8] == k;

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/newton.h>
-#include <voussoir/algebra/vectors.h>
-#include <voussoir/base/text.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/energy/elastic_faces.h>
 #include <voussoir/statics/energy/energy_program.h>
-#include <voussoir/statics/energy/face_joint.h>
-#include <voussoir/statics/energy/proximal_steps.h>
 #include <voussoir/statics/energy/space_state.h>
-#include <voussoir/statics/problem/equilibrate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +14,10 @@ namespace Voussoir
 namespace
 {
 /**
- * The steps of Newton's method before an EnergyProgram is asked, unless it is
- * this near; and those behind it. Far from the limit it takes one to six.
+ * The steps of Newton's method before an EnergyProgram is asked, and those
+ * behind it. Far from the limit it takes one to six.
  */
 constexpr unsigned int n_steps_before_doubt = 8, n_steps_behind = 12;
-constexpr double near_minimum = 1e-4;
-/** The steps behind the tolerance, and the imbalance that is rounding. */
-constexpr unsigned int n_steps_to_rounding = 3;
-constexpr double rounding_of_steps = 1e-14;
 /**
  * The imbalance, over the tolerance, with which there is no doubt that loads
  * are carried: just beyond the limit nothing balances them to rounding.
@@ -59,7 +50,8 @@ private:
                          return std::isfinite(limits.crushing);
                        });
   }
-  bool minimise_by_newton(std::vector<double> start, unsigned int n_most);
+  bool minimise_by_newton(const std::vector<double> &start,
+                          unsigned int n_most);
   EnergyProgram minimise_by_program(double error);
   void take(EnergyProgram program);
 
@@ -73,60 +65,21 @@ private:
 };
 
 /** @return true if it has converged without a doubt. */
-bool SpaceStateSearch::minimise_by_newton(std::vector<double> start,
+bool SpaceStateSearch::minimise_by_newton(const std::vector<double> &start,
                                           const unsigned int n_most)
 {
-  const FaceJoint law(problem);
-  JointSystem system(problem, linear_solver);
-  Newton newton(problem, law, system, std::move(start));
-  ProximalSteps proximal(newton);
-  try
-  {
-    while (newton.imbalance() > controls.tolerance &&
-           (newton.n_iterations() < n_most ||
-            (newton.imbalance() < near_minimum &&
-             newton.n_iterations() < 2 * n_most)))
-    {
-      proximal.advance();
-      terminal.iteration("Newton", text("iteration ", newton.n_iterations(),
-                                        ", imbalance ", newton.imbalance()));
-    }
-  }
-  catch (const NewtonFailure &)
-  {
-    // Where it was before.
-  }
-  found.forces = newton.forces();
-  found.u = newton.u();
-  double least = newton.imbalance();
-  // Near its end each step doubles the digits.
-  for (unsigned int n = 0;
-       n < n_steps_to_rounding && least > rounding_of_steps &&
-       least <= controls.tolerance;
-       ++n)
-  {
-    try
-    {
-      newton.full_step();
-    }
-    catch (const NewtonFailure &)
-    {
-      break;
-    }
-    if (!(newton.imbalance() < least))
-      break;
-    least = newton.imbalance();
-    found.forces = newton.forces();
-    found.u = newton.u();
-  }
-  found.n_iterations += newton.n_iterations();
-  found.n_evaluations += newton.n_evaluations();
-  found.seconds["linear systems"] += newton.seconds_of_systems();
-  if (!(least <= controls.tolerance))
+  FaceMinimum minimum =
+      minimise_faces(problem, {linear_solver, controls.tolerance, n_most},
+                     start, controls.processes, terminal);
+  Solution &here = minimum.solution;
+  here.n_iterations += found.n_iterations;
+  here.n_evaluations += found.n_evaluations;
+  here.seconds["linear systems"] += found.seconds["linear systems"];
+  found = std::move(here);
+  if (!(minimum.imbalance <= controls.tolerance))
     return false;
-  problem.remove_rigid_motions(found.u);
   found.stop = Stop::Reason::converged;
-  if (least <= beyond_doubt * controls.tolerance)
+  if (minimum.imbalance <= beyond_doubt * controls.tolerance)
     return true;
   in_doubt = found;
   found.stop = Stop::Reason::not_stopped;

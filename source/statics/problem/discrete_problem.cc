@@ -202,12 +202,6 @@ DiscreteProblem DiscreteProblem::in_units_of(const double factor) const
   return problem;
 }
 
-double DiscreteProblem::tangential_part(const unsigned int e) const
-{
-  const Joint &joint = joints()[e];
-  return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
-}
-
 double DiscreteProblem::largest_limit() const
 {
   double largest = 0.;

@@ -85,6 +85,8 @@ void transfer(Part &part, const Pass &pass)
   pass(part.joints.set_sizes);
   pass(part.joints.first_set);
   pass(part.joints.first_coefficient);
+  pass(part.joints.shares);
+  pass(part.joints.set_strengths);
   pass(part.loads);
   pass(part.centres);
 }
@@ -195,9 +197,30 @@ Structure::Part SharedProblem::make_part(const unsigned int process) const
     Joint joint = whole->joints()[e];
     joint.cell_minus = local(joint.cell_minus);
     joint.cell_plus = local(joint.cell_plus);
-    result.joints.add(joint, whole->rows(e), result.kinematics, whole->sets(e));
+    std::vector<double> shares;
+    if (!whole->is_plane())
+      whole->for_each_face_set(e, [&](const Structure::FaceSet &set) {
+        shares.push_back(set.share);
+        result.joints.set_strengths.push_back(set.strength);
+      });
+    result.joints.add(joint, whole->rows(e), result.kinematics, whole->sets(e),
+                      shares);
   }
   return result;
+}
+
+std::vector<double> SharedProblem::of_joints(const NumberOfJoint &find) const
+{
+  std::vector<std::vector<double>> numbers(joints_of.size());
+  for (unsigned int r = 0; r < joints_of.size(); ++r)
+    for (const unsigned int e : joints_of[r])
+      numbers[r].push_back(find(*whole, e));
+  if (part)
+    return processes.scatter(numbers);
+  std::vector<double> of_all;
+  for (unsigned int e = 0; e < whole->joints().size(); ++e)
+    of_all.push_back(find(*whole, e));
+  return of_all;
 }
 
 template <typename Action>

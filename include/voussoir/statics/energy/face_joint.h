@@ -3,7 +3,10 @@
 #define voussoir_statics_energy_face_joint_h
 
 #include <voussoir/algebra/joint_law.h>
-#include <voussoir/statics/problem/discrete_problem.h>
+#include <voussoir/algebra/structure.h>
+
+#include <utility>
+#include <vector>
 
 namespace Voussoir
 {
@@ -21,8 +24,13 @@ namespace Voussoir
 class FaceJoint : public JointLaw
 {
 public:
-  /** @param problem in space; it must outlive this object. */
-  explicit FaceJoint(const DiscreteProblem &problem) : problem(problem) {}
+  /**
+   * @param structure in space; it must outlive this object.
+   * @param tension the largest of each of its joints, nondimensional.
+   */
+  FaceJoint(const Structure &structure, std::vector<double> tension)
+      : structure(structure), tension(std::move(tension))
+  {}
 
   void find_forces(unsigned int e,
                    const double *jumps,
@@ -32,7 +40,11 @@ public:
                                double *second) const override;
 
 private:
-  const DiscreteProblem &problem;
+  template <typename F>
+  void for_each_law(unsigned int e, const F &f) const;
+
+  const Structure &structure;
+  const std::vector<double> tension;
 };
 } // namespace Voussoir
 

@@ -136,13 +136,6 @@ public:
   }
 
   /**
-   * The part of the stiffness along joint @p e in space that each of its two
-   * kinds of sets has: all of it, or half where cones of friction and discs
-   * share it.
-   */
-  double tangential_part(unsigned int e) const;
-
-  /**
    * Subtract from @p u (n_dofs() numbers) in each connected group the rigid
    * motion of the ground, or else the mean one.
    */

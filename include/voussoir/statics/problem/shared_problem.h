@@ -39,6 +39,12 @@ public:
   /** The part of this process. */
   const Structure &structure() const { return part ? *part : *whole; }
 
+  /** A number of a joint of the whole. */
+  using NumberOfJoint =
+      std::function<double(const DiscreteProblem &, unsigned int e)>;
+  /** What the root finds for each joint of structure(); collective. */
+  std::vector<double> of_joints(const NumberOfJoint &find) const;
+
   /** A displacement of the whole, n_dofs() numbers. */
   using Finder = std::function<std::vector<double>(const DiscreteProblem &)>;
   /** This process' part of what the root is to @p find; collective. */
