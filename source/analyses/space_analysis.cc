@@ -80,6 +80,12 @@ void SpaceAnalysis::add_entries(dealii::ParameterHandler &prm)
       "How one of the many admissible and balanced states is selected. The "
       "formulations 'linear program' and 'analytic centre' are for packings in "
       "the plane.");
+  prm.add_parameter(
+      "Clamping", finds_clamping,
+      "Whether to find out besides if the packing is clamped: if a motion "
+      "opens every contact, or else which normal forces balance by themselves, "
+      "without loads. Supports and shapes decide it alone.",
+      dealii::Patterns::Bool());
 }
 
 const Formulation &SpaceAnalysis::formulation_for(const SpaceScene &scene) const
@@ -148,7 +154,20 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
                       const std::shared_ptr<const SpaceBlocks> &blocks,
                       Terminal &terminal) const
 {
-  auto [dead, live] = scenes(parameters, blocks, terminal);
+  Scenes on_loads = scenes(parameters, blocks, terminal);
+  std::optional<Clamping> clamping;
+  if (finds_clamping)
+    clamping = find_clamping(*blocks, terminal);
+  SpaceAnswer found = answer_on(std::move(on_loads), parameters, terminal);
+  found.clamping = std::move(clamping);
+  return found;
+}
+
+SpaceAnswer SpaceAnalysis::answer_on(Scenes scenes,
+                                     const SpaceSceneParameters &parameters,
+                                     Terminal &terminal) const
+{
+  auto &[dead, live] = scenes;
   if (!live)
   {
     SpaceAnswer state = state_of(std::move(dead), terminal);
@@ -164,7 +183,7 @@ SpaceAnalysis::answer(const SpaceSceneParameters &parameters,
   if (factor.multiplied == FactorEntries::Factor::all_loads)
   {
     live->loads = sum_of(dead.loads, 1., live->loads);
-    dead.loads = SpaceLoads(blocks->packing.n_cells());
+    dead.loads = SpaceLoads(dead.packing().n_cells());
   }
   return factor_of(std::move(dead), std::move(*live), terminal);
 }

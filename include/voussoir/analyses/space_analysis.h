@@ -87,6 +87,10 @@ private:
                      const Packing<3> &packing) const;
   /** What selects the state of a scene. */
   const Formulation &formulation_for(const SpaceScene &scene) const;
+  /** The answer of answer() on these loads. */
+  SpaceAnswer answer_on(Scenes scenes,
+                        const SpaceSceneParameters &parameters,
+                        Terminal &terminal) const;
   SpaceAnswer state_of(SpaceScene scene, Terminal &terminal) const;
   void look_further(SpaceAnswer &answer,
                     const SpaceSceneParameters &parameters,
@@ -96,6 +100,7 @@ private:
   SpaceAnswer strength_factor_of(SpaceScene scene, Terminal &terminal) const;
 
   Question question = Question::state;
+  bool finds_clamping = false;
   FactorEntries factor;
   RangeEntries ranges;
   SolverControls controls;

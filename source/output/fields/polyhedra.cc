@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/output/fields/polyhedra.h>
+#include <voussoir/output/fields/space_clamping.h>
 #include <voussoir/output/fields/space_forces.h>
 #include <voussoir/output/fields/space_ranges.h>
 #include <voussoir/output/fields/space_stress.h>
@@ -145,7 +146,7 @@ const FieldTable<SpaceResults> &polyhedron_fields()
 {
   static const FieldTable<SpaceResults> table(
       "cell group volume faces fixed", polyhedra(), polyhedron_loads(),
-      polyhedron_motion(), polyhedron_stress());
+      polyhedron_motion(), polyhedron_stress(), opening_motion());
   return table;
 }
 
@@ -154,7 +155,8 @@ const FieldTable<SpaceResults> &face_interface_fields()
   static const FieldTable<SpaceResults> table(
       "normal_force shear_force normal_stress utilisation cell_minus "
       "cell_plus area distance normal",
-      face_interfaces(), face_forces(), face_ranges(), face_jumps());
+      face_interfaces(), face_forces(), face_ranges(), face_jumps(),
+      face_self_stress());
   return table;
 }
 

@@ -112,6 +112,8 @@ void write_packing_report(std::ostream &out,
       {"Blocks that are not convex", text(packing.not_convex().size())}};
   if (answer.is_analysed)
     add_answer(answer, report);
+  if (answer.clamping)
+    report.summary.emplace_back("Clamping", answer.clamping->words);
   if (!answer.motion.displacement.empty())
     report.motion = motion_of(answer);
   report.collapses = answer.status.kind == Status::Kind::collapse;

@@ -191,6 +191,8 @@ Json summary_of(const SpaceResults &answer,
       {"defects", json_of_kinds(defects)}};
   if (answer.is_analysed)
     add_answer(answer, summary);
+  if (answer.clamping)
+    summary["clamping"] = json_of(*answer.clamping);
   summary["timings"] = answer.timings;
   summary["versions"] = library_versions();
   return summary;

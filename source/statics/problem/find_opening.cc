@@ -2,9 +2,12 @@
 #include <voussoir/algebra/newton.h>
 #include <voussoir/statics/problem/equilibrate.h>
 #include <voussoir/statics/problem/find_opening.h>
+#include <voussoir/statics/problem/opening_proofs.h>
 
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace Voussoir
 {
@@ -31,8 +34,6 @@ constexpr double least_opening = 0.5;
  */
 constexpr double small_imbalance = 1e-9;
 constexpr unsigned int n_max_opening_steps = 200;
-/** The error of a vertex, in roundings of a coordinate. */
-constexpr double n_roundings = 32.;
 
 /** A spring that pushes until its joint has opened by d_e. */
 class PushingJoint : public JointLaw
@@ -112,67 +113,6 @@ bool draw_back_ground(const DiscreteProblem &problem, Tensor<1, 3> &ground)
   return all_face_back;
 }
 
-/** The error of n_e from the rounding of the coordinates. */
-double error_of_normal(const DiscreteProblem &problem,
-                       const DiscreteProblem::Joint &joint)
-{
-  return n_roundings * problem.rounding_of_coordinates() *
-         (1. + 1. / joint.length);
-}
-
-/**
- * True if the displacement @p u (n_dofs() numbers) opens every joint by more
- * than the rounding of its normal, which is that of the coordinates over the
- * length of the joint, could make of it.
- */
-bool opens_all_joints(const DiscreteProblem &problem,
-                      const std::vector<double> &u)
-{
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-  {
-    const double opening = problem.opening(e, u.data());
-    if (!(opening > error_of_normal(problem, problem.joints()[e]) *
-                        std::hypot(opening, problem.sliding(e, u.data()))))
-      return false;
-  }
-  return true;
-}
-
-/**
- * True if no motion opens every joint by more than that, since the normal
- * forces @p p, of each row of each joint and zero in tangential ones, balance
- * by themselves: if every |u_c| <= 1, then the least [u]_e . n_e is at most the
- * sum of what is left on the cells over the sum of p.
- */
-bool is_self_stress(const DiscreteProblem &problem,
-                    const std::vector<double> &p)
-{
-  std::vector<double> sum(problem.n_dofs());
-  double rounding = 0.;
-  for (unsigned int e = 0; e < problem.joints().size() && !p.empty(); ++e)
-    for (unsigned int r = 0; r < problem.n_contacts(e); ++r)
-    {
-      const double pressure = p[problem.first_row(e) + r];
-      if (!(pressure >= 0.))
-        return false;
-      rounding += pressure * error_of_normal(problem, problem.joints()[e]);
-    }
-  if (!p.empty())
-    problem.add_jump_gradients(1., p, sum);
-  double left = 0.;
-  for (unsigned int b = 0; b < problem.n_bodies(); ++b)
-  {
-    const double *of_body = &sum[problem.dof(b, 0)];
-    left += problem.is_plane() ? std::hypot(of_body[0], of_body[1])
-                               : std::hypot(of_body[0], of_body[1], of_body[2]);
-    // The ground does not turn, and is far from some of its joints.
-    for (unsigned int i = problem.n_translations();
-         i < problem.n_unknowns() && b < problem.n_cells(); ++i)
-      left += std::abs(of_body[i]);
-  }
-  return rounding > 0. && left <= rounding;
-}
-
 /** Go from @p u along @p ray, which opens all joints, until each is open. */
 std::vector<double> open_along(const DiscreteProblem &problem,
                                const std::vector<double> &ray,
@@ -248,40 +188,85 @@ Opening push_open(const DiscreteProblem &problem, const std::vector<double> &u)
   return {{}, self_stress_near(smooth, newton.forces())};
 }
 
-/** True if a motion opens each joint between two cells, if only a little. */
-bool opens_between_cells(const DiscreteProblem &problem,
-                         const std::vector<double> &u)
-{
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    if (problem.joints()[e].cell_plus != problem.n_cells() &&
-        !(problem.opening(e, u.data()) > 0.))
-      return false;
-  return true;
-}
-
-Opening find_opening(const DiscreteProblem &problem)
+/** The displacement u_c = x_c, in which the ground is at rest. */
+std::vector<double> dilation(const DiscreteProblem &problem)
 {
   std::vector<double> u(problem.n_dofs());
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
     for (unsigned int i = 0; i < problem.n_translations(); ++i)
       u[problem.dof(c, i)] = problem.centre(c)[i];
+  return u;
+}
+
+/** True if a motion opens each joint between two cells, if only a little. */
+bool opens_between_cells(const DiscreteProblem &problem,
+                         const std::vector<double> &u)
+{
+  bool all_open = true;
+  for (unsigned int e = 0; e < problem.joints().size() && all_open; ++e)
+    if (problem.joints()[e].cell_plus != problem.n_cells())
+      problem.for_each_pressure(e, [&](const unsigned int r, double) {
+        all_open &= problem.jump(e, r, u.data()) > 0.;
+      });
+  return all_open;
+}
+
+/**
+ * The forces of a pressure of one everywhere, if they are a self-stress: where
+ * every side of every cell is a joint.
+ */
+std::vector<double> uniform_pressure(const DiscreteProblem &problem)
+{
+  std::vector<double> p(problem.n_all_rows());
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    problem.for_each_pressure(e, [&](const unsigned int r, const double share) {
+      p[problem.first_row(e) + r] = share * problem.joints()[e].length;
+    });
+  return is_self_stress(problem, p) ? p : std::vector<double>();
+}
+
+} // namespace
+
+std::optional<Opening> opening_without_search(const DiscreteProblem &problem)
+{
+  std::vector<double> u = dilation(problem);
   // Convex blocks all draw apart, others may clamp each other.
   const bool draws_apart = opens_between_cells(problem, u);
   if (!problem.has_ground())
-    return draws_apart ? Opening{u, {}} : push_open(problem, u);
+    return draws_apart ? std::optional<Opening>({u, {}}) : std::nullopt;
   Tensor<1, 3> ground;
   if (!draws_apart || !draw_back_ground(problem, ground))
-    return push_open(problem, u);
+  {
+    std::vector<double> p = uniform_pressure(problem);
+    return p.empty() ? std::nullopt
+                     : std::optional<Opening>({{}, std::move(p)});
+  }
   for (unsigned int i = 0; i < problem.n_translations(); ++i)
     u[problem.dof(problem.n_cells(), i)] = ground[i];
-  return {u, {}};
+  return Opening{u, {}};
 }
-} // namespace
 
 const Opening &opening_of(const DiscreteProblem &problem)
 {
+  Assert(problem.is_plane(), dealii::ExcInternalError());
   if (!problem.found_opening)
-    problem.found_opening = find_opening(problem);
+    problem.found_opening = opening_without_search(problem);
+  if (!problem.found_opening)
+    problem.found_opening = push_open(problem, dilation(problem));
   return *problem.found_opening;
+}
+
+std::string reason_of_no_opening(const Opening &opening, const bool has_ground)
+{
+  if (opening.self_stress.empty())
+    return "Whether the supports clamp the packing cannot be told: a motion "
+           "that opens all contacts would open some of them by no more than "
+           "the rounding of the coordinates, or could not be found.";
+  return has_ground
+             ? "The supports clamp the packing: no motion opens all contacts, "
+               "so that normal forces can balance by themselves and have no "
+               "bound."
+             : "Blocks clamp each other: no motion opens all contacts, so that "
+               "normal forces can balance by themselves and have no bound.";
 }
 } // namespace Voussoir

@@ -72,22 +72,10 @@ void require_interior(const DiscreteProblem &problem,
 {
   if (!opening_of(problem).displacement.empty())
     return;
-  const std::string advice =
-      "The formulation '" + formulation +
-      "' has no answer there; set 'Formulation = least energy', which has one.";
-  if (!opening_of(problem).self_stress.empty())
-    throw InputError(
-        (problem.has_ground()
-             ? "The supports clamp the packing: no motion opens all contacts, "
-               "so that normal forces can balance by themselves and have no "
-               "bound. "
-             : "Blocks clamp each other: no motion opens all contacts, so that "
-               "normal forces can balance by themselves and have no bound. ") +
-        advice);
   throw InputError(
-      "Whether the supports clamp the packing cannot be told: a motion that "
-      "opens all contacts would open some of them by no more than the rounding "
-      "of the coordinates, or could not be found. " +
-      advice);
+      reason_of_no_opening(opening_of(problem), problem.has_ground()) +
+      " The formulation '" + formulation +
+      "' has no answer there; set 'Formulation = least energy', "
+      "which has one.");
 }
 } // namespace Voussoir

@@ -3,6 +3,7 @@
 #define voussoir_analyses_space_answer_h
 
 #include <voussoir/analyses/ranges/space_ranges.h>
+#include <voussoir/analyses/space/clamping.h>
 #include <voussoir/analyses/state/status.h>
 #include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/scene/space/space_scene.h>
@@ -40,6 +41,9 @@ struct SpaceAnswer
   MechanismCertificate proof = {};
   /** The ranges of forces over all states, if they are asked for. */
   std::optional<SpaceRanges> ranges = {};
+  /** Whether the blocks are clamped, if it is asked for; with or without loads.
+   */
+  std::optional<Clamping> clamping = {};
   /** What is said beside the forces, for people: titles and lines. */
   std::vector<std::pair<std::string, std::string>> lines = {};
   /** What the analysis adds to summary.json. */
