@@ -16,11 +16,14 @@ from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from figure import Figure, write_png
-from space_views import (JOINT, SUPPORT, VIEWS_IN_SPACE, direction, half_space,
+from space_stress_views import STRESS_VIEWS_IN_SPACE
+from space_views import (BLOCK_VIEWS_IN_SPACE, JOINT, SUPPORT, direction, half_space,
                          named_groups)
+from trajectories import SPACING
 from voussoir_views import (COMPRESSION, DARK, GREY, GROUPS, RED, ROUNDING, TENSION,
                             VIEWS, NotThere, Results, block_size, interpolate, scale_of)
 
+VIEWS_IN_SPACE = {**BLOCK_VIEWS_IN_SPACE, **STRESS_VIEWS_IN_SPACE}
 NAMES = list(dict.fromkeys((*VIEWS, *VIEWS_IN_SPACE)))
 FRAMES = 24
 FIXED = [(GREY, "does not move")]
@@ -71,6 +74,10 @@ def parse(arguments):
     space.add_argument("--apart", type=float, default=0.0, metavar="FACTOR",
                        help="moves blocks away from the middle of the packing, by "
                        "this times their distance from it")
+    space.add_argument("--spacing", type=float, default=SPACING, metavar="FACTOR",
+                       help="the least distance of the beginning of a trajectory, a "
+                       "centroid, from those before it, in mean blocks; default "
+                       f"{SPACING:g}, and 0 draws one from each block")
     return parser.parse_intermixed_args(arguments)
 
 
@@ -88,6 +95,8 @@ def check(options):
         raise NotThere("Give as many titles as directories.")
     if not 0 <= options.apart < np.inf:
         raise NotThere("The factor of --apart must not be negative.")
+    if not 0 <= options.spacing < np.inf:
+        raise NotThere("The factor of --spacing must not be negative.")
     check_picture(options.view, options.picture)
 
 
@@ -169,6 +178,9 @@ class Picture:
         if self.name == "principal":
             cell = "sub-cell" if self.options.sub_cells else "block"
             return f"principal stresses; an arm as long as its {cell} is wide: {limit}"
+        if self.name == "trajectories":
+            return "trajectories of the principal stresses, " + (
+                f"from {number(self.low)} to {number(self.high)}")
         if self.name == "chains":
             return f"normal forces; the widest line: {limit}"
         if self.name == "thrust":

@@ -6,8 +6,8 @@ from functools import lru_cache
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList
 
+from macro import faces_of_cells
 from voussoir_views import (DARK, GREY, GROUPS, SEQUENTIAL, Layer, NotThere, Panel,
                             View, interpolate)
 
@@ -98,18 +98,9 @@ class Faces:
 
 def faces_of(grid):
     """Of polyhedra, or polygons as they are."""
-    points, polygons, ids = vtk_to_numpy(grid.GetPoints().GetData()), [], vtkIdList()
-    for block in range(grid.GetNumberOfCells()):
-        grid.GetFaceStream(block, ids)
-        stream = np.array([ids.GetId(i) for i in range(ids.GetNumberOfIds())])
-        if grid.GetCell(block).GetCellDimension() == 2:
-            stream = np.array([1, len(stream), *stream])
-        at = 1
-        for _ in range(stream[0]):
-            vertices = stream[at + 1:at + 1 + stream[at]]
-            polygons.append((points[vertices], vertices, block, False))
-            at += 1 + stream[at]
-    return Faces.of(polygons)
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    block, offsets, vertices = faces_of_cells(grid)
+    return Faces(points[vertices], vertices, offsets, block, np.zeros(len(block), bool))
 
 
 def loops(after):
@@ -168,35 +159,58 @@ def faces_shown(results, file, options, move=lambda faces: faces):
     return faces.apart(options.apart, middles)
 
 
-def seen(results, faces, colours, options, both_sides=False, of_cut=1.0):
-    """A panel of polygons in the colours of their blocks, in perspective: of the faces
-    of a cut, which have no shade, so much of the colour is left.
+class Eye:
+    """What a viewer in a direction sees of a packing, in perspective.
 
     Planes stay planes with nearness as a coordinate, so that what hides is exact."""
-    towards = options.viewer
-    right = np.array([-towards[1], towards[0], 0.0])
-    right = right / np.linalg.norm(right) if right.any() else np.eye(3)[0]
-    frame = np.column_stack((right, np.cross(towards, right), towards))
-    middle = (faces.points.min(0) + faces.points.max(0)) / 2
-    distance = DISTANCE * np.linalg.norm(faces.points - middle, axis=1).max()
-    normal = faces.normals()
-    to_viewer = middle + distance * towards - faces.points[faces.offsets[:-1]]
-    facing = (normal * to_viewer).sum(axis=1)
+
+    def __init__(self, packing, towards):
+        right = np.array([-towards[1], towards[0], 0.0])
+        right = right / np.linalg.norm(right) if right.any() else np.eye(3)[0]
+        self.frame = np.column_stack((right, np.cross(towards, right), towards))
+        self.middle = (packing.points.min(0) + packing.points.max(0)) / 2
+        self.distance = DISTANCE * np.linalg.norm(packing.points - self.middle,
+                                                  axis=1).max()
+        self.at = self.middle + self.distance * towards
+
+    def facing(self, faces):
+        """Positive of those of which the outer side is seen."""
+        to_viewer = self.at - faces.points[faces.offsets[:-1]]
+        return (faces.normals() * to_viewer).sum(axis=1)
+
+    def places(self, points):
+        points = (points - self.middle) @ self.frame
+        return points * (self.distance / (self.distance - points[:, 2:]))
+
+    def light(self, normals):
+        return SHADE + (1 - SHADE) * np.clip(normals @ self.frame @ LIGHT, 0, 1)
+
+    def fill(self, faces, colours):
+        """A colour for each face."""
+        return Layer(self.places(faces.points), faces.offsets,
+                     np.arange(len(faces.points)), colours)
+
+    def outline(self, faces, colour=DARK, width=1):
+        corners = np.arange(len(faces.points))
+        closed = np.insert(corners, faces.offsets[1:], faces.offsets[:-1])
+        offsets = faces.offsets + np.arange(len(faces.offsets))
+        return Layer(self.places(faces.points), offsets, closed, colour, width)
+
+
+def seen(results, faces, colours, options, both_sides=False, of_cut=1.0):
+    """A panel of polygons in the colours of their blocks: of the faces of a cut, which
+    have no shade, so much of the colour is left."""
+    eye = Eye(faces, options.viewer)
+    normal, facing = faces.normals(), eye.facing(faces)
     if both_sides:
         normal = normal * np.sign(facing)[:, None]
     else:
         faces, normal = faces.some(facing > 0), normal[facing > 0]
-    points = (faces.points - middle) @ frame
-    points = points * (distance / (distance - points[:, 2:]))
-    light = SHADE + (1 - SHADE) * np.clip(normal @ frame @ LIGHT, 0, 1)
+    light = eye.light(normal)
     light[faces.is_cut] = 1
     colours = colours[faces.block] * light[:, None]
     colours[faces.is_cut] = 1 - of_cut * (1 - colours[faces.is_cut])
-    corners = np.arange(len(points))
-    closed = np.insert(corners, faces.offsets[1:], faces.offsets[:-1])
-    return Panel(results.blocks(), Layer(points, faces.offsets, corners, colours),
-                 Layer(points, faces.offsets + np.arange(len(faces.offsets)), closed,
-                       DARK, 1))
+    return Panel(results.blocks(), eye.fill(faces, colours), eye.outline(faces))
 
 
 def named_groups(results):
@@ -242,13 +256,15 @@ class SpaceView(View):
     falls: bool = False
 
     def missing(self, results):
+        directory = results.directory
+        if results.has(self.file):
+            grid = results.grid(self.file)
+            if not grid.size:
+                return f"shows interfaces, and '{directory}' has none but rounding"
+            if self.field and self.field not in grid.of_cells:
+                return f"needs loads that are carried, and '{directory}' has none"
         if lack := super().missing(results):
             return lack
-        grid, directory = results.grid(self.file), results.directory
-        if not grid.size:
-            return f"shows interfaces, and '{directory}' has none but rounding"
-        if self.field and self.field not in grid.of_cells:
-            return f"needs loads that are carried, and '{directory}' has none"
         if self.falls and not ({"mechanism", "load_factor"} & results.summary.keys()
                                and "displacement" in grid.of_points):
             return f"shows a mechanism, and '{directory}' has none"
@@ -296,7 +312,7 @@ def utilisation_panel(results, limit, options):
                 options, both_sides=True)
 
 
-VIEWS_IN_SPACE = {
+BLOCK_VIEWS_IN_SPACE = {
     "blocks": View("blocks.vtu", group_panel, legend="groups"),
     "volume": View("blocks.vtu", volume_panel, volumes, scale=SEQUENTIAL),
     "joints": View("interfaces.vtu", joint_panel, areas, legend="joints",

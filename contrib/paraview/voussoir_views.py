@@ -11,19 +11,17 @@ import numpy as np
 from vtkmodules.vtkIOXML import (
     vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader)
 
-from macro import DIVERGING, Grid, chains, crosses, resultants, ribbons, thrust
+import macro
+from macro import (DIVERGING, SEQUENTIAL, Grid, Polyhedra, chains, crosses, resultants,
+                   ribbons, thrust)
 
-# From 0 to 1, for what is not negative: utilisation, displacement, von_mises.
-SEQUENTIAL = [(0, 0.80, 0.84, 0.88), (0.5, 0.96, 0.68, 0.25), (1, 0.55, 0.03, 0.18)]
 # From 0 to 1, for the sizes of stresses that all have one sign.
 ONE_SIGN = [(0, 0.98, 0.95, 0.80), (0.35, 0.91, 0.66, 0.30), (0.7, 0.64, 0.22, 0.30),
             (1, 0.20, 0.07, 0.28)]
 # Of |eccentricity| times 2: blue in the middle third of a joint, warm outside it.
 MIDDLE_THIRD = [(0, 0.72, 0.83, 0.93), (1 / 3, 0.30, 0.55, 0.80),
                 (1 / 3 + 1e-6, 0.99, 0.80, 0.40), (1, 0.66, 0.07, 0.12)]
-# Of groups of blocks, repeated if there are more.
-GROUPS = np.array([(0.85, 0.72, 0.55), (0.58, 0.71, 0.78), (0.72, 0.52, 0.47),
-                   (0.67, 0.76, 0.55), (0.76, 0.66, 0.80), (0.93, 0.86, 0.58)])
+GROUPS = np.array(macro.GROUPS)
 COMPRESSION, TENSION = DIVERGING[0][1:], DIVERGING[-1][1:]
 PALE, GREY, DARK = (0.96, 0.96, 0.96), (0.55, 0.55, 0.55), (0.15, 0.15, 0.15)
 RED = (0.75, 0.16, 0.08)
@@ -81,6 +79,10 @@ class Results:
 
     def blocks(self):
         return self.grid("blocks.vtu")
+
+    @lru_cache(maxsize=None)
+    def polyhedra(self):
+        return Polyhedra(self.read("blocks.vtu"))
 
     def stress(self):
         """The sub-cells, or the blocks of a run without them (Accuracy = draft)."""

@@ -22,7 +22,8 @@ import render  # noqa: E402
 from macro import chains  # noqa: E402
 from space_views import (  # noqa: E402
     LIGHT, SHADE, SUPPORT, cut, faces_of, following, half_space, sizes_of_motion)
-from voussoir_views import MIDDLE_THIRD, ONE_SIGN, Results, interpolate  # noqa: E402
+from voussoir_views import (  # noqa: E402
+    COMPRESSION, MIDDLE_THIRD, ONE_SIGN, Results, interpolate)
 
 WIDTH = 240
 BLUE, RED = (23, 71, 153), (168, 18, 31)  # the ends of the colours
@@ -326,7 +327,7 @@ def views_in_space(directory):
     summary = Results(directory).summary
     views = set(IN_SPACE)
     if "certificate" in summary:
-        views |= {"principal_stress_min", "utilisation"}
+        views |= {"principal_stress_min", "utilisation", "principal", "trajectories"}
     if not summary.get("load_factor", {}).get("unbounded", True):
         views.add("mechanism")
     return views
@@ -341,8 +342,9 @@ def check_space():
         views = views_in_space(directory)
         of_answers |= views
         expect_views(directory, views)
-    expect("answers in space are shown", len(of_answers - IN_SPACE) == 3)
+    expect("answers in space are shown", len(of_answers - IN_SPACE) == 5)
     expect_fall()
+    expect_bars()
     cube = run("space/grains", "cube", "Packing/Voronoi/Number of points=1")
     alone = run("space/grains", "alone", "Packing/Voronoi/Number of points=1",
                 "Supports/Where=0")
@@ -382,6 +384,39 @@ def expect_fall():
         panel, = render.Picture(name, [Results(dome)], options).panels()
         return np.ptp(panel.bounds(), axis=0)
     expect("it spreads", (extent("mechanism") > 1.001 * extent("blocks")).all())
+
+
+def expect_bars():
+    """A column of ten blocks under its weight, from the front: in the middle of each an
+    arm as long as its depth says, and a trajectory from top to bottom."""
+    column = run("space/wall", "column", "Analysis=state", "Packing/wall/Bond=stack",
+                 "Packing/wall/Length=0.4", "Packing/wall/Thickness=0.4",
+                 "Packing/wall/Height=2", "Packing/wall/Openings=",
+                 "Packing/wall/Brick length=0.4", "Packing/wall/Brick width=0.4",
+                 "Packing/wall/Brick height=0.2", "Loads/Body force=0; 0; -20")
+    front, size = ("--from=0,-1,0", "--limit=80"), np.cbrt(0.4 * 0.4 * 0.2)
+    lit = np.round(np.array(COMPRESSION) * 255 * (SHADE + (1 - SHADE) * LIGHT[2]))
+
+    def blue(*words):
+        image, places = above_legend("principal", column, *front, *words)
+        return places[has_colour(image, lit)].T
+    x, y = blue()
+    expect("arms are in the middle, and as wide as said",
+           abs(np.ptp(x) - 0.09 * size) < 0.01 and abs(x.mean()) < 0.002)
+    for k in range(10):
+        depth = 1.9 - 0.2 * k
+        found = y[np.abs(y + depth - 1) < 0.1]
+        expected = size * 20 * depth / 80
+        expect(f"the arm of block {k}, {np.ptp(found)}, not {expected}",
+               abs(np.ptp(found) - expected) < 0.01)
+    _, apart = blue("--apart=1")
+    expect("arms move apart with their blocks", 1.8 < np.ptp(apart) / np.ptp(y) < 2.2)
+    _, cut = blue("--cut=z > 1")
+    expect(f"arms are cut with their blocks, {np.ptp(cut)}", 0.8 < np.ptp(cut) < 1)
+    image, places = above_legend("trajectories", column, *front)
+    x, y = places[image[:, :, 2] - image[:, :, 0] > 30].T
+    expect("a straight line from the ground to the top", np.abs(x).max() < 0.02 and
+           abs(np.ptp(y) - 2) < 0.03)
 
 
 def expect_half_of_the_dome():
@@ -431,13 +466,18 @@ def check_refusals():
             ([["sigma_xx", to, arch, "--limit", "0"]], "The limit must be positive."),
             ([["sigma_xx", to, dome]],
              "There is no view 'sigma_xx' of packings in space; choose one of "
-             "blocks, volume, joints, principal_stress_min, utilisation, mechanism, or "
-             "all."),
+             "blocks, volume, joints, principal_stress_min, utilisation, mechanism, "
+             "principal, trajectories, or all."),
             ([["mechanism", to, "pictures/cube"]],
              "The view 'mechanism' shows a mechanism, and 'pictures/cube' has none."),
             ([["utilisation", to, "pictures/fallen"]],
              "The view 'utilisation' needs loads that are carried, and "
              "'pictures/fallen' has none."),
+            ([["trajectories", to, "pictures/fallen"]],
+             "The view 'trajectories' needs loads that are carried, and "
+             "'pictures/fallen' has none."),
+            ([["trajectories", to, dome, "--spacing=-1"]],
+             "The factor of --spacing must not be negative."),
             ([["blocks", to, dome, arch]],
              "Packings in the plane and in space have no view in common."),
             ([["blocks", to, dome, "--cut=z < 2"]],
@@ -519,6 +559,43 @@ def check_macro():
     expect("the window is not blank", pixels("pictures/macro.png").std() > 5)
 
 
+def check_macro_in_space():
+    """What the button makes of a run in space: how many cells, and what is shown."""
+    from paraview.simple import (GetActiveViewOrCreate, GetRepresentation, GetSources,
+                                 Hide, OpenDataFile, SaveScreenshot, SetActiveSource)
+    with open(f"{SOURCE}/contrib/paraview/macro.py") as file:
+        macro = compile(file.read(), "macro", "exec")
+    view = GetActiveViewOrCreate("RenderView")
+    stress = {"Blocks": (10, 1), "Outlines": (10, 1), "Crosses": (60, 1),
+              "Interfaces": (10, 0)}
+    fallen = {"Blocks": (121, 0), "At rest": (121, 1), "Mechanism": (121, 1)}
+    factor = {**fallen, "Crosses": (6 * 363, 0), "Interfaces": (384, 0)}
+    groups = {"Blocks": (16, 1), "Outlines": (16, 1)}
+    for directory, file, expected in (
+            ("column", "results.pvd", stress), ("column", "interfaces.vtu", stress),
+            ("fallen", "blocks.vtu", fallen), ("space_dome", "results.pvd", factor),
+            ("space_models_bridge", "results.pvd", groups)):
+        for source in GetSources().values():
+            Hide(source, view)
+        selected = OpenDataFile(f"pictures/{directory}/{file}")
+        before = {*GetSources(), ("selected", selected)}
+        SetActiveSource(selected)
+        exec(macro, {"__name__": "__vtkconsole__",
+                     "__file__": f"{SOURCE}/contrib/paraview/macro.py"})
+        made = {name[0]: source for name, source in GetSources().items()
+                if name not in before}
+        found = {name: (source.GetDataInformation().GetNumberOfCells(),
+                        GetRepresentation(source, view).Visibility)
+                 for name, source in made.items()}
+        expect(f"{file} of {directory}, {found}", found == expected)
+        expect("it turns in space", view.InteractionMode == "3D")
+        expect("crosses have values and blocks", "Crosses" not in made or
+               {"value", "cell"} <= {*made["Crosses"].CellData.keys()})
+        SaveScreenshot("pictures/macro_in_space.png", view)
+        image = pixels("pictures/macro_in_space.png")
+        expect(f"the window with {directory} is not blank", image.std() > 5)
+
+
 def check_documentation():
     """Pages and pictures know of each other, and contrib/pictures of the latter."""
     images, used = f"{SOURCE}/doc/images", set()
@@ -551,6 +628,6 @@ shutil.rmtree("pictures", ignore_errors=True)
 os.makedirs("pictures")
 for check in (check_scenes, check_colours, check_thrust, check_forces, check_hinges,
               check_extremes, check_space, check_refusals, check_macro,
-              check_documentation):
+              check_macro_in_space, check_documentation):
     check()
 print("The pictures are as they should be")
