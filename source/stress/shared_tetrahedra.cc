@@ -96,6 +96,8 @@ tetrahedral_stress(const SpaceScene &scene,
                    const std::vector<dealii::Tensor<2, 3>> &means,
                    const ProcessGroup &processes)
 {
+  if (processes.size() == 1)
+    return tetrahedral_stress(scene, forces, means);
   processes.call(tetrahedra_task);
   return processes.together([&]() {
     const auto cells = stressed_cells(scene, means);
@@ -119,6 +121,10 @@ tetrahedral_stress(const SpaceScene &scene,
     const auto numbers = processes.gather(numbers_of_tetrahedra(own));
     const auto undetermined = processes.gather(own.undetermined);
     TetrahedralStress all;
+    std::size_t n = 0;
+    for (const auto &list : lists)
+      n += list.size();
+    all.list.reserve(n);
     for (unsigned int r = 0; r < processes.size(); ++r)
     {
       all.list.insert(all.list.end(), lists[r].begin(), lists[r].end());

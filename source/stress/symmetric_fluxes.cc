@@ -21,7 +21,7 @@ constexpr double no_volume = 1e-15;
  * the size of the cell lacks, in a step; and the change of fluxes, over that of
  * the step before, from which on it is rounding.
  */
-constexpr double weight_of_stress = 1e-3, no_progress = 0.5;
+constexpr double weight_of_stress = 1e-3, no_progress = 0.1;
 constexpr unsigned int n_most_steps = 20;
 /**
  * What lets the systems of the multipliers be solved, over their diagonal,

@@ -5,6 +5,7 @@
 #include <deal.II/base/parallel.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace Voussoir
 {
@@ -48,12 +49,15 @@ public:
         mean(0.5 * (cell.mean + transpose(cell.mean)))
   {}
 
-  /** @return false if the tetrahedra have the mean stress. */
-  bool find(std::vector<Tetrahedron> &tetrahedra);
+  SurfaceTriangles surface() const { return surface_triangles(faces, size); }
+  /**
+   * @param tetrahedra one for each triangle of the surface.
+   * @return false if they have the mean stress.
+   */
+  bool find(Tetrahedron *tetrahedra) const;
 
 private:
-  void set_mean(const SurfaceTriangles &surface,
-                std::vector<Tetrahedron> &tetrahedra) const;
+  void set_mean(const SurfaceTriangles &surface, Tetrahedron *tetrahedra) const;
   std::vector<Tensor<1, 3>> deviations(const SurfaceTriangles &surface) const;
 
   const std::vector<LoadedFace> &faces;
@@ -63,16 +67,15 @@ private:
 };
 
 void CellOfTetrahedra::set_mean(const SurfaceTriangles &surface,
-                                std::vector<Tetrahedron> &tetrahedra) const
+                                Tetrahedron *next) const
 {
-  tetrahedra.clear();
   const auto &p = surface.points;
   for (const SurfaceTriangles::Triangle &triangle : surface.triangles)
-    tetrahedra.push_back({{{centroid, p[triangle.corners[0]],
-                            p[triangle.corners[1]], p[triangle.corners[2]]}},
-                          triangle.face,
-                          mean,
-                          {}});
+    *next++ = {{{centroid, p[triangle.corners[0]], p[triangle.corners[1]],
+                 p[triangle.corners[2]]}},
+               triangle.face,
+               mean,
+               {}};
 }
 
 /**
@@ -126,21 +129,21 @@ scaled(SurfaceTriangles surface, const Point<3> &centroid, const double size)
   return surface;
 }
 
-bool CellOfTetrahedra::find(std::vector<Tetrahedron> &tetrahedra)
+bool CellOfTetrahedra::find(Tetrahedron *tetrahedra) const
 {
   Tensor<1, 3> divergence;
   for (const LoadedFace &face : faces)
     divergence += face.force / (size * size);
-  const SurfaceTriangles surface = surface_triangles(faces, size);
-  set_mean(surface, tetrahedra);
-  if (!surface.is_closed)
+  const SurfaceTriangles triangles = surface();
+  set_mean(triangles, tetrahedra);
+  if (!triangles.is_closed)
     return false;
-  const SurfaceTriangles of_unit_size = scaled(surface, centroid, size);
-  const std::vector<Tensor<1, 3>> forces = deviations(surface);
+  const SurfaceTriangles of_unit_size = scaled(triangles, centroid, size);
+  const std::vector<Tensor<1, 3>> forces = deviations(triangles);
   SymmetricFluxes fluxes(of_unit_size, forces, divergence);
   if (!fluxes.find())
     return false;
-  for (unsigned int t = 0; t < tetrahedra.size(); ++t)
+  for (unsigned int t = 0; t < forces.size(); ++t)
   {
     tetrahedra[t].stress += fluxes.stress(t);
     tetrahedra[t].divergence = fluxes.divergence(t) / size;
@@ -164,25 +167,32 @@ tetrahedral_stress(const std::vector<StressedCell> &cells,
                    const std::vector<std::vector<LoadedFace>> &faces)
 {
   const unsigned int n = cells.size();
-  std::vector<std::vector<Tetrahedron>> of_cells(n);
-  std::vector<char> is_found(n, false);
-  dealii::parallel::apply_to_subranges(
-      0U, n,
-      [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int c = begin; c < end; ++c)
-          is_found[c] = CellOfTetrahedra(faces[c], cells[c]).find(of_cells[c]);
-      },
-      cells_of_task);
   TetrahedralStress stress;
+  stress.first.resize(n + 1, 0);
+  std::vector<char> is_found(n, false);
+  const auto for_each_cell = [&](const auto &action) {
+    dealii::parallel::apply_to_subranges(
+        0U, n,
+        [&](const unsigned int begin, const unsigned int end) {
+          for (unsigned int c = begin; c < end; ++c)
+            action(c, CellOfTetrahedra(faces[c], cells[c]));
+        },
+        cells_of_task);
+  };
+  // They are counted first, since copies of lists would take as much memory
+  // again as all the rest.
+  for_each_cell([&](const unsigned int c, const CellOfTetrahedra &cell) {
+    stress.first[c + 1] = cell.surface().triangles.size();
+  });
+  std::partial_sum(stress.first.begin(), stress.first.end(),
+                   stress.first.begin());
+  stress.list.resize(stress.first.back());
+  for_each_cell([&](const unsigned int c, const CellOfTetrahedra &cell) {
+    is_found[c] = cell.find(stress.list.data() + stress.first[c]);
+  });
   for (unsigned int c = 0; c < n; ++c)
-  {
     if (!is_found[c])
       stress.undetermined.push_back(c);
-    stress.list.insert(stress.list.end(), of_cells[c].begin(),
-                       of_cells[c].end());
-    stress.first.push_back(stress.list.size());
-    of_cells[c] = {};
-  }
   return stress;
 }
 } // namespace Voussoir
