@@ -344,6 +344,7 @@ def check_space():
         expect_views(directory, views)
     expect("answers in space are shown", len(of_answers - IN_SPACE) == 5)
     expect_fall()
+    expect_tetrahedra()
     expect_bars()
     cube = run("space/grains", "cube", "Packing/Voronoi/Number of points=1")
     alone = run("space/grains", "alone", "Packing/Voronoi/Number of points=1",
@@ -368,6 +369,27 @@ def check_space():
     image, _ = above_legend("blocks", "pictures/space_models_snake", "--from=0,-1,0")
     drawn = 1 - share(image, (255, 255, 255))
     expect(f"what is not convex is not filled, {drawn}", 0.2 < drawn < 0.3)
+
+
+def expect_tetrahedra():
+    """Those of the paper's stress fill the box; its skew part has no mean in a block."""
+    directory = run("space/grains", "tetrahedra", "Accuracy=standard",
+                    "Packing/Voronoi/Number of points=30")
+    grid = Results(directory).read("stress.vtu")
+    fields = {name: vtk_to_numpy(grid.GetCellData().GetArray(name))
+              for name in ("stress", "skew", "principal_stress_1", "cell")}
+    corners = vtk_to_numpy(grid.GetPoints().GetData()).reshape(-1, 4, 3)
+    volume = np.linalg.det(corners[:, :3] - corners[:, 3:]) / 6
+    expect("tetrahedra fill the box", (volume > 0).all() and abs(volume.sum() - 1) < 1e-12)
+    sigma = fields["stress"].reshape(-1, 3, 3)
+    half = (sigma - sigma.transpose(0, 2, 1)) / 2
+    expect("skew parts", np.allclose(fields["skew"] ** 2, (half ** 2).sum((1, 2)) / 2) and
+           fields["skew"].max() > 0)
+    expect("the largest principal stress", np.allclose(
+        fields["principal_stress_1"], np.linalg.eigvalsh(sigma - half)[:, 2]))
+    for axis in ((0, 1), (1, 2), (2, 0)):
+        of_blocks = np.bincount(fields["cell"], volume * half[:, axis[0], axis[1]])
+        expect("means are symmetric", np.abs(of_blocks).max() < 1e-12)
 
 
 def expect_fall():

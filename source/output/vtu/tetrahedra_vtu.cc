@@ -3,6 +3,7 @@
 #include <voussoir/output/vtu/vtu_file.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace Voussoir
@@ -65,6 +66,11 @@ void write_tetrahedra_vtu(std::ostream &out, const SpaceResults &results)
   add("principal_stress_3", 1, [&stress](const std::size_t t) {
     return std::array<double, 1>{
         {principal_stresses(stress.list[t].stress).least}};
+  });
+  add("skew", 1, [&stress](const std::size_t t) {
+    const dealii::Tensor<2, 3> &sigma = stress.list[t].stress;
+    return std::array<double, 1>{
+        {0.5 / std::sqrt(2.) * (sigma - transpose(sigma)).norm()}};
   });
   add("div", 3, [&stress](const std::size_t t) {
     const dealii::Tensor<1, 3> &div = stress.list[t].divergence;
