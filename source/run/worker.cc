@@ -25,6 +25,13 @@ void run_worker(const ProcessGroup &processes)
       {writing_task, [&] { write_stress_piece(*stress, processes); }}};
   for (std::string task = processes.wait(); !task.empty();
        task = processes.wait())
-    tasks.at(task)();
+    try
+    {
+      tasks.at(task)();
+    }
+    catch (const SolverError &)
+    {
+      // All processes have it; the root reports it.
+    }
 }
 } // namespace Voussoir

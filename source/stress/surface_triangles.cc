@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/packing/polyhedra/space_polygons.h>
 #include <voussoir/stress/surface_triangles.h>
 
 #include <algorithm>
@@ -28,17 +29,17 @@ public:
   SurfaceTriangles find();
 
 private:
-  /** A polygon by its points, and the face that it is of. */
+  /** A polygon by its points, the face that it is of, and its centroid. */
   struct Loop
   {
     unsigned int face;
     std::vector<unsigned int> points;
+    Point<3> centroid;
   };
 
   unsigned int point_at(const Point<3> &x);
   void insert_points(Loop &loop) const;
   bool cut(const Loop &loop);
-  Point<3> centroid(const Loop &loop) const;
   double twice_area(const Tensor<1, 3> &normal,
                     unsigned int a,
                     unsigned int b,
@@ -95,29 +96,12 @@ double SurfaceCut::twice_area(const Tensor<1, 3> &normal,
          normal;
 }
 
-/** The centroid of a polygon, of which the area is not zero. */
-Point<3> SurfaceCut::centroid(const Loop &loop) const
-{
-  const Point<3> &start = found.points[loop.points[0]];
-  double area = 0.;
-  Tensor<1, 3> sum;
-  for (unsigned int k = 1; k + 1 < loop.points.size(); ++k)
-  {
-    const unsigned int b = loop.points[k], c = loop.points[k + 1];
-    const double part =
-        twice_area(faces[loop.face].normal, loop.points[0], b, c);
-    area += part;
-    sum += part / 3. * ((found.points[b] - start) + (found.points[c] - start));
-  }
-  return start + sum / area;
-}
-
 /** Cut into triangles between the centroid and the sides.
  *  @return false if one of them has no area. */
 bool SurfaceCut::cut(const Loop &loop)
 {
   const unsigned int centre = found.points.size();
-  found.points.push_back(centroid(loop));
+  found.points.push_back(loop.centroid);
   const unsigned int n = loop.points.size();
   for (unsigned int k = 0; k < n; ++k)
   {
@@ -135,7 +119,8 @@ SurfaceTriangles SurfaceCut::find()
   for (unsigned int f = 0; f < faces.size(); ++f)
     for (const auto &polygon : faces[f].polygons)
     {
-      Loop loop = {f, {}};
+      const PolygonMoments moments = moments_of(polygon);
+      Loop loop = {f, {}, moments.centroid};
       for (const Point<3> &x : polygon)
         if (const unsigned int p = point_at(x);
             loop.points.empty() ||
@@ -143,12 +128,8 @@ SurfaceTriangles SurfaceCut::find()
           loop.points.push_back(p);
       if (loop.points.size() < 3)
         return found;
-      double area = 0.;
-      for (unsigned int k = 1; k + 1 < loop.points.size(); ++k)
-        area += twice_area(faces[f].normal, loop.points[0], loop.points[k],
-                           loop.points[k + 1]);
       // Polygons of interfaces run around n_e.
-      if (area < 0.)
+      if (moments.vector_area * faces[f].normal < 0.)
         std::reverse(loop.points.begin(), loop.points.end());
       loops.push_back(std::move(loop));
     }

@@ -3,15 +3,10 @@
 // Several processes find what one finds alone: the forces of least energy, by
 // either linear solver, the proof of collapse, and the stress in every cell.
 
-#include <voussoir/parallel/begin_mpi.h>
-#include <voussoir/run/worker.h>
 #include <voussoir/stress/stress_part.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/multithread_info.h>
-
+#include "processes.h"
 #include "tests.h"
-#include <fstream>
 
 using namespace Voussoir;
 
@@ -121,20 +116,8 @@ void compare_stress(const std::string &name,
   check_error(name + ": distance from one process alone", error, 1e-12);
 }
 
-int main()
+void run_all(const ProcessGroup &processes)
 {
-  begin_mpi();
-  dealii::MultithreadInfo::set_thread_limit(1);
-  const ProcessGroup processes(MPI_COMM_WORLD);
-  if (!processes.is_root())
-  {
-    run_worker(processes);
-    return 0;
-  }
-
-  // Into a file: the launcher may have something to say on the terminal.
-  std::ofstream file("output");
-  std::streambuf *const terminal = std::cout.rdbuf(file.rdbuf());
   const auto cells = [](const double d,
                         const Kinematics &kinematics = translations()) {
     return scene_under_stress(random_packing(2400, 1), 0.3,
@@ -161,6 +144,9 @@ int main()
   compare_stress("standard", small, {false, 0, 0}, processes);
   compare_stress("fine", small, {true, 0, 0}, processes);
   compare_stress("under weight", heavy_wall(0.8), {false, 0, 0}, processes);
-  std::cout.rdbuf(terminal);
-  processes.call("");
+}
+
+int main()
+{
+  run_on_processes(run_all);
 }

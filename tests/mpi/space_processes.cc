@@ -3,15 +3,11 @@
 // Several processes find what one finds alone of blocks in space: the forces of
 // least energy, by either linear solver, and the stress in every tetrahedron.
 
-#include <voussoir/parallel/begin_mpi.h>
-#include <voussoir/run/worker.h>
 #include <voussoir/stress/linear_stress.h>
 #include <voussoir/stress/shared_tetrahedra.h>
 
-#include <deal.II/base/multithread_info.h>
-
 #include "../statics/space_scenes.h"
-#include <fstream>
+#include "processes.h"
 
 using namespace Voussoir;
 using dealii::Point;
@@ -111,18 +107,5 @@ void run_all(const ProcessGroup &processes)
 
 int main()
 {
-  begin_mpi();
-  dealii::MultithreadInfo::set_thread_limit(1);
-  const ProcessGroup processes(MPI_COMM_WORLD);
-  if (!processes.is_root())
-  {
-    run_worker(processes);
-    return 0;
-  }
-  // Into a file: the launcher may have something to say on the terminal.
-  std::ofstream file("output");
-  std::streambuf *const terminal = std::cout.rdbuf(file.rdbuf());
-  run_all(processes);
-  std::cout.rdbuf(terminal);
-  processes.call("");
+  run_on_processes(run_all);
 }

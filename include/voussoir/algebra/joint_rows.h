@@ -26,6 +26,29 @@ struct Joint
   double coefficient = 0.;
   /** k_e = |e| / d_e, of a joint with modulus one. */
   double stiffness() const { return length / distance; }
+  /**
+   * The part of that along the joint in space that each of its two kinds of
+   * sets has: all of it, or half where cones of friction and discs share it.
+   */
+  double tangential_part() const
+  {
+    return coefficient > 0. && strength > 0. ? 0.5 : 1.;
+  }
+};
+
+/** A set of rows of a joint in space. */
+struct FaceSet
+{
+  /** 1: a pressure. 3: a pressure with its friction. 2: a disc of friction. */
+  unsigned int size;
+  /** @{ */
+  /** Its first row and coefficient, counted from the first of the joint. */
+  unsigned int row, coefficient;
+  /** @} */
+  /** The part of the stiffness of the joint, or of its limits, that it has. */
+  double share;
+  /** Of a disc. */
+  double strength;
 };
 
 /**

@@ -39,6 +39,8 @@ class Structure
 public:
   /** An interface e; nondimensional. */
   using Joint = Voussoir::Joint;
+  /** A set of rows of a joint in space. */
+  using FaceSet = Voussoir::FaceSet;
 
   /** The part that one process gets of a structure that several share. */
   struct Part
@@ -199,35 +201,9 @@ public:
   std::vector<unsigned int> sets(unsigned int e) const;
   /** All rows of joint @p e. */
   std::vector<ContactRow> rows(unsigned int e) const;
-  /** A set of rows of a joint in space. */
-  struct FaceSet
-  {
-    /** 1: a pressure. 3: a pressure with its friction. 2: a disc of friction.
-     */
-    unsigned int size;
-    /** @{ */
-    /** Its first row and coefficient, counted from the first of the joint. */
-    unsigned int row, coefficient;
-    /** @} */
-    /** The part of the stiffness of the joint, or of its limits, that it has.
-     */
-    double share;
-    /** Of a disc. */
-    double strength;
-  };
   /** Call @p f for each FaceSet of joint @p e. */
   template <typename F>
   void for_each_face_set(unsigned int e, const F &f) const;
-  /**
-   * The part of the stiffness along joint @p e in space that each of its two
-   * kinds of sets has: all of it, or half where cones of friction and discs
-   * share it.
-   */
-  double tangential_part(const unsigned int e) const
-  {
-    const Joint &joint = joints()[e];
-    return joint.coefficient > 0. && joint.strength > 0. ? 0.5 : 1.;
-  }
   /** True if some set has more rows than one. */
   bool has_blocks() const { return !own.joints.set_sizes.empty(); }
   /**

@@ -51,14 +51,14 @@ void keep_opening(const DiscreteProblem &problem,
                         " of the largest displacement");
 }
 
-/** The pressures @p p of the rows, if they balance. */
+/** The pressures that were found, if they balance. */
 void keep_self_stress(const DiscreteProblem &problem,
                       const SpaceScene &scene,
-                      const std::vector<double> &p,
+                      const Opening &found,
                       Clamping &clamping)
 {
   Solution solution;
-  for (const double pressure : p)
+  for (const double pressure : found.self_stress)
     solution.forces.push_back(-pressure);
   FaceForces forces = dimensional_forces(problem, scene, solution);
   std::vector<double> of_interface;
@@ -75,10 +75,10 @@ void keep_self_stress(const DiscreteProblem &problem,
   clamping.n_pressed = std::count_if(
       of_interface.begin(), of_interface.end(),
       [&](const double force) { return force > least_pressure * largest; });
-  clamping.words =
-      text(clamping.words, " They press ", clamping.n_pressed, " of ",
-           counted(of_interface.size(), "interface"), " and balance to ",
-           certificate.error(), " of the largest.");
+  clamping.words = text(
+      reason_of_no_opening(found, problem.has_ground()), " They press ",
+      clamping.n_pressed, " of ", counted(of_interface.size(), "interface"),
+      " and balance to ", certificate.error(), " of the largest.");
 }
 
 Clamping clamping_of(const SpaceScene &scene, Terminal &terminal)
@@ -86,11 +86,12 @@ Clamping clamping_of(const SpaceScene &scene, Terminal &terminal)
   const DiscreteProblem problem = discretise(scene);
   const Opening found = find_opening_in_space(problem, terminal);
   Clamping clamping;
-  clamping.words = reason_of_no_opening(found, problem.has_ground());
+  // Unless a proof holds.
+  clamping.words = reason_of_no_opening({}, problem.has_ground());
   if (!found.displacement.empty())
     keep_opening(problem, scene, found.displacement, clamping);
   else if (!found.self_stress.empty())
-    keep_self_stress(problem, scene, found.self_stress, clamping);
+    keep_self_stress(problem, scene, found, clamping);
   return clamping;
 }
 } // namespace

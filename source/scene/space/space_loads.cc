@@ -2,13 +2,10 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
-#include <voussoir/formula/integrals/inaccuracies.h>
-#include <voussoir/formula/integrals/simplex_integral.h>
 #include <voussoir/formula/place_variables.h>
-#include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/group_names.h>
-#include <voussoir/packing/polyhedra/face_triangles.h>
 #include <voussoir/scene/loads/loaded_cells.h>
+#include <voussoir/scene/space/integrated_forces.h>
 #include <voussoir/scene/space/space_loads.h>
 
 #include <deal.II/base/patterns.h>
@@ -70,129 +67,6 @@ VectorExpression vector_in_space(const std::string &formulas,
              "; in space three are expected, with semicolons between, and a "
              "bar | before the next name if there is one."));
   return expression;
-}
-
-/** A vector f and f (x) (x - x_c), of the centre of a cell: twelve values. */
-class ForceDensity
-{
-public:
-  ForceDensity(const VectorExpression &f,
-               const Point<3> &about,
-               std::vector<double> more_variables,
-               std::string where)
-      : f(f), about(about), more(std::move(more_variables)),
-        where(std::move(where))
-  {}
-  void operator()(const Point<3> &x, IntegratedValues &values) const
-  {
-    std::vector<double> variables(x.begin_raw(), x.end_raw());
-    variables.insert(variables.end(), more.begin(), more.end());
-    Tensor<1, 3> force;
-    for (unsigned int i = 0; i < 3; ++i)
-      force[i] = f.component(i, variables, x, where);
-    values.assign(force.begin_raw(), force.end_raw());
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        values.push_back(force[i] * (x[j] - about[j]));
-  }
-
-private:
-  const VectorExpression &f;
-  const Point<3> about;
-  const std::vector<double> more;
-  const std::string where;
-};
-
-/** An integral of ForceDensity. */
-struct IntegratedForce
-{
-  explicit IntegratedForce(const SimplexIntegral &integral)
-  {
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      force[i] = integral.values[i];
-      for (unsigned int j = 0; j < 3; ++j)
-        first_moment[i][j] = integral.values[3 + 3 * i + j];
-    }
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
-      torque[i] = first_moment[k][j] - first_moment[j][k];
-    }
-  }
-  Tensor<1, 3> force, torque;
-  Tensor<2, 3> first_moment;
-};
-
-void add_integral(const SimplexIntegral &integral,
-                  const unsigned int cell,
-                  SpaceLoads &loads)
-{
-  const IntegratedForce of(integral);
-  loads.force[cell] += of.force;
-  loads.torque[cell] += of.torque;
-  loads.first_moment[cell] += of.first_moment;
-  loads.size[cell] += integral.size;
-}
-
-void append(std::vector<std::string> &warnings,
-            const Inaccuracies &inaccuracies)
-{
-  for (std::string &warning : inaccuracies.warnings())
-    warnings.push_back(std::move(warning));
-}
-
-/** The body force @p b on some cells. */
-void add_body_force(const Packing<3> &packing,
-                    const std::vector<unsigned int> &cells,
-                    const VectorExpression &b,
-                    const std::string &parameter,
-                    SpaceLoads &loads,
-                    std::vector<std::string> &warnings)
-{
-  if (b.is_zero())
-    return;
-  Inaccuracies inaccuracies(parameter, largest_error_in_space);
-  const CellFaces &mesh = packing.polyhedra();
-  for (const unsigned int c : cells)
-  {
-    const Point<3> &centre = packing.centre(c);
-    const Point<3> &centroid = packing.moments(c).centroid;
-    const std::string where =
-        text(", in cell ", c, "; a force must be finite.");
-    const ForceDensity density(b, centre, {}, where);
-    if (b.is_constant())
-    {
-      IntegratedValues values;
-      density(centroid, values);
-      loads.add(c,
-                packing.volume(c) *
-                    Tensor<1, 3>({values[0], values[1], values[2]}),
-                centroid - centre);
-      continue;
-    }
-    // Tetrahedra from the centroid, which count as holes where they are.
-    SimplexIntegral sum;
-    for (unsigned int f = mesh.first_face[c]; f < mesh.first_face[c + 1]; ++f)
-      for (const auto &triangle : triangles_of(mesh, f))
-      {
-        std::vector<Point<3>> corners = {centroid};
-        for (const unsigned int k : triangle)
-          corners.push_back(mesh.vertex(f, k));
-        SimplexIntegral part = integral_over_simplex(corners, density);
-        const double volume =
-            cross_product_3d(corners[2] - corners[1], corners[3] - corners[1]) *
-            (corners[1] - centroid);
-        if (volume < 0.)
-          for (double &value : part.values)
-            value = -value;
-        sum.add(part);
-      }
-    inaccuracies.look_at(sum.error, sum.size, 0.,
-                         [&] { return text("in cell ", c); });
-    add_integral(sum, c, loads);
-  }
-  append(warnings, inaccuracies);
 }
 
 /** The largest distance at which @p x is outside of a face, over the size. */
@@ -332,7 +206,7 @@ void SpaceLoadParameters::add_tractions(
                      "supported, so that the load acts nowhere. It is asked at "
                      "the centroid x, y, z of what is free of each face; where "
                      "rounding matters write z > 2.999 rather than z == 3.");
-  append(warnings, inaccuracies);
+  add_warnings(warnings, inaccuracies);
 }
 
 void SpaceLoadParameters::add_body_forces(

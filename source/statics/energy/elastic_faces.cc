@@ -16,8 +16,6 @@ constexpr double near_minimum = 1e-4;
 /** The steps behind the tolerance, and the imbalance that is rounding. */
 constexpr unsigned int n_steps_to_rounding = 3;
 constexpr double rounding_of_steps = 1e-14;
-/** The cells per process below which communication outweighs computation. */
-constexpr unsigned int least_cells_with_faces = 500;
 
 /** Near its end each step doubles the digits; the imbalance that is left. */
 double go_to_rounding(Newton &newton,
@@ -113,22 +111,13 @@ FaceMinimum minimise_faces(const DiscreteProblem &whole,
                            const ProcessGroup &processes,
                            Terminal &terminal)
 {
-  const bool is_shared =
-      whole.n_cells() >= least_cells_with_faces * processes.size();
-  const ProcessGroup those = is_shared ? processes : ProcessGroup();
-  those.call(faces_task);
-  return minimise_by_all(&whole, order, start, those, terminal);
+  const ProcessGroup helpers = SharedProblem::helpers(whole, processes);
+  helpers.call(faces_task);
+  return minimise_by_all(&whole, order, start, helpers, terminal);
 }
 
 void work_on_faces(const ProcessGroup &processes, Terminal &terminal)
 {
-  try
-  {
-    minimise_by_all(nullptr, {}, {}, processes, terminal);
-  }
-  catch (const SolverError &)
-  {
-    // All processes have it; the root reports it.
-  }
+  minimise_by_all(nullptr, {}, {}, processes, terminal);
 }
 } // namespace Voussoir

@@ -212,12 +212,12 @@ std::vector<JointCost> elastic_costs(const DiscreteProblem &problem)
   costs.reserve(problem.joints().size());
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const double compliance = 1. / problem.joints()[e].stiffness();
-    costs.push_back({compliance,
-                     problem.is_plane()
-                         ? compliance
-                         : compliance / problem.tangential_part(e),
-                     0.});
+    const Joint &joint = problem.joints()[e];
+    const double compliance = 1. / joint.stiffness();
+    costs.push_back(
+        {compliance,
+         problem.is_plane() ? compliance : compliance / joint.tangential_part(),
+         0.});
   }
   return costs;
 }

@@ -136,7 +136,7 @@ template <typename F>
 void FaceJoint::for_each_law(const unsigned int e, const F &f) const
 {
   const Structure::Joint &joint = structure.joints()[e];
-  const double part = structure.tangential_part(e);
+  const double part = joint.tangential_part();
   structure.for_each_face_set(e, [&](const Structure::FaceSet &set) {
     const double stiffness = joint.stiffness() * set.share;
     const double of_set = tension[e] * set.share;
@@ -169,7 +169,7 @@ bool FaceJoint::find_second_derivatives(const unsigned int e,
   // At one point, or at two in the same place: k_e in all directions, or less.
   const double k = joint.stiffness();
   const unsigned int n = structure.n_rows(e);
-  if (structure.kinematics().turns() || structure.tangential_part(e) != 1.)
+  if (structure.kinematics().turns() || joint.tangential_part() != 1.)
     return false;
   if (joint.coefficient > 0.)
     return n == 3 && second[0] == k && second[4] == k && second[8] == k;

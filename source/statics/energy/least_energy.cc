@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/statics/energy/elastic_problem.h>
 #include <voussoir/statics/energy/energy_program.h>
@@ -16,9 +15,6 @@ namespace Voussoir
 {
 namespace
 {
-/** The cells per process below which communication outweighs computation. */
-constexpr unsigned int least_cells_per_process = 500;
-
 /** Minimise by all processes; @p whole and @p order are the root's. */
 Solution minimise_together(const DiscreteProblem *whole,
                            const ElasticOrder &order,
@@ -63,10 +59,8 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
                                   displacement_unit(problem));
   if (!problem.normal_limits().empty())
     return minimise_yielding(problem, order, std::move(start), terminal);
-  const bool is_shared =
-      problem.n_cells() >= least_cells_per_process * controls.processes.size();
   const ProcessGroup processes =
-      is_shared ? controls.processes : ProcessGroup();
+      SharedProblem::helpers(problem, controls.processes);
   processes.call(least_energy_task);
   if (processes.size() > 1)
     start.clear();
@@ -78,13 +72,6 @@ Solution LeastEnergy::select(const DiscreteProblem &problem,
 
 void work_on_least_energy(const ProcessGroup &processes, Terminal &terminal)
 {
-  try
-  {
-    minimise_together(nullptr, {}, {}, processes, terminal);
-  }
-  catch (const SolverError &)
-  {
-    // All processes have it; the root reports it.
-  }
+  minimise_together(nullptr, {}, {}, processes, terminal);
 }
 } // namespace Voussoir

@@ -138,7 +138,7 @@ DiscreteProblem::with_discs(const std::vector<double> &strengths) const
   for (unsigned int e = 0; e < joints().size(); ++e)
   {
     Joint joint = joints()[e];
-    const double part = tangential_part(e);
+    const double part = joint.tangential_part();
     std::vector<unsigned int> sizes;
     std::vector<double> shares;
     joint.strength = 0.;

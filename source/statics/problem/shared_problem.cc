@@ -19,6 +19,9 @@ using Joint = Structure::Joint;
 
 namespace
 {
+/** The cells per process below which communication outweighs computation. */
+constexpr unsigned int least_cells_per_process = 500;
+
 /**
  * Recursive coordinate bisection: cut the cells from @p begin to @p end - 1
  * into parts of equal numbers, @p n_parts of them from @p first_part on, always
@@ -91,6 +94,14 @@ void transfer(Part &part, const Pass &pass)
   pass(part.centres);
 }
 } // namespace
+
+ProcessGroup SharedProblem::helpers(const DiscreteProblem &whole,
+                                    const ProcessGroup &processes)
+{
+  return whole.n_cells() >= least_cells_per_process * processes.size()
+             ? processes
+             : ProcessGroup();
+}
 
 SharedProblem::SharedProblem(const DiscreteProblem &whole) : whole(&whole) {}
 

@@ -2,24 +2,10 @@
 #ifndef voussoir_analyses_factors_strength_factor_h
 #define voussoir_analyses_factors_strength_factor_h
 
-#include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/divided_strengths.h>
 
 namespace Voussoir
 {
-/** @{ */
-/** @p scene with its strengths against sliding, s_T or c and mu, divided. */
-Scene with_strengths_divided(const Scene &scene, double divisor);
-SpaceScene with_strengths_divided(const SpaceScene &scene, double divisor);
-/** @} */
-
-/**
- * @throws InputError if the least number is asked for, without loads, or if
- *   blocks do not dilate.
- */
-template <typename SceneOf>
-void check_strength_factor(const SceneOf &scene,
-                           const LoadFactorControls &controls);
-
 /**
  * Find the greatest number by which the strengths against sliding may be
  * divided. What is carried with some strengths is so with greater ones, and

@@ -25,6 +25,11 @@ namespace Voussoir
 class SharedProblem
 {
 public:
+  /** Those of @p processes that are worth it: all, or the root alone where
+   * communication would outweigh computation. */
+  static ProcessGroup helpers(const DiscreteProblem &whole,
+                              const ProcessGroup &processes);
+
   /** For this process alone; @p whole must outlive this object. */
   explicit SharedProblem(const DiscreteProblem &whole);
   SharedProblem(DiscreteProblem &&) = delete;
