@@ -31,6 +31,8 @@ public:
       : f(f), about(about), more(std::move(more_variables)),
         where(std::move(where))
   {}
+
+  /** The twelve values at x: f, then f_i (x - x_c)_j with j running first. */
   void operator()(const dealii::Point<3> &x, IntegratedValues &values) const
   {
     std::vector<double> variables(x.begin_raw(), x.end_raw());
@@ -55,6 +57,7 @@ private:
  * about x_c. */
 struct IntegratedForce
 {
+  /** @param integral of the values of ForceDensity, in their order. */
   explicit IntegratedForce(const SimplexIntegral &integral)
   {
     for (unsigned int i = 0; i < 3; ++i)
@@ -69,7 +72,12 @@ struct IntegratedForce
       torque[i] = first_moment[k][j] - first_moment[j][k];
     }
   }
-  dealii::Tensor<1, 3> force, torque;
+
+  /** Of f. */
+  dealii::Tensor<1, 3> force;
+  /** Of (x - x_c) x f; turning by the right-hand rule. */
+  dealii::Tensor<1, 3> torque;
+  /** Of f_i (x - x_c)_j. */
   dealii::Tensor<2, 3> first_moment;
 };
 
