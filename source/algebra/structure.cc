@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/structure.h>
+#include <voussoir/base/chunks.h>
 
 #include <deal.II/base/index_set.h>
 
@@ -97,32 +98,60 @@ void Structure::multiply_by_blocks(const std::vector<double> &coefficients,
       f[k] *= coefficients[k];
     return;
   }
-  std::vector<double> of_set;
-  for (unsigned int e = 0; e < joints().size(); ++e)
-    for_each_set(e, [&](const unsigned int size, const unsigned int row,
-                        const unsigned int coefficient) {
-      const double *block = &coefficients[first_coefficient(e) + coefficient];
-      double *of_rows = &f[first_row(e) + row];
-      of_set.assign(of_rows, of_rows + size);
-      for (unsigned int i = 0; i < size; ++i)
-      {
-        of_rows[i] = 0.;
-        for (unsigned int j = 0; j < size; ++j)
-          of_rows[i] += block[i * size + j] * of_set[j];
-      }
-    });
+  for_chunks(
+      joints().size(), items_of_a_chunk,
+      [&](std::size_t, const unsigned int begin, const unsigned int end) {
+        std::vector<double> of_set;
+        for (unsigned int e = begin; e < end; ++e)
+          for_each_set(e, [&](const unsigned int size, const unsigned int row,
+                              const unsigned int coefficient) {
+            const double *block =
+                &coefficients[first_coefficient(e) + coefficient];
+            double *of_rows = &f[first_row(e) + row];
+            of_set.assign(of_rows, of_rows + size);
+            for (unsigned int i = 0; i < size; ++i)
+            {
+              of_rows[i] = 0.;
+              for (unsigned int j = 0; j < size; ++j)
+                of_rows[i] += block[i * size + j] * of_set[j];
+            }
+          });
+      });
+}
+
+/** Call @p f with each row among all and its jump. */
+template <typename F>
+void Structure::for_each_jump(const double *u, const F &f) const
+{
+  own.kinematics.dispatch([&](const auto T, const auto R) {
+    for_chunks(
+        joints().size(), items_of_a_chunk,
+        [&](std::size_t, const std::size_t begin, const std::size_t end) {
+          for (std::size_t e = begin; e < end; ++e)
+          {
+            const double *plus =
+                u + (T + R) * std::size_t(joints()[e].cell_plus);
+            const double *minus =
+                u + (T + R) * std::size_t(joints()[e].cell_minus);
+            for (std::size_t k = first_row(e); k < first_row(e + 1); ++k)
+              f(k, jump_in_row<T, R>(k, plus, minus));
+          }
+        });
+  });
 }
 
 void Structure::find_all_jumps(const double *u, double *jumps) const
 {
-  own.kinematics.dispatch([&](const auto T, const auto R) {
-    for (std::size_t e = 0, k = 0; e < joints().size(); ++e)
-    {
-      const double *plus = u + (T + R) * std::size_t(joints()[e].cell_plus);
-      const double *minus = u + (T + R) * std::size_t(joints()[e].cell_minus);
-      for (; k < own.joints.first_row[e + 1]; ++k)
-        jumps[k] = static_cast<double>(jump_in_row<T, R>(k, plus, minus));
-    }
+  for_each_jump(u, [&](const std::size_t k, const long double jump) {
+    jumps[k] = static_cast<double>(jump);
+  });
+}
+
+void Structure::add_exact_jumps(const std::vector<double> &u,
+                                std::vector<double> &to) const
+{
+  for_each_jump(u.data(), [&](const std::size_t k, const long double jump) {
+    to[k] = static_cast<double>(to[k] + jump);
   });
 }
 

@@ -28,10 +28,20 @@ bool trap_invalid_operations()
   return trap(true); // some processors have no such trap
 }
 
-InvalidOperationsAllowed::InvalidOperationsAllowed() : were_trapped(trap(false))
+bool invalid_operations_are_trapped()
+{
+#if defined(DEBUG) && defined(__GLIBC__)
+  return (fegetexcept() & FE_INVALID) != 0;
+#else
+  return false;
+#endif
+}
+
+InvalidOperationsTrapped::InvalidOperationsTrapped(const bool are_trapped)
+    : were_trapped(trap(are_trapped))
 {}
 
-InvalidOperationsAllowed::~InvalidOperationsAllowed()
+InvalidOperationsTrapped::~InvalidOperationsTrapped()
 {
   trap(were_trapped);
 }

@@ -230,6 +230,12 @@ public:
   void find_jumps(unsigned int e, const double *u, double *jumps) const;
   /** Find the @p jumps in all rows of all joints. */
   void find_all_jumps(const double *u, double *jumps) const;
+  /**
+   * Add the jumps in all rows of all joints to what the rows have in @p to,
+   * rounded once: where the sum is small beside the jump it has more digits.
+   */
+  void add_exact_jumps(const std::vector<double> &u,
+                       std::vector<double> &to) const;
   /** The jumps in all rows of all joints. */
   std::vector<double> jumps(const std::vector<double> &u) const;
   /**
@@ -288,6 +294,8 @@ protected:
   Part own;
 
 private:
+  template <typename F>
+  void for_each_jump(const double *u, const F &f) const;
   template <unsigned int T, unsigned int R>
   long double
   jump_in_row(std::size_t k, const double *plus, const double *minus) const;

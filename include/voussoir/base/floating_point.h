@@ -18,21 +18,31 @@ namespace Voussoir
  */
 bool trap_invalid_operations();
 
+/** True if invalid operations of this thread are trapped. */
+bool invalid_operations_are_trapped();
+
+/** While this lives, invalid operations of its thread are trapped, or not. */
+class InvalidOperationsTrapped
+{
+public:
+  explicit InvalidOperationsTrapped(bool are_trapped);
+  ~InvalidOperationsTrapped();
+  InvalidOperationsTrapped(const InvalidOperationsTrapped &) = delete;
+  InvalidOperationsTrapped &
+  operator=(const InvalidOperationsTrapped &) = delete;
+
+private:
+  const bool were_trapped;
+};
+
 /**
  * While this lives, invalid operations of its thread give NaN without a trap:
  * for libraries that use NaN on purpose.
  */
-class InvalidOperationsAllowed
+class InvalidOperationsAllowed : InvalidOperationsTrapped
 {
 public:
-  InvalidOperationsAllowed();
-  ~InvalidOperationsAllowed();
-  InvalidOperationsAllowed(const InvalidOperationsAllowed &) = delete;
-  InvalidOperationsAllowed &
-  operator=(const InvalidOperationsAllowed &) = delete;
-
-private:
-  const bool were_trapped;
+  InvalidOperationsAllowed() : InvalidOperationsTrapped(false) {}
 };
 } // namespace Voussoir
 

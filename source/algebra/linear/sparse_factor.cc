@@ -313,7 +313,7 @@ void SparseFactor::extract_last_block()
 
 std::vector<double> SparseFactor::solve(const int system,
                                         const std::vector<double> &r,
-                                        const unsigned int n_columns)
+                                        const unsigned int n_columns) const
 {
   AssertDimension(r.size(), std::size_t(n()) * n_columns);
   cholmod_dense right = {};
@@ -323,11 +323,21 @@ std::vector<double> SparseFactor::solve(const int system,
   right.x = const_cast<double *>(r.data()); // it is read only
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense *values =
-      check(cholmod_solve(system, factor, &right, common.get()));
-  const double *x = static_cast<const double *>(values->x);
-  std::vector<double> result(x, x + r.size());
-  cholmod_free_dense(&values, common.get());
+  // CHOLMOD writes to what is common, which other threads need as well.
+  cholmod_common own;
+  cholmod_start(&own);
+  own.print = 0;
+  cholmod_dense *values = cholmod_solve(system, factor, &right, &own);
+  std::vector<double> result;
+  if (values != nullptr)
+  {
+    const double *x = static_cast<const double *>(values->x);
+    result.assign(x, x + r.size());
+    cholmod_free_dense(&values, &own);
+  }
+  cholmod_finish(&own);
+  if (result.size() < r.size())
+    throw std::bad_alloc();
   return result;
 }
 
@@ -364,20 +374,20 @@ std::vector<double> SparseFactor::by_bodies(const std::vector<double> &y,
 }
 
 std::vector<double> SparseFactor::solve(const std::vector<double> &r,
-                                        const unsigned int n_columns)
+                                        const unsigned int n_columns) const
 {
   return by_bodies(solve(CHOLMOD_A, in_order(r, n_columns), n_columns),
                    n_columns);
 }
 
 std::vector<double> SparseFactor::forward(const std::vector<double> &r,
-                                          const unsigned int n_columns)
+                                          const unsigned int n_columns) const
 {
   return solve(CHOLMOD_L, in_order(r, n_columns), n_columns);
 }
 
 std::vector<double> SparseFactor::backward(const std::vector<double> &y,
-                                           const unsigned int n_columns)
+                                           const unsigned int n_columns) const
 {
   return by_bodies(solve(CHOLMOD_Lt, y, n_columns), n_columns);
 }

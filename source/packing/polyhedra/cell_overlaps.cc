@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/chunks.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polyhedra/cell_overlaps.h>
-#include <voussoir/packing/polyhedra/contacts/cell_chunks.h>
 #include <voussoir/packing/polyhedra/contacts/cell_probes.h>
 #include <voussoir/packing/polyhedra/contacts/convex_cells.h>
 #include <voussoir/packing/polyhedra/models/model_defects.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/chunks.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-#include <voussoir/packing/polyhedra/contacts/cell_chunks.h>
 #include <voussoir/packing/polyhedra/contacts/contact_search.h>
 #include <voussoir/packing/polyhedra/contacts/edge_search.h>
 #include <voussoir/packing/polyhedra/contacts/free_parts.h>

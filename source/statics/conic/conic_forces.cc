@@ -47,6 +47,7 @@ ConicForces::ConicForces(const ForceRows &rows,
                          std::vector<bool> held,
                          std::vector<double> curvature)
     : rows(rows), held(std::move(held)), of_cost(std::move(curvature)),
+      joints_of_bodies(rows),
       factor(JointBlocks(rows, false), rows.n_bodies(), {}, this->held)
 {
   for (unsigned int r = 0; r < rows.n_all_rows(); ++r)
@@ -105,21 +106,6 @@ void ConicForces::clear_held(std::vector<double> &loads) const
         loads[rows.dof(b, i)] = 0.;
 }
 
-QuadraticCone::Vector ConicForces::of_cone(const std::vector<double> &v,
-                                           const std::size_t cone) const
-{
-  const double *of = &v[all_bounds.size() + 3 * cone];
-  return {{of[0], of[1], of[2]}};
-}
-
-void ConicForces::set_cone(std::vector<double> &v,
-                           const std::size_t cone,
-                           const QuadraticCone::Vector &value) const
-{
-  std::copy(value.begin(), value.end(),
-            v.begin() + (all_bounds.size() + 3 * cone));
-}
-
 std::vector<double> ConicForces::limits() const
 {
   std::vector<double> h;
@@ -133,8 +119,7 @@ std::vector<double> ConicForces::limits() const
 
 std::vector<double> ConicForces::on_bodies(const std::vector<double> &x) const
 {
-  std::vector<double> sum(rows.n_dofs(), 0.);
-  rows.add_jump_gradients(-1., x, sum);
+  std::vector<double> sum = joints_of_bodies.forces_on_bodies(-1., x);
   clear_held(sum);
   return sum;
 }
@@ -156,16 +141,21 @@ void ConicForces::clear_without_force(std::vector<double> &v) const
 
 std::vector<double> ConicForces::at_slacks(const std::vector<double> &x) const
 {
-  std::vector<double> result;
-  result.reserve(n_slacks());
-  for (const Bound &bound : all_bounds)
-    result.push_back(bound.sign * x[bound.row]);
-  for (const Cone &cone : all_cones)
-    for (const std::array<double, 3> &b : cone.b)
-      result.push_back(cone.n_rows == 2
-                           ? b[0] * x[cone.row] + b[1] * x[cone.row + 1]
-                           : b[0] * x[cone.row] + b[1] * x[cone.row + 1] +
-                                 b[2] * x[cone.row + 2]);
+  std::vector<double> result(n_slacks());
+  for (std::size_t b = 0; b < all_bounds.size(); ++b)
+    result[b] = all_bounds[b].sign * x[all_bounds[b].row];
+  for_each_cone([&](const std::size_t k) {
+    const Cone &cone = all_cones[k];
+    const double *const of = &x[cone.row];
+    QuadraticCone::Vector slacks;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      slacks[i] = cone.b[i][0] * of[0] + cone.b[i][1] * of[1];
+      if (cone.n_rows == 3)
+        slacks[i] += cone.b[i][2] * of[2];
+    }
+    set_cone(result, k, slacks);
+  });
   return result;
 }
 } // namespace Voussoir

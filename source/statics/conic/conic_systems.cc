@@ -68,12 +68,21 @@ std::vector<double> ConicForces::of_rows(const std::vector<double> &z) const
   std::vector<double> result(rows.n_all_rows(), 0.);
   for (std::size_t b = 0; b < all_bounds.size(); ++b)
     result[all_bounds[b].row] += all_bounds[b].sign * z[b];
-  for (std::size_t k = 0; k < all_cones.size(); ++k)
-  {
-    const std::array<double, 3> sum = transposed(all_cones[k], of_cone(z, k));
-    for (unsigned int r = 0; r < all_cones[k].n_rows; ++r)
-      result[all_cones[k].row + r] += sum[r];
-  }
+  const auto add_cones = [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const std::array<double, 3> sum = transposed(all_cones[k], of_cone(z, k));
+      for (unsigned int r = 0; r < all_cones[k].n_rows; ++r)
+        result[all_cones[k].row + r] += sum[r];
+    }
+  };
+  // In the plane two cones have the rows of one section.
+  if (rows.is_plane())
+    add_cones(0, all_cones.size());
+  else
+    for_chunks(all_cones.size(), light_items_of_a_chunk,
+               [&](std::size_t, const std::size_t begin,
+                   const std::size_t end) { add_cones(begin, end); });
   return result;
 }
 
@@ -95,17 +104,18 @@ bool ConicForces::prepare(const Weights &weights,
       k[cone.row] = 1. / (weights.of_bounds[cone.bound] +
                           (with_curvature ? of_cost[cone.row] : 0.));
   clear_without_force(k);
-  if (rows.has_blocks())
-    invert_sets(weights, with_curvature);
   scalings.clear();
   if (!rows.is_plane() && !with_curvature)
   {
     scalings = weights.of_cones;
+    outside_cones = k;
     of_their_bounds.clear();
     for (const Cone &cone : all_cones)
       of_their_bounds.push_back(cone.bound < 0 ? 0.
                                                : weights.of_bounds[cone.bound]);
   }
+  if (rows.has_blocks())
+    invert_sets(weights, with_curvature);
   return factorise();
 }
 
@@ -129,53 +139,77 @@ bool ConicForces::factorise()
   return false;
 }
 
+/**
+ * The block of a set: the inverse of the sum of its @p n cones from @p first
+ * on, and what its rows have besides.
+ */
+void ConicForces::invert_set(const std::size_t first,
+                             const std::size_t n,
+                             const Weights &weights,
+                             const bool with_curvature,
+                             double *const block) const
+{
+  const std::size_t r = all_cones[first].row;
+  if (all_cones[first].n_rows == 3)
+  {
+    SumOfSquaresOfThree sum;
+    add_cone(all_cones[first], weights.of_cones[first], sum);
+    // What bounds and the cost have on the diagonal, see prepare().
+    for (unsigned int i = 0; i < 3; ++i)
+      if (const double k = coefficients[r + i]; k > 0.)
+      {
+        std::array<double, 3> g = {};
+        g[i] = 1.;
+        sum.add(1. / k, g);
+      }
+    sum.find_inverse(block);
+    return;
+  }
+  SumOfSquares sum;
+  if (with_curvature)
+  {
+    sum.add(of_cost[r], {{1., 0., 0.}});
+    sum.add(of_cost[r + 1], {{0., 1., 0.}});
+  }
+  for (std::size_t k = first; k < first + n; ++k)
+    add_cone(all_cones[k], weights.of_cones[k], sum);
+  const std::array<double, 3> inverse = sum.inverse();
+  block[0] = inverse[0];
+  block[1] = block[2] = inverse[1];
+  block[3] = inverse[2];
+}
+
 /** Spread what rows have to the coefficients of sets, and add those of cones.
  */
 void ConicForces::invert_sets(const Weights &weights, const bool with_curvature)
 {
   std::vector<double> of_sets(rows.n_all_coefficients(), 0.);
-  std::size_t cone = 0;
-  for (unsigned int e = 0; e < rows.joints().size(); ++e)
-    rows.for_each_set(e, [&](const unsigned int size, const unsigned int row,
-                             const unsigned int coefficient) {
-      double *const block = &of_sets[rows.first_coefficient(e) + coefficient];
-      if (size == 1)
-      {
-        *block = coefficients[rows.first_row(e) + row];
-        return;
-      }
-      const std::size_t r = rows.first_row(e) + row;
-      if (size == 3)
-      {
-        SumOfSquaresOfThree sum;
-        add_cone(all_cones[cone], weights.of_cones[cone], sum);
-        ++cone;
-        // What bounds and the cost have on the diagonal, see prepare().
-        for (unsigned int i = 0; i < 3; ++i)
-          if (const double k = coefficients[r + i]; k > 0.)
-          {
-            std::array<double, 3> g = {};
-            g[i] = 1.;
-            sum.add(1. / k, g);
-          }
-        sum.find_inverse(block);
-        return;
-      }
-      if (cone == all_cones.size() || all_cones[cone].row != r)
-        return; // a disc without strength
-      SumOfSquares sum;
-      if (with_curvature)
-      {
-        sum.add(of_cost[r], {{1., 0., 0.}});
-        sum.add(of_cost[r + 1], {{0., 1., 0.}});
-      }
-      for (; cone < all_cones.size() && all_cones[cone].row == r; ++cone)
-        add_cone(all_cones[cone], weights.of_cones[cone], sum);
-      const std::array<double, 3> inverse = sum.inverse();
-      block[0] = inverse[0];
-      block[1] = block[2] = inverse[1];
-      block[3] = inverse[2];
-    });
+  for_chunks(
+      rows.joints().size(), items_of_a_chunk,
+      [&](std::size_t, const unsigned int begin, const unsigned int end) {
+        // The cones are in the order of the rows.
+        auto cone = std::lower_bound(
+            all_cones.begin(), all_cones.end(), rows.first_row(begin),
+            [](const Cone &one, const std::size_t row) {
+              return one.row < row;
+            });
+        for (unsigned int e = begin; e < end; ++e)
+          rows.for_each_set(e, [&](const unsigned int size,
+                                   const unsigned int row,
+                                   const unsigned int coefficient) {
+            const std::size_t r = rows.first_row(e) + row;
+            double *const block =
+                &of_sets[rows.first_coefficient(e) + coefficient];
+            const auto first = cone;
+            while (cone != all_cones.end() && cone->row == r)
+              ++cone;
+            if (size == 1)
+              *block = coefficients[r];
+            else if (first != cone)
+              invert_set(first - all_cones.begin(), cone - first, weights,
+                         with_curvature, block);
+          });
+      });
   coefficients = std::move(of_sets);
 }
 
@@ -187,7 +221,8 @@ void ConicForces::multiply(std::vector<double> &r) const
     return;
   }
   const std::vector<double> d = r;
-  rows.multiply_by_blocks(coefficients, r);
+  for (std::size_t k = 0; k < r.size(); ++k)
+    r[k] *= outside_cones[k];
   multiply_by_scalings(d, r);
 }
 
@@ -200,8 +235,7 @@ void ConicForces::multiply(std::vector<double> &r) const
 void ConicForces::multiply_by_scalings(const std::vector<double> &d,
                                        std::vector<double> &x) const
 {
-  for (std::size_t k = 0; k < all_cones.size(); ++k)
-  {
+  for_each_cone([&](const std::size_t k) {
     const Cone &cone = all_cones[k];
     const QuadraticCone::Scaling &W = scalings[k];
     const double *const from = &d[cone.row];
@@ -226,7 +260,7 @@ void ConicForces::multiply_by_scalings(const std::vector<double> &d,
         for (unsigned int i = 1; i < 3; ++i)
           to[i] -= beta * column[i] * to[0];
       }
-      continue;
+      return;
     }
     const double tail = std::hypot(W.w[1], W.w[2]);
     const double t[] = {tail > 0. ? W.w[1] / tail : 1.,
@@ -236,25 +270,24 @@ void ConicForces::multiply_by_scalings(const std::vector<double> &d,
                  across = W.eta_squared * (t[0] * from[1] - t[1] * from[0]);
     to[0] = along * t[0] - across * t[1];
     to[1] = along * t[1] + across * t[0];
-  }
+  });
 }
 
 std::vector<double>
 ConicForces::multiplied_difference(const std::vector<double> &r,
                                    const std::vector<double> &u) const
 {
-  std::vector<double> x = along(u);
-  for (std::size_t k = 0; k < x.size(); ++k)
-    x[k] = r[k] - x[k];
   if (!scalings.empty())
   {
-    // The digits of d count, not those of u.
-    for (const Cone &cone : all_cones)
-      for (std::size_t k = cone.row; k < cone.row + cone.n_rows; ++k)
-        x[k] = static_cast<double>(r[k] + rows.exact_jump(k, u.data()));
+    // The digits of the difference count, not those of u.
+    std::vector<double> x = r;
+    rows.add_exact_jumps(u, x);
     multiply(x);
     return x;
   }
+  std::vector<double> x = along(u);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = r[k] - x[k];
   multiply(x);
   for (const Cone &cone : all_cones)
   {
@@ -302,7 +335,7 @@ double ConicForces::clear_border_work(std::vector<double> &u,
 ConicForces::Bordered ConicForces::solve(const std::vector<double> &right,
                                          const double work,
                                          const double enough,
-                                         const unsigned int n_gradients)
+                                         const unsigned int n_gradients) const
 {
   Bordered now = {factor.solve(right, 1), 0.};
   now.alpha = clear_border_work(now.u, work);

@@ -51,15 +51,14 @@ void SelfDual::find_scaling()
   weights.of_bounds.resize(n_bounds);
   for (std::size_t b = 0; b < n_bounds; ++b)
     weights.of_bounds[b] = now.z[b] / now.s[b];
-  weights.of_cones.clear();
-  lambda.clear();
-  for (std::size_t k = 0; k < forces.cones().size(); ++k)
-  {
+  weights.of_cones.resize(forces.cones().size());
+  lambda.resize(forces.cones().size());
+  forces.for_each_cone([&](const std::size_t k) {
     const QuadraticCone::Vector z = forces.of_cone(now.z, k);
-    weights.of_cones.push_back(
-        QuadraticCone::Scaling::of(forces.of_cone(now.s, k), z));
-    lambda.push_back(weights.of_cones.back().times(z));
-  }
+    weights.of_cones[k] =
+        QuadraticCone::Scaling::of(forces.of_cone(now.s, k), z);
+    lambda[k] = weights.of_cones[k].times(z);
+  });
 }
 
 /** W^-2 times what has a number for each slack. */
@@ -68,9 +67,10 @@ std::vector<double> SelfDual::over_squares(const std::vector<double> &v) const
   std::vector<double> result(v.size());
   for (std::size_t b = 0; b < n_bounds; ++b)
     result[b] = weights.of_bounds[b] * v[b];
-  for (std::size_t k = 0; k < lambda.size(); ++k)
+  forces.for_each_cone([&](const std::size_t k) {
     forces.set_cone(result, k,
                     weights.of_cones[k].over_square(forces.of_cone(v, k)));
+  });
   return result;
 }
 
@@ -88,8 +88,7 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
   if (!forces.of().is_plane())
   {
     // B is invertible on the rows of each cone.
-    for (std::size_t k = 0; k < lambda.size(); ++k)
-    {
+    forces.for_each_cone([&](const std::size_t k) {
       const ConicForces::Cone &cone = forces.cones()[k];
       std::array<double, 3> of_z = {};
       for (unsigned int i = 0; i < cone.n_rows; ++i)
@@ -102,7 +101,7 @@ std::vector<double> SelfDual::multipliers_of(const std::vector<double> &r1,
       if (cone.bound >= 0)
         of_z[0] -= weights.of_bounds[cone.bound] * found.x[cone.row];
       forces.set_cone(z, k, multiplier_of(cone, weights.of_cones[k], of_z));
-    }
+    });
     return z;
   }
   for (unsigned int n = 0; n < n_refined_cones; ++n)
@@ -131,9 +130,15 @@ bool SelfDual::prepare()
     return false;
   if (!program.live.empty())
     forces.set_border(program.live);
+  return true;
+}
 
-  // What a step depends on through tau, as a correction of the present point:
-  // this keeps digits near the optimum.
+/**
+ * Find what a step depends on through tau, as a correction of the present
+ * point: this keeps digits near the optimum.
+ */
+void SelfDual::find_by_tau()
+{
   const std::vector<double> of_residual = over_squares(residual.bounds);
   std::vector<double> of_slacks(now.s.size());
   for (std::size_t b = 0; b < of_slacks.size(); ++b)
@@ -143,7 +148,8 @@ bool SelfDual::prepare()
   std::vector<double> balance = residual.balance;
   for (double &component : balance)
     component /= -now.tau;
-  solve_bordered(r1, balance, -residual.live_work / now.tau, by_tau);
+  solve_bordered(r1, balance, -residual.live_work / now.tau,
+                 reduction_of_gradients, by_tau);
   by_tau.z = multipliers_of(r1, by_tau);
   for (std::size_t b = 0; b < of_slacks.size(); ++b)
     by_tau.z[b] += (of_residual[b] - now.z[b]) / now.tau;
@@ -160,7 +166,6 @@ bool SelfDual::prepare()
   add(by_tau.u, 1. / now.tau, now.u);
   by_tau.alpha += now.alpha / now.tau;
   slope_of_tau = -now.kappa / now.tau - curvature;
-  return true;
 }
 
 /**
@@ -172,7 +177,8 @@ bool SelfDual::prepare()
 void SelfDual::solve_bordered(const std::vector<double> &r1,
                               const std::vector<double> &balance,
                               const double live_work,
-                              Variables &found)
+                              const double reduction,
+                              Variables &found) const
 {
   std::vector<double> k_r1 = r1;
   forces.multiply(k_r1);
@@ -183,8 +189,7 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
       std::max(small_residual * size_of_loads * now.tau,
                share_of_residual * largest_component(residual.balance));
   ConicForces::Bordered solution = forces.solve(
-      right, live_work,
-      std::max(reduction_of_gradients * largest_component(right), enough),
+      right, live_work, std::max(reduction * largest_component(right), enough),
       n_self_dual_gradients);
   found.u = std::move(solution.u);
   found.alpha = solution.alpha;
@@ -199,7 +204,7 @@ void SelfDual::solve_bordered(const std::vector<double> &r1,
 void SelfDual::balance_forces(const std::vector<double> &balance,
                               const double live_work,
                               const double enough,
-                              Variables &found)
+                              Variables &found) const
 {
   for (unsigned int n = 0; n < n_refined_steps; ++n)
   {
@@ -226,17 +231,16 @@ void SelfDual::balance_forces(const std::vector<double> &balance,
 
 /**
  * The step to where @p part of the residuals is gone, and the products less by
- * @p products.
+ * @p products; without what tau adds to it.
  */
-SelfDual::Step SelfDual::direction(const std::vector<double> &products,
-                                   const double last_product,
-                                   const double part)
+SelfDual::Step SelfDual::change(const std::vector<double> &products,
+                                const double part,
+                                const double reduction) const
 {
   std::vector<double> g(products.size());
   for (std::size_t b = 0; b < n_bounds; ++b)
     g[b] = (part * now.z[b] * residual.bounds[b] - products[b]) / now.s[b];
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  forces.for_each_cone([&](const std::size_t k) {
     const QuadraticCone::Scaling &W = weights.of_cones[k];
     const QuadraticCone::Vector of_residual =
         W.over_square(forces.of_cone(residual.bounds, k));
@@ -245,7 +249,7 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
     for (unsigned int i = 0; i < 3; ++i)
       of_cone[i] = part * of_residual[i] - of_cone[i];
     forces.set_cone(g, k, of_cone);
-  }
+  });
   std::vector<double> r1 = forces.of_rows(g);
   for (std::size_t k = 0; k < r1.size(); ++k)
     r1[k] = -r1[k] - part * residual.multipliers[k];
@@ -253,14 +257,22 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
   for (double &component : balance)
     component *= -part;
   Step step;
-  solve_bordered(r1, balance, -part * residual.live_work, step);
+  solve_bordered(r1, balance, -part * residual.live_work, reduction, step);
   step.z = multipliers_of(r1, step);
+  add(step.z, 1., g);
+  return step;
+}
+
+/** Add to the change() with the same products what tau adds, and find the rest.
+ */
+void SelfDual::complete(const std::vector<double> &products,
+                        const double last_product,
+                        const double part,
+                        Step &step) const
+{
   double h_z = 0.;
-  for (std::size_t b = 0; b < g.size(); ++b)
-  {
-    step.z[b] = g[b] + step.z[b];
+  for (std::size_t b = 0; b < limits.size(); ++b)
     h_z += limits[b] * step.z[b];
-  }
   double to_gap = -part * residual.gap + last_product / now.tau +
                   program.sense * step.alpha + dot(program.dead, step.u) - h_z;
   if (program.has_curvature)
@@ -273,23 +285,45 @@ SelfDual::Step SelfDual::direction(const std::vector<double> &products,
   add(step.z, step.tau, by_tau.z);
   step.alpha += step.tau * by_tau.alpha;
   step.s = forces.at_slacks(step.x);
-  for (std::size_t b = 0; b < g.size(); ++b)
+  for (std::size_t b = 0; b < limits.size(); ++b)
     step.s[b] = -part * residual.bounds[b] - step.s[b] + step.tau * limits[b];
   step.kappa = (-last_product - now.kappa * step.tau) / now.tau;
   step.scaled.resize(lambda.size());
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  forces.for_each_cone([&](const std::size_t k) {
     const QuadraticCone::Scaling &W = weights.of_cones[k];
     ScaledStep &scaled = step.scaled[k];
     scaled.z = W.times(forces.of_cone(step.z, k));
     scaled.s = W.over(forces.of_cone(step.s, k));
     if (forces.of().is_plane())
-      continue;
+      return;
     // What the equation of the products says has more digits.
     scaled.s = QuadraticCone::quotient(lambda[k], forces.of_cone(products, k));
     for (unsigned int i = 0; i < 3; ++i)
       scaled.s[i] = -scaled.s[i] - scaled.z[i];
-  }
+  });
+}
+
+SelfDual::Step SelfDual::direction(const std::vector<double> &products,
+                                   const double last_product,
+                                   const double part) const
+{
+  Step step = change(products, part, reduction_of_gradients);
+  complete(products, last_product, part, step);
+  return step;
+}
+
+/** The step to where all residuals and products vanish, and by_tau. */
+SelfDual::Step SelfDual::predictor(const std::vector<double> &products,
+                                   const double last_product)
+{
+  Step step;
+  for_chunks(2, 1, [&](const std::size_t k, std::size_t, std::size_t) {
+    if (k == 0)
+      find_by_tau();
+    else
+      step = change(products, 1., reduction_of_gradients);
+  });
+  complete(products, last_product, 1., step);
   return step;
 }
 } // namespace Voussoir

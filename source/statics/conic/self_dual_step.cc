@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace Voussoir
 {
@@ -38,13 +40,11 @@ double SelfDual::longest(const Step &step) const
   double fastest = std::max({1., -step.tau / now.tau, -step.kappa / now.kappa});
   for (std::size_t b = 0; b < n_bounds; ++b)
     fastest = std::max({fastest, -step.s[b] / now.s[b], -step.z[b] / now.z[b]});
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  fastest = forces.largest_of_cones(fastest, [&](const std::size_t k) {
     const ScaledStep &of = step.scaled[k];
-    fastest =
-        std::max({fastest, QuadraticCone::inverse_of_longest(lambda[k], of.s),
-                  QuadraticCone::inverse_of_longest(lambda[k], of.z)});
-  }
+    return std::max({0., QuadraticCone::inverse_of_longest(lambda[k], of.s),
+                     QuadraticCone::inverse_of_longest(lambda[k], of.z)});
+  });
   return 1. / fastest;
 }
 
@@ -57,8 +57,7 @@ void SelfDual::find_products(const Step &step,
   for (std::size_t b = 0; b < n_bounds; ++b)
     products[b] =
         (now.s[b] + length * step.s[b]) * (now.z[b] + length * step.z[b]);
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  forces.for_each_cone([&](const std::size_t k) {
     QuadraticCone::Vector s = step.scaled[k].s, z = step.scaled[k].z;
     for (unsigned int i = 0; i < 3; ++i)
     {
@@ -66,7 +65,7 @@ void SelfDual::find_products(const Step &step,
       z[i] = lambda[k][i] + length * z[i];
     }
     forces.set_cone(products, k, QuadraticCone::product(s, z));
-  }
+  });
   last = (now.tau + length * step.tau) * (now.kappa + length * step.kappa);
 }
 
@@ -77,8 +76,7 @@ void SelfDual::add_second_order(const Step &step,
 {
   for (std::size_t b = 0; b < n_bounds; ++b)
     products[b] += step.s[b] * step.z[b] - target;
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  forces.for_each_cone([&](const std::size_t k) {
     const QuadraticCone::Vector of_step =
         QuadraticCone::product(step.scaled[k].s, step.scaled[k].z);
     QuadraticCone::Vector of_cone = forces.of_cone(products, k);
@@ -86,7 +84,7 @@ void SelfDual::add_second_order(const Step &step,
       of_cone[i] += of_step[i];
     of_cone[0] -= target;
     forces.set_cone(products, k, of_cone);
-  }
+  });
 }
 
 namespace
@@ -106,15 +104,14 @@ void SelfDual::pull_back(const double target,
 {
   for (std::size_t b = 0; b < n_bounds; ++b)
     products[b] = correction(products[b], target);
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
+  forces.for_each_cone([&](const std::size_t k) {
     const QuadraticCone::Vector of_cone = forces.of_cone(products, k);
     std::array<double, 2> values = QuadraticCone::eigenvalues(of_cone);
     for (double &value : values)
       value = correction(value, target);
     forces.set_cone(products, k,
                     QuadraticCone::with_eigenvalues(of_cone, values));
-  }
+  });
 }
 
 /**
@@ -127,7 +124,7 @@ double SelfDual::least_product(const Step &step, const double length) const
     return v + length * of_step;
   };
   const double last = after(now.tau, step.tau) * after(now.kappa, step.kappa);
-  double sum = last, least = last, least_of_all_cones = 0.;
+  double sum = last, least = last;
   for (std::size_t b = 0; b < n_bounds; ++b)
   {
     const double product =
@@ -135,23 +132,25 @@ double SelfDual::least_product(const Step &step, const double length) const
     sum += product;
     least = std::min(least, product);
   }
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-  {
-    QuadraticCone::Vector s = forces.of_cone(now.s, k),
-                          z = forces.of_cone(now.z, k);
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      s[i] = after(s[i], forces.of_cone(step.s, k)[i]);
-      z[i] = after(z[i], forces.of_cone(step.z, k)[i]);
-    }
-    if (!QuadraticCone::contains(s) || !QuadraticCone::contains(z))
-      return 0.;
-    sum += s[0] * z[0] + s[1] * z[1] + s[2] * z[2];
-    const double product =
-        std::sqrt(QuadraticCone::det(s) * QuadraticCone::det(z));
-    least_of_all_cones =
-        k == 0 ? product : std::min(least_of_all_cones, product);
-  }
+  const std::size_t size = light_items_of_a_chunk;
+  std::vector<double> sums((lambda.size() + size - 1) / size, 0.);
+  const double least_of_all_cones = -forces.largest_of_cones(
+      -std::numeric_limits<double>::infinity(), [&](const std::size_t k) {
+        QuadraticCone::Vector s = forces.of_cone(now.s, k),
+                              z = forces.of_cone(now.z, k);
+        const QuadraticCone::Vector of_s = forces.of_cone(step.s, k),
+                                    of_z = forces.of_cone(step.z, k);
+        for (unsigned int i = 0; i < 3; ++i)
+        {
+          s[i] = after(s[i], of_s[i]);
+          z[i] = after(z[i], of_z[i]);
+        }
+        sums[k / size] += s[0] * z[0] + s[1] * z[1] + s[2] * z[2];
+        return QuadraticCone::contains(s) && QuadraticCone::contains(z)
+                   ? -std::sqrt(QuadraticCone::det(s) * QuadraticCone::det(z))
+                   : 0.;
+      });
+  sum = std::accumulate(sums.begin(), sums.end(), sum);
   const double mean = sum / (n_bounds + lambda.size() + 1.);
   const double may_be = program.has_curvature && error < near_optimum
                             ? least_near_optimum
@@ -187,7 +186,7 @@ SelfDual::State SelfDual::step()
   for (std::size_t k = 0; k < lambda.size(); ++k)
     forces.set_cone(products, k, QuadraticCone::product(lambda[k], lambda[k]));
   last = now.tau * now.kappa;
-  Step best = direction(products, last, 1.);
+  Step best = predictor(products, last);
   double length = longest(best);
 
   find_products(best, length, trial, trial_last);

@@ -92,10 +92,10 @@ public:
 
   /**
    * Solve for @p r, ordered by unknowns; @p n_columns right-hand sides, one
-   * behind the other.
+   * behind the other. Several threads may do so at once.
    */
   std::vector<double> solve(const std::vector<double> &r,
-                            unsigned int n_columns);
+                            unsigned int n_columns) const;
 
   // ------------------------------------------ for the last bodies, if any
 
@@ -104,10 +104,10 @@ public:
    * that the last come last.
    */
   std::vector<double> forward(const std::vector<double> &r,
-                              unsigned int n_columns);
+                              unsigned int n_columns) const;
   /** The other half: P^T L^{-T} y, ordered by unknowns. */
   std::vector<double> backward(const std::vector<double> &y,
-                               unsigned int n_columns);
+                               unsigned int n_columns) const;
 
   /** The unknowns of the last bodies in the order of their elimination. */
   std::vector<unsigned int> last_unknowns() const;
@@ -136,8 +136,9 @@ private:
   void analyse();
   void extract_last_block();
   /** Solve one of CHOLMOD's systems, ordered as unknowns are eliminated. */
-  std::vector<double>
-  solve(int system, const std::vector<double> &r, unsigned int n_columns);
+  std::vector<double> solve(int system,
+                            const std::vector<double> &r,
+                            unsigned int n_columns) const;
   /** @{ */
   /** From the order of unknowns to that of their elimination, and back. */
   std::vector<double> in_order(const std::vector<double> &r,

@@ -2,11 +2,15 @@
 #ifndef voussoir_statics_conic_conic_forces_h
 #define voussoir_statics_conic_conic_forces_h
 
+#include <voussoir/algebra/joints_of_bodies.h>
 #include <voussoir/algebra/linear/sparse_factor.h>
+#include <voussoir/base/chunks.h>
 #include <voussoir/statics/conic/force_rows.h>
 #include <voussoir/statics/conic/quadratic_cone.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
 namespace Voussoir
@@ -91,11 +95,49 @@ public:
   }
   /** The three slacks of a cone, of what has a number for each slack. */
   QuadraticCone::Vector of_cone(const std::vector<double> &v,
-                                std::size_t cone) const;
+                                const std::size_t cone) const
+  {
+    const double *const of = &v[all_bounds.size() + 3 * cone];
+    return {{of[0], of[1], of[2]}};
+  }
   /** Set these three. */
   void set_cone(std::vector<double> &v,
-                std::size_t cone,
-                const QuadraticCone::Vector &value) const;
+                const std::size_t cone,
+                const QuadraticCone::Vector &value) const
+  {
+    std::copy(value.begin(), value.end(),
+              v.begin() + (all_bounds.size() + 3 * cone));
+  }
+  /**
+   * Call @p f for each cone, by all cores: those of one
+   * light_items_of_a_chunk, from a multiple of it on, by one and in order.
+   */
+  template <typename F>
+  void for_each_cone(const F &f) const
+  {
+    for_chunks(
+        all_cones.size(), light_items_of_a_chunk,
+        [&](std::size_t, const std::size_t begin, const std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            f(k);
+        });
+  }
+  /** The largest of a number and of those of @p f of all cones, by all cores.
+   */
+  template <typename F>
+  double largest_of_cones(const double at_least, const F &f) const
+  {
+    const std::size_t size = light_items_of_a_chunk;
+    std::vector<double> of_chunks((all_cones.size() + size - 1) / size,
+                                  at_least);
+    for_each_cone([&](const std::size_t k) {
+      double &largest = of_chunks[k / size];
+      largest = std::max(largest, f(k));
+    });
+    return std::accumulate(
+        of_chunks.begin(), of_chunks.end(), at_least,
+        [](const double a, const double b) { return std::max(a, b); });
+  }
 
   /** h of each slack. */
   std::vector<double> limits() const;
@@ -153,7 +195,7 @@ public:
     double alpha;
   };
   /**
-   * Solve
+   * Solve, in several threads at once if need be,
    *
    *     A K A^T u - alpha f = right,  f . u = work,
    *
@@ -171,7 +213,7 @@ public:
   Bordered solve(const std::vector<double> &right,
                  double work,
                  double enough,
-                 unsigned int n_gradients);
+                 unsigned int n_gradients) const;
   /** A K A^T times @p u. */
   std::vector<double> product(const std::vector<double> &u) const;
 
@@ -180,22 +222,29 @@ private:
   bool factorise();
   double clear_border_work(std::vector<double> &u, double work) const;
   void invert_sets(const Weights &weights, bool with_curvature);
+  void invert_set(std::size_t first,
+                  std::size_t n,
+                  const Weights &weights,
+                  bool with_curvature,
+                  double *block) const;
   void multiply_by_scalings(const std::vector<double> &d,
                             std::vector<double> &x) const;
 
   const ForceRows &rows;
   const std::vector<bool> held;
   const std::vector<double> of_cost;
+  const JointsOfBodies joints_of_bodies;
   std::vector<Bound> all_bounds;
   std::vector<Cone> all_cones;
   /** Rows whose bounds are both zero. */
   std::vector<unsigned int> without_force;
   /** Of each row, or of each pair of a set: K. */
   std::vector<double> coefficients;
-  /** In space without a curvature what is prepared: W of each cone, and what is
-   * added for its bound, zero if it has none. */
+  /** In space without a curvature what is prepared: W of each cone, what is
+   * added for its bound, zero if it has none, and K of the rows outside cones.
+   */
   std::vector<QuadraticCone::Scaling> scalings;
-  std::vector<double> of_their_bounds;
+  std::vector<double> of_their_bounds, outside_cones;
   SparseFactor factor;
   /** f, the solution for it without one, and the work of f in that. */
   std::vector<double> border, of_border;

@@ -152,14 +152,24 @@ private:
   void solve_bordered(const std::vector<double> &r1,
                       const std::vector<double> &balance,
                       double live_work,
-                      Variables &found);
+                      double reduction,
+                      Variables &found) const;
   void balance_forces(const std::vector<double> &balance,
                       double live_work,
                       double enough,
-                      Variables &found);
+                      Variables &found) const;
+  void find_by_tau();
+  Step change(const std::vector<double> &products,
+              double part,
+              double reduction) const;
+  void complete(const std::vector<double> &products,
+                double last_product,
+                double part,
+                Step &step) const;
+  Step predictor(const std::vector<double> &products, double last_product);
   Step direction(const std::vector<double> &products,
                  double last_product,
-                 double part);
+                 double part) const;
   std::vector<double> over_squares(const std::vector<double> &v) const;
   std::vector<double> multipliers_of(const std::vector<double> &r1,
                                      const Variables &found) const;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace Voussoir
 {
@@ -19,19 +18,21 @@ public:
   void add(const double c, const std::array<double, 3> &of_rows)
   {
     const std::array<double, 2> g = {{of_rows[0], of_rows[1]}};
-    for (const Square &other : squares)
+    for (std::size_t i = 0; i < n; ++i)
     {
+      const Square &other = squares[i];
       const double volume = g[0] * other.g[1] - g[1] * other.g[0];
       det += c * other.c * (volume * volume);
     }
-    squares.push_back({c, g});
+    squares[n++] = {c, g};
   }
   /** The three different entries of the inverse: 00, 01, 11. */
   std::array<double, 3> inverse() const
   {
     std::array<double, 3> sum = {};
-    for (const Square &square : squares)
+    for (std::size_t i = 0; i < n; ++i)
     {
+      const Square &square = squares[i];
       const double weight = square.c / det;
       sum[0] += weight * square.g[1] * square.g[1];
       sum[1] -= weight * square.g[0] * square.g[1];
@@ -46,7 +47,9 @@ private:
     double c;
     std::array<double, 2> g;
   };
-  std::vector<Square> squares;
+  /** Three of each of two cones, and two of a cost. */
+  std::array<Square, 8> squares = {};
+  std::size_t n = 0;
   double det = 0.;
 };
 

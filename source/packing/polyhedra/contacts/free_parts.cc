@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/polyhedra/contacts/cell_chunks.h>
+#include <voussoir/base/chunks.h>
 #include <voussoir/packing/polyhedra/contacts/free_parts.h>
 
 #include <algorithm>
