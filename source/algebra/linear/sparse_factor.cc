@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/linear/elimination_order.h>
 #include <voussoir/algebra/linear/sparse_factor.h>
+#include <voussoir/base/chunks.h>
 
 #include <algorithm>
 #include <cholmod.h>
@@ -17,6 +18,9 @@ namespace
 {
 /** What holds an unknown that nothing holds, over what holds others most. */
 constexpr double next_to_nothing = 1e-30;
+
+/** The joints whose blocks are found before they are added. */
+constexpr std::size_t joints_at_once = 2048;
 
 /** The result of CHOLMOD; throws std::bad_alloc if it is null. */
 template <typename T>
@@ -177,16 +181,26 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
   std::fill_n(values, static_cast<int *>(matrix->p)[matrix->ncol], 0.);
   for (unsigned int k = 0; k < n * structure.n_own_bodies(); ++k)
     values[of_body[k]] = shift;
-  JointBlocks::Blocks of;
-  for (unsigned int e = 0; e < structure.joints().size(); ++e)
+  // All cores find the blocks of some joints, which are then added in order.
+  std::vector<JointBlocks::Blocks> found(
+      std::min<std::size_t>(joints_at_once, structure.joints().size()));
+  for (unsigned int first = 0; first < structure.joints().size();
+       first += found.size())
   {
-    const unsigned int minus = structure.joints()[e].cell_minus;
-    const unsigned int plus = structure.joints()[e].cell_plus;
-    if (minus >= n_bodies || plus >= n_bodies)
-      continue;
-    blocks.find(e, coefficients.data(), of);
-    add(e, of);
+    const unsigned int n_now =
+        std::min<std::size_t>(found.size(), structure.joints().size() - first);
+    for_chunks(
+        n_now, items_of_a_chunk,
+        [&](std::size_t, const std::size_t begin, const std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            if (is_between_bodies(first + k))
+              blocks.find(first + k, coefficients.data(), found[k]);
+        });
+    for (unsigned int k = 0; k < n_now; ++k)
+      if (is_between_bodies(first + k))
+        add(first + k, found[k]);
   }
+  JointBlocks::Blocks of;
   for (const FurtherRow &one : further)
   {
     blocks.find(one.row, one.coefficient, of);
@@ -204,6 +218,12 @@ void SparseFactor::fill(const std::vector<double> &coefficients,
     for (unsigned int j = 0; j < n; ++j)
       values[of_body[n * last[k] + j]] += addition[k];
   }
+}
+
+bool SparseFactor::is_between_bodies(const unsigned int joint) const
+{
+  return structure.joints()[joint].cell_minus < n_bodies &&
+         structure.joints()[joint].cell_plus < n_bodies;
 }
 
 /** Add the blocks of a joint between bodies that count. */

@@ -18,21 +18,26 @@ constexpr double fraction_to_bound = 0.9;
 constexpr double least_room = 1e-14;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
 constexpr double rounding_of_bound = 1e-14, rounding_of_motion = 1e-14;
-/** The stopping criteria of the conjugate gradients. */
-constexpr double reduction_of_imbalance = 1e-15;
+/** Errors from which on rounding is near. */
+constexpr double small_residual_of_state = 1e-11, small_closing = 1e-13;
+/** The stopping criteria of the conjugate gradients: over the right-hand side,
+ * and over the loads. */
+constexpr double reduction_of_imbalance = 1e-15, small_imbalance = 1e-16;
 constexpr unsigned int n_bound_gradients = 15;
 
 /** Solve with the matrix that is prepared, and the live loads for a border. */
 ConicForces::Bordered solve(ConicForces &forces,
                             const std::vector<double> &live,
                             const std::vector<double> &right,
-                            const double work)
+                            const double work,
+                            const double enough = 0.)
 {
   if (!live.empty())
     forces.set_border(live);
-  return forces.solve(right, work,
-                      reduction_of_imbalance * largest_component(right),
-                      n_bound_gradients);
+  return forces.solve(
+      right, work,
+      std::max(reduction_of_imbalance * largest_component(right), enough),
+      n_bound_gradients);
 }
 
 std::vector<double> missing(const ConicForces &forces,
@@ -52,28 +57,26 @@ std::vector<double> missing(const ConicForces &forces,
 class Patience
 {
 public:
+  /** @param small an error that is to be halved by each round that gains. */
+  explicit Patience(const double small) : small(small) {}
   bool lasts() const
   {
-    return n < n_bound_rounds && n_in_vain < n_rounds_without_gain;
+    return n < n_bound_rounds &&
+           n_in_vain < (is_small ? 1 : n_rounds_without_gain);
   }
   void see(const double error, const double least)
   {
     ++n;
-    n_in_vain = error < least ? 0 : n_in_vain + 1;
+    const double less = least > small ? least : 0.5 * least;
+    n_in_vain = error < less ? 0 : n_in_vain + 1;
+    is_small = std::min(error, least) <= small;
   }
 
 private:
+  const double small;
   unsigned int n = 0, n_in_vain = 0;
+  bool is_small = false;
 };
-
-/** Go a share of the way from x to y. */
-void towards(std::vector<double> &x,
-             const double share,
-             const std::vector<double> &y)
-{
-  for (std::size_t k = 0; k < x.size(); ++k)
-    x[k] += share * (y[k] - x[k]);
-}
 
 /**
  * The largest closing where a force has no limit, over the displacement: with a
@@ -262,27 +265,30 @@ FactorState state_near(ConicForces &forces,
   const InvalidOperationsAllowed allowed;
   const double dead = largest_component(program.dead),
                live = largest_component(program.live);
-  const auto residual = [&](const FactorState &state) {
+  const auto loads_of = [&](const FactorState &state) {
     const double loads = std::max(dead, std::abs(state.alpha) * live);
-    return largest_component(missing(forces, program, state)) /
-           (loads > 0. ? loads : 1.);
+    return loads > 0. ? loads : 1.;
+  };
+  const auto residual = [&](const FactorState &state) {
+    return largest_component(missing(forces, program, state)) / loads_of(state);
   };
   FactorState best = {within_bounds(forces, point), point.alpha, 0.};
   if (anchor)
   {
     towards(best.x, share, anchor->x);
-    best.alpha += share * (anchor->alpha - best.alpha);
+    best.alpha = between(best.alpha, anchor->alpha, share);
   }
   best.residual = residual(best);
   FactorState trial = best;
-  Patience patience;
+  Patience patience(small_residual_of_state);
   while (best.residual > rounding_of_bound && patience.lasts())
   {
     const std::vector<double> slack = slacks_of(forces, trial.x);
     if (!forces.prepare(weights_of_state(forces, slack, !anchor)))
       break;
     const ConicForces::Bordered change =
-        solve(forces, program.live, missing(forces, program, trial), 0.);
+        solve(forces, program.live, missing(forces, program, trial), 0.,
+              small_imbalance * loads_of(trial));
     std::vector<double> dx = forces.along(change.u);
     forces.multiply(dx);
     std::vector<double> of_slacks = forces.at_slacks(dx);
@@ -319,7 +325,7 @@ FactorMotion mechanism_near(ConicForces &forces,
   };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
-  Patience patience;
+  Patience patience(small_closing);
   const std::size_t n_bounds = forces.bounds().size();
   while (error(best) > rounding_of_motion && patience.lasts())
   {

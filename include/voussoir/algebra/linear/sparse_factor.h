@@ -131,6 +131,7 @@ private:
             double shift,
             double relative_shift,
             const std::vector<FurtherRow> &further);
+  bool is_between_bodies(unsigned int joint) const;
   void add(unsigned int joint, const JointBlocks::Blocks &of);
   void hold_bodies(double relative_shift);
   void analyse();

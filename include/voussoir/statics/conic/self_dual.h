@@ -174,7 +174,14 @@ private:
   std::vector<double> multipliers_of(const std::vector<double> &r1,
                                      const Variables &found) const;
   void find_scaling();
-  double longest(const Step &step) const;
+  double longest(const Step &one, const Step &other, double part) const;
+  void move(Step &step, double part, const Step &other) const;
+  void correct(double target,
+               double part_of_residuals,
+               std::vector<double> &products,
+               double &last,
+               Step &best,
+               double &length) const;
   void find_products(const Step &step,
                      double length,
                      std::vector<double> &products,
