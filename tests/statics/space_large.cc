@@ -4,6 +4,8 @@
 // bricks along itself, out of its plane and between, and the least thickness of
 // a dome, with both proofs; and the uniform stress of Voronoi cells.
 
+#include <deal.II/base/multithread_info.h>
+
 #include "space_thickness.h"
 
 namespace test_space_large
@@ -43,6 +45,27 @@ void wall_of_1040()
                body_force(wall.packing, vector(1., 0., 0.)), 4e-9);
 }
 
+/** All cores do what one does, to the last bit, with more cones than a chunk.
+ */
+void threads()
+{
+  SpaceCase wall = running_bond(14);
+  wall.mu = 0.65;
+  const auto find = [&] {
+    return proven_factor("Wall of 203 bricks", wall,
+                         body_force(wall.packing, vector(0., 0., -1.)),
+                         body_force(wall.packing, vector(1., 0.1, 0.)));
+  };
+  const auto by_all = find();
+  const unsigned int before = dealii::MultithreadInfo::n_threads();
+  dealii::MultithreadInfo::set_thread_limit(1);
+  const auto by_one = find();
+  dealii::MultithreadInfo::set_thread_limit(before);
+  check("  the same factor by one thread",
+        by_one.carried == by_all.carried && by_one.bound == by_all.bound &&
+            by_one.n_iterations == by_all.n_iterations);
+}
+
 void grains()
 {
   const Packing<3> packing = cells_in_box(3000, {1., 1., 1.}, 1);
@@ -59,6 +82,7 @@ void grains()
 void run()
 {
   wall_of_1040();
+  threads();
   check_thickness_of_dome(20, 16, 0.5, 0.04263562);
   grains();
 }

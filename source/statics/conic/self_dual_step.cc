@@ -273,7 +273,7 @@ SelfDual::State SelfDual::step()
     forces.set_cone(products, k, QuadraticCone::product(lambda[k], lambda[k]));
   last = now.tau * now.kappa;
   Step best = predictor(products, last);
-  double length = longest(best, best, 0.);
+  double length = longest(best);
 
   find_products(best, length, trial, trial_last);
   double sum = trial_last;
@@ -291,7 +291,7 @@ SelfDual::State SelfDual::step()
   add_second_order(best, target, products);
   last += best.tau * best.kappa - target;
   best = direction(products, last, 1. - centring);
-  length = longest(best, best, 0.);
+  length = longest(best);
   correct(target, 1. - centring, products, last, best, length);
   if (length < 1.)
     length *= std::min(std::max(usual_fraction, 1. - mean), largest_fraction);

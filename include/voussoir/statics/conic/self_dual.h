@@ -174,6 +174,7 @@ private:
   std::vector<double> multipliers_of(const std::vector<double> &r1,
                                      const Variables &found) const;
   void find_scaling();
+  double longest(const Step &step) const { return longest(step, step, 0.); }
   double longest(const Step &one, const Step &other, double part) const;
   void move(Step &step, double part, const Step &other) const;
   void correct(double target,
