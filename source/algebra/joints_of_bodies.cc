@@ -2,6 +2,7 @@
 #include <voussoir/algebra/joints_of_bodies.h>
 #include <voussoir/base/chunks.h>
 
+#include <array>
 #include <numeric>
 
 namespace Voussoir
@@ -34,18 +35,20 @@ JointsOfBodies::forces_on_bodies(const double factor,
     const auto add = [&](const Side &side, double *const sum) {
       const std::size_t begin = structure.first_row(side.joint),
                         end = structure.first_row(side.joint + 1);
-      for (unsigned int i = 0; i < T; ++i)
+      const double *direction = structure.direction(begin);
+      const double *turn = side.is_plus ? structure.turn_plus(begin)
+                                        : structure.turn_minus(begin);
+      std::array<double, T> of_joint = {};
+      for (std::size_t k = begin; k < end; ++k, direction += T, turn += R)
       {
-        double component = 0.;
-        for (std::size_t k = begin; k < end; ++k)
-          component += factor * forces[k] * structure.direction(k)[i];
-        sum[i] += side.is_plus ? component : -component;
-      }
-      for (std::size_t k = begin; k < end; ++k)
+        const double force = factor * forces[k];
+        for (unsigned int i = 0; i < T; ++i)
+          of_joint[i] += force * direction[i];
         for (unsigned int i = 0; i < R; ++i)
-          sum[T + i] +=
-              side.is_plus ? factor * forces[k] * structure.turn_plus(k)[i]
-                           : -(factor * forces[k] * structure.turn_minus(k)[i]);
+          sum[T + i] += side.is_plus ? force * turn[i] : -(force * turn[i]);
+      }
+      for (unsigned int i = 0; i < T; ++i)
+        sum[i] += side.is_plus ? of_joint[i] : -of_joint[i];
     };
     for_chunks(
         structure.n_bodies(), items_of_a_chunk,

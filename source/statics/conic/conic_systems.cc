@@ -51,7 +51,7 @@ void add_cone(const ConicForces::Cone &cone,
               SumOfSquaresOfThree &sum)
 {
   const QuadraticCone::Vector &w = scaling.w;
-  const double tail = std::hypot(w[1], w[2]);
+  const double tail = QuadraticCone::size_of_tail(w);
   const std::array<double, 2> t =
       tail > 0. ? std::array<double, 2>{{w[1] / tail, w[2] / tail}}
                 : std::array<double, 2>{{1., 0.}};
@@ -262,7 +262,7 @@ void ConicForces::multiply_by_scalings(const std::vector<double> &d,
       }
       return;
     }
-    const double tail = std::hypot(W.w[1], W.w[2]);
+    const double tail = QuadraticCone::size_of_tail(W.w);
     const double t[] = {tail > 0. ? W.w[1] / tail : 1.,
                         tail > 0. ? W.w[2] / tail : 0.};
     const double along = W.eta_squared * (t[0] * from[0] + t[1] * from[1]) /

@@ -21,7 +21,7 @@ using Vector = std::array<double, 3>;
 /** |v_t|. */
 inline double size_of_tail(const Vector &v)
 {
-  return std::hypot(v[1], v[2]);
+  return std::sqrt(v[1] * v[1] + v[2] * v[2]);
 }
 
 /** v_t . w_t. */
@@ -155,7 +155,8 @@ inline double inverse_of_longest(const Vector &v, const Vector &d)
   const Vector unit = scaled(1. / root, v);
   const double head = unit[0] * d[0] - tail_product(unit, d);
   const double c = (head + d[0]) / (unit[0] + 1.);
-  return (std::hypot(d[1] - c * unit[1], d[2] - c * unit[2]) - head) / root;
+  const Vector rest = {{0., d[1] - c * unit[1], d[2] - c * unit[2]}};
+  return (size_of_tail(rest) - head) / root;
 }
 
 inline Scaling Scaling::of(const Vector &s, const Vector &z)
