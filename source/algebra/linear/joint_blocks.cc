@@ -51,17 +51,6 @@ void add(const double a,
     }
 }
 
-/** Add a multiple of a row. */
-template <unsigned int n>
-void add(const double a, const RowOfBodies<n> &b, RowOfBodies<n> &sum)
-{
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    sum.minus[i] += a * b.minus[i];
-    sum.plus[i] += a * b.plus[i];
-  }
-}
-
 /** The coefficient of one component of what is isotropic. */
 double isotropic(const Structure &structure,
                  const unsigned int e,
@@ -102,23 +91,20 @@ void JointBlocks::find(const unsigned int e,
       return of_bodies<T, R>(structure->direction(k), structure->turn_minus(k),
                              structure->turn_plus(k));
     };
-    structure->for_each_set(e, [&](const unsigned int size,
-                                   const unsigned int row,
-                                   const unsigned int first) {
-      for (unsigned int i = 0; i < size; ++i)
-      {
-        const auto b = row_of_bodies(row + i);
-        if (size == 1)
-        {
-          add<T + R>(a[first], b, b, blocks);
-          return;
-        }
-        RowOfBodies<T + R> sum = {};
-        for (unsigned int j = 0; j < size; ++j)
-          add(a[first + i * size + j], row_of_bodies(row + j), sum);
-        add<T + R>(1., b, sum, blocks);
-      }
-    });
+    structure->for_each_set(e,
+                            [&](const unsigned int size, const unsigned int row,
+                                const unsigned int first) {
+                              for (unsigned int i = 0; i < size; ++i)
+                              {
+                                const auto b = row_of_bodies(row + i);
+                                if (size == 1)
+                                  add<T + R>(a[first], b, b, blocks);
+                                else
+                                  for (unsigned int j = 0; j < size; ++j)
+                                    add<T + R>(a[first + i * size + j], b,
+                                               row_of_bodies(row + j), blocks);
+                              }
+                            });
   });
 }
 

@@ -221,12 +221,12 @@ void SelfDual::correct(const double target,
                        Step &best,
                        double &length) const
 {
-  const bool is_plane = forces.of().is_plane();
-  const unsigned int n_most = !is_plane || products.size() < many_bounds
+  const bool in_parts = takes_long_steps();
+  const unsigned int n_most = in_parts || products.size() < many_bounds
                                   ? n_corrections
                                   : n_corrections_of_many;
-  const unsigned int n_parts = is_plane ? 1 : n_parts_in_space;
-  const double longer = is_plane ? longer_trial : longer_trial_in_space;
+  const unsigned int n_parts = in_parts ? n_parts_in_space : 1;
+  const double longer = in_parts ? longer_trial_in_space : longer_trial;
   std::vector<double> trial;
   for (unsigned int n = 0; n < n_most && length <= long_enough; ++n)
   {
@@ -285,7 +285,7 @@ SelfDual::State SelfDual::step()
   double centring = length > 0.1
                         ? std::pow(std::min(1., std::max(left, 1e-10)), 3.)
                         : 1. - length;
-  if (!forces.of().is_plane())
+  if (takes_long_steps())
     centring = std::min(centring, largest_centring_in_space);
   const double target = centring * mean;
   add_second_order(best, target, products);
