@@ -25,6 +25,7 @@ bool invalid_operations_are_trapped();
 class InvalidOperationsTrapped
 {
 public:
+  /** @param are_trapped from now on, where they can be. */
   explicit InvalidOperationsTrapped(bool are_trapped);
   ~InvalidOperationsTrapped();
   InvalidOperationsTrapped(const InvalidOperationsTrapped &) = delete;

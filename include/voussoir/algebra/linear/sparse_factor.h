@@ -137,9 +137,8 @@ private:
   void analyse();
   void extract_last_block();
   /** Solve one of CHOLMOD's systems, ordered as unknowns are eliminated. */
-  std::vector<double> solve(int system,
-                            const std::vector<double> &r,
-                            unsigned int n_columns) const;
+  std::vector<double>
+  solve(int system, const std::vector<double> &r, unsigned int n_columns) const;
   /** @{ */
   /** From the order of unknowns to that of their elimination, and back. */
   std::vector<double> in_order(const std::vector<double> &r,
