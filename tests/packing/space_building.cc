@@ -72,6 +72,18 @@ void check_whole_bricks(const unsigned int nx,
         n_aligned(cells, 0) == 0 && n_aligned(cells, 1) == 0);
 }
 
+/** What is made if nothing is set: ten bricks by eight, in ten courses. */
+void check_defaults()
+{
+  const CellFaces cells = generated<BuildingGenerator>("");
+  check("Defaults: bricks", cells.n_cells() == 10 * 2 * (10 + 8 - 1));
+  double volume = 0.;
+  for (unsigned int c = 0; c < cells.n_cells(); ++c)
+    volume += moments_of(cells, c).volume;
+  check_error("  their volume", std::abs(volume - 2. * (4. * 3.2 - 3.6 * 2.8)),
+              1e-12);
+}
+
 void check_thickness(const double thickness)
 {
   std::cout << "thickness " << thickness << std::endl;
@@ -130,6 +142,7 @@ void refuse(const std::string &settings)
 
 void run()
 {
+  check_defaults();
   check_whole_bricks(2, 2, 3);
   check_whole_bricks(6, 4, 6);
   check_whole_bricks(3, 7, 5);

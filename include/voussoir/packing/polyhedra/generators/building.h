@@ -43,7 +43,7 @@ private:
   unsigned int check() const;
 
   double length = 4.;
-  double width = 3.;
+  double width = 3.2;
   double height = 2.;
   double thickness = 0.2;
   double brick_length = 0.4;
