@@ -362,7 +362,8 @@ void run()
   check_field("A uniform stress in random cells",
               cells_in_box(3000, {1., 1., 1.}, 3), Field());
   check_generator<SpaceWallGenerator>("wall of bricks");
-  check_generator<BuildingGenerator>("building", "set Brick length = 0.5");
+  check_generator<BuildingGenerator>("building",
+                                     "set Width = 3\nset Brick length = 0.5");
   check_generator<ColumnGenerator>("column");
   check_generator<StairsGenerator>("flight of stairs");
   check_generator<VaultGenerator>("vault");

@@ -18,8 +18,8 @@ constexpr double fraction_to_bound = 0.9;
 constexpr double least_room = 1e-14;
 /** Errors, relative to the loads and to the displacement, that are rounding. */
 constexpr double rounding_of_bound = 1e-14, rounding_of_motion = 1e-14;
-/** Errors from which on rounding is near. */
-constexpr double small_residual_of_state = 1e-11, small_closing = 1e-13;
+/** The residual from which on what a round does not halve is rounding. */
+constexpr double small_residual_of_state = 1e-12;
 /** The stopping criteria of the conjugate gradients: over the right-hand side,
  * and over the loads. */
 constexpr double reduction_of_imbalance = 1e-15, small_imbalance = 1e-16;
@@ -58,7 +58,7 @@ class Patience
 {
 public:
   /** @param small an error that is to be halved by each round that gains. */
-  explicit Patience(const double small) : small(small) {}
+  explicit Patience(const double small = 0.) : small(small) {}
   bool lasts() const
   {
     return n < n_bound_rounds &&
@@ -325,7 +325,7 @@ FactorMotion mechanism_near(ConicForces &forces,
   };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
-  Patience patience(small_closing);
+  Patience patience;
   const std::size_t n_bounds = forces.bounds().size();
   while (error(best) > rounding_of_motion && patience.lasts())
   {
