@@ -35,19 +35,13 @@ add(std::vector<double> &to, const double factor, const std::vector<double> &v)
     to[i] += factor * v[i];
 }
 
-/** What is a part of the way from @p a to @p b, one of them if it is 0 or 1. */
-inline double between(const double a, const double b, const double part)
-{
-  return part == 1. ? b : part == 0. ? a : a + part * (b - a);
-}
-
 /** Move @p v a part of the way to another. */
 inline void towards(std::vector<double> &v,
                     const double part,
                     const std::vector<double> &other)
 {
   for (std::size_t i = 0; i < v.size(); ++i)
-    v[i] = between(v[i], other[i], part);
+    v[i] += part * (other[i] - v[i]);
 }
 } // namespace Voussoir
 

@@ -276,7 +276,7 @@ FactorState state_near(ConicForces &forces,
   if (anchor)
   {
     towards(best.x, share, anchor->x);
-    best.alpha = between(best.alpha, anchor->alpha, share);
+    best.alpha += share * (anchor->alpha - best.alpha);
   }
   best.residual = residual(best);
   FactorState trial = best;

@@ -24,47 +24,26 @@ constexpr double shortening = 0.9, shortening_of_curved = 0.97;
 constexpr unsigned int n_shortenings = 30, n_shortenings_of_curved = 60;
 
 /**
- * Gondzio's corrections: how many, the steps that need none, what they gain. In
- * the plane a second one brings digits, but with many bounds it costs more than
- * the steps that it saves (measured, 10,000 random cells: 2 to 20 per cent of
- * the time). In space systems are dearer beside it, and cones want more: it is
- * for a longer step, and the best part of it is taken (measured, a wall and a
- * dome of 10,000 blocks: 50 steps instead of 67, and 31 instead of 43).
+ * Gondzio's corrections: how many, the steps that need none, what they gain. A
+ * second one brings digits, but with many bounds it costs more than the steps
+ * that it saves (measured, 10,000 random cells: 2 to 20 per cent of the time).
  */
 constexpr unsigned int n_corrections = 2, n_corrections_of_many = 1;
 constexpr std::size_t many_bounds = 20000;
-constexpr double long_enough = 0.9, longer_trial = 0.3,
-                 longer_trial_in_space = 0.5, least_gain = 0.03;
-constexpr unsigned int n_parts_in_space = 4;
+constexpr double long_enough = 0.9, longer_trial = 0.3, least_gain = 0.03;
 constexpr double outlying = 10.;
-
-/** The largest part of the mean product that a step in space aims at. */
-constexpr double largest_centring_in_space = 0.2;
 } // namespace
 
-/**
- * The part of a step to where something vanishes, at most one. The step is
- * @p part of the way from @p one to @p other.
- */
-double
-SelfDual::longest(const Step &one, const Step &other, const double part) const
+/** The part of a step to where something vanishes, at most one. */
+double SelfDual::longest(const Step &step) const
 {
-  double fastest =
-      std::max({1., -between(one.tau, other.tau, part) / now.tau,
-                -between(one.kappa, other.kappa, part) / now.kappa});
+  double fastest = std::max({1., -step.tau / now.tau, -step.kappa / now.kappa});
   for (std::size_t b = 0; b < n_bounds; ++b)
-    fastest =
-        std::max({fastest, -between(one.s[b], other.s[b], part) / now.s[b],
-                  -between(one.z[b], other.z[b], part) / now.z[b]});
+    fastest = std::max({fastest, -step.s[b] / now.s[b], -step.z[b] / now.z[b]});
   fastest = forces.largest_of_cones(fastest, [&](const std::size_t k) {
-    QuadraticCone::Vector s, z;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      s[i] = between(one.scaled[k].s[i], other.scaled[k].s[i], part);
-      z[i] = between(one.scaled[k].z[i], other.scaled[k].z[i], part);
-    }
-    return std::max({0., QuadraticCone::inverse_of_longest(lambda[k], s),
-                     QuadraticCone::inverse_of_longest(lambda[k], z)});
+    const ScaledStep &of = step.scaled[k];
+    return std::max({0., QuadraticCone::inverse_of_longest(lambda[k], of.s),
+                     QuadraticCone::inverse_of_longest(lambda[k], of.z)});
   });
   return 1. / fastest;
 }
@@ -182,26 +161,6 @@ double SelfDual::least_product(const Step &step, const double length) const
                                                   (least_of_cones * mean));
 }
 
-/** Move a step a part of the way to another. */
-void SelfDual::move(Step &step, const double part, const Step &other) const
-{
-  towards(step.x, part, other.x);
-  towards(step.u, part, other.u);
-  towards(step.s, part, other.s);
-  towards(step.z, part, other.z);
-  step.alpha = between(step.alpha, other.alpha, part);
-  step.tau = between(step.tau, other.tau, part);
-  step.kappa = between(step.kappa, other.kappa, part);
-  forces.for_each_cone([&](const std::size_t k) {
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      ScaledStep &of = step.scaled[k];
-      of.s[i] = between(of.s[i], other.scaled[k].s[i], part);
-      of.z[i] = between(of.z[i], other.scaled[k].z[i], part);
-    }
-  });
-}
-
 /** Shorten a step until no product is far below the mean. */
 double SelfDual::keep_products_near(const Step &step, double length) const
 {
@@ -211,51 +170,6 @@ double SelfDual::keep_products_near(const Step &step, double length) const
        ++n)
     length *= program.has_curvature ? shortening_of_curved : shortening;
   return length;
-}
-
-/** Gondzio's corrections of a step, by what it has of products. */
-void SelfDual::correct(const double target,
-                       const double part_of_residuals,
-                       std::vector<double> &products,
-                       double &last,
-                       Step &best,
-                       double &length) const
-{
-  const bool in_parts = takes_long_steps();
-  const unsigned int n_most = in_parts || products.size() < many_bounds
-                                  ? n_corrections
-                                  : n_corrections_of_many;
-  const unsigned int n_parts = in_parts ? n_parts_in_space : 1;
-  const double longer = in_parts ? longer_trial_in_space : longer_trial;
-  std::vector<double> trial;
-  for (unsigned int n = 0; n < n_most && length <= long_enough; ++n)
-  {
-    // Bring products that a longer step would leave far from the target back.
-    double trial_last;
-    find_products(best, std::min(1., length + longer), trial, trial_last);
-    pull_back(target, trial);
-    for (std::size_t b = 0; b < trial.size(); ++b)
-      trial[b] = products[b] - trial[b];
-    trial_last = last - correction(trial_last, target);
-    const Step other = direction(trial, trial_last, part_of_residuals);
-    double part = 0., best_length = length + least_gain;
-    for (unsigned int k = n_parts; k > 0; --k)
-    {
-      const double part_now = double(k) / n_parts;
-      const double length_now = longest(best, other, part_now);
-      if (length_now >= best_length)
-      {
-        part = part_now;
-        best_length = length_now;
-      }
-    }
-    if (part == 0.)
-      return;
-    length = best_length;
-    move(best, part, other);
-    towards(products, part, trial);
-    last = between(last, trial_last, part);
-  }
 }
 
 SelfDual::State SelfDual::step()
@@ -282,17 +196,34 @@ SelfDual::State SelfDual::step()
   for (std::size_t k = 0; k < lambda.size(); ++k)
     sum += forces.of_cone(trial, k)[0];
   const double left = sum / (n_bounds + lambda.size() + 1.) / mean;
-  double centring = length > 0.1
-                        ? std::pow(std::min(1., std::max(left, 1e-10)), 3.)
-                        : 1. - length;
-  if (takes_long_steps())
-    centring = std::min(centring, largest_centring_in_space);
+  const double centring =
+      length > 0.1 ? std::pow(std::min(1., std::max(left, 1e-10)), 3.)
+                   : 1. - length;
   const double target = centring * mean;
   add_second_order(best, target, products);
   last += best.tau * best.kappa - target;
   best = direction(products, last, 1. - centring);
   length = longest(best);
-  correct(target, 1. - centring, products, last, best, length);
+
+  const unsigned int n_most =
+      products.size() < many_bounds ? n_corrections : n_corrections_of_many;
+  for (unsigned int n = 0; n < n_most && length <= long_enough; ++n)
+  {
+    // Bring products that a longer step would leave far from the target back.
+    find_products(best, std::min(1., length + longer_trial), trial, trial_last);
+    pull_back(target, trial);
+    for (std::size_t b = 0; b < trial.size(); ++b)
+      trial[b] = products[b] - trial[b];
+    trial_last = last - correction(trial_last, target);
+    const Step other = direction(trial, trial_last, 1. - centring);
+    const double other_length = longest(other);
+    if (!(other_length >= length + least_gain))
+      break;
+    best = other;
+    length = other_length;
+    products = trial;
+    last = trial_last;
+  }
   if (length < 1.)
     length *= std::min(std::max(usual_fraction, 1. - mean), largest_fraction);
   length = keep_products_near(best, length);

@@ -174,20 +174,7 @@ private:
   std::vector<double> multipliers_of(const std::vector<double> &r1,
                                      const Variables &found) const;
   void find_scaling();
-  /** In space, but not with a quadratic cost. */
-  bool takes_long_steps() const
-  {
-    return !forces.of().is_plane() && !program.has_curvature;
-  }
-  double longest(const Step &step) const { return longest(step, step, 0.); }
-  double longest(const Step &one, const Step &other, double part) const;
-  void move(Step &step, double part, const Step &other) const;
-  void correct(double target,
-               double part_of_residuals,
-               std::vector<double> &products,
-               double &last,
-               Step &best,
-               double &length) const;
+  double longest(const Step &step) const;
   void find_products(const Step &step,
                      double length,
                      std::vector<double> &products,
