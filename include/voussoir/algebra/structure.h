@@ -230,10 +230,8 @@ public:
   void find_jumps(unsigned int e, const double *u, double *jumps) const;
   /** Find the @p jumps in all rows of all joints. */
   void find_all_jumps(const double *u, double *jumps) const;
-  /**
-   * Add the jumps in all rows of all joints to what the rows have in @p to,
-   * rounded once: where the sum is small beside the jump it has more digits.
-   */
+  /** Add the jumps in all rows to what these have, rounded once: where a sum
+   * is small beside its jump it has more digits. */
   void add_exact_jumps(const std::vector<double> &u,
                        std::vector<double> &to) const;
   /** The jumps in all rows of all joints. */

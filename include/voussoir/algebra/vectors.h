@@ -34,15 +34,6 @@ add(std::vector<double> &to, const double factor, const std::vector<double> &v)
   for (std::size_t i = 0; i < to.size(); ++i)
     to[i] += factor * v[i];
 }
-
-/** Move @p v a part of the way to another. */
-inline void towards(std::vector<double> &v,
-                    const double part,
-                    const std::vector<double> &other)
-{
-  for (std::size_t i = 0; i < v.size(); ++i)
-    v[i] += part * (other[i] - v[i]);
-}
 } // namespace Voussoir
 
 #endif

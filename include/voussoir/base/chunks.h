@@ -20,6 +20,12 @@ constexpr unsigned int items_of_a_chunk = 128;
 /** The same of items that take a few operations each. */
 constexpr unsigned int light_items_of_a_chunk = 1024;
 
+/** The number of ranges of at most @p size that @p n items make. */
+inline std::size_t n_chunks(const std::size_t n, const std::size_t size)
+{
+  return (n + size - 1) / size;
+}
+
 /**
  * Call a function for consecutive ranges of numbers by all cores, with traps of
  * invalid operations as in the thread that calls this.
@@ -33,19 +39,19 @@ void for_chunks(const std::size_t n,
                 const std::size_t size,
                 const Function &function)
 {
-  const std::size_t n_chunks = (n + size - 1) / size;
+  const std::size_t n_ranges = n_chunks(n, size);
   const auto call = [&](const std::size_t begin, const std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
       function(k, k * size, std::min(n, (k + 1) * size));
   };
-  if (n_chunks <= 1)
+  if (n_ranges <= 1)
   {
-    call(0, n_chunks);
+    call(0, n_ranges);
     return;
   }
   const bool are_trapped = invalid_operations_are_trapped();
   dealii::parallel::apply_to_subranges(
-      std::size_t(0), n_chunks,
+      std::size_t(0), n_ranges,
       [&](const std::size_t begin, const std::size_t end) {
         const InvalidOperationsTrapped as_there(are_trapped);
         call(begin, end);
@@ -64,7 +70,7 @@ template <typename Function>
 auto in_chunks(const unsigned int n, const Function &function)
 {
   using Result = decltype(function(0U, 0U));
-  std::vector<Result> results((n + items_of_a_chunk - 1) / items_of_a_chunk);
+  std::vector<Result> results(n_chunks(n, items_of_a_chunk));
   for_chunks(
       n, items_of_a_chunk,
       [&](const std::size_t k, const unsigned int begin,

@@ -57,26 +57,33 @@ std::vector<double> missing(const ConicForces &forces,
 class Patience
 {
 public:
-  /** @param small an error that is to be halved by each round that gains. */
+  /** @param small an error from which on what is not halved is rounding. */
   explicit Patience(const double small = 0.) : small(small) {}
   bool lasts() const
   {
-    return n < n_bound_rounds &&
-           n_in_vain < (is_small ? 1 : n_rounds_without_gain);
+    return n < n_bound_rounds && n_in_vain < n_rounds_without_gain;
   }
   void see(const double error, const double least)
   {
     ++n;
-    const double less = least > small ? least : 0.5 * least;
-    n_in_vain = error < less ? 0 : n_in_vain + 1;
-    is_small = std::min(error, least) <= small;
+    n_in_vain = error < least ? 0 : n_in_vain + 1;
+    if (least <= small && !(error < 0.5 * least))
+      n = n_bound_rounds;
   }
 
 private:
   const double small;
   unsigned int n = 0, n_in_vain = 0;
-  bool is_small = false;
 };
+
+/** Go a share of the way from x to y. */
+void towards(std::vector<double> &x,
+             const double share,
+             const std::vector<double> &y)
+{
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] += share * (y[k] - x[k]);
+}
 
 /**
  * The largest closing where a force has no limit, over the displacement: with a

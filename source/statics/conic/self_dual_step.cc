@@ -133,7 +133,7 @@ double SelfDual::least_product(const Step &step, const double length) const
     least = std::min(least, product);
   }
   const std::size_t size = light_items_of_a_chunk;
-  std::vector<double> sums((lambda.size() + size - 1) / size, 0.);
+  std::vector<double> sums(n_chunks(lambda.size(), size), 0.);
   const double least_of_all_cones = -forces.largest_of_cones(
       -std::numeric_limits<double>::infinity(), [&](const std::size_t k) {
         QuadraticCone::Vector s = forces.of_cone(now.s, k),

@@ -128,8 +128,7 @@ public:
   double largest_of_cones(const double at_least, const F &f) const
   {
     const std::size_t size = light_items_of_a_chunk;
-    std::vector<double> of_chunks((all_cones.size() + size - 1) / size,
-                                  at_least);
+    std::vector<double> of_chunks(n_chunks(all_cones.size(), size), at_least);
     for_each_cone([&](const std::size_t k) {
       double &largest = of_chunks[k / size];
       largest = std::max(largest, f(k));
