@@ -21,6 +21,8 @@ struct FactorSearch
   LoadFactorAnswer answer;
   /** The scene at the factor; or the one that collapses. */
   Scene scene;
+  /** What the factor multiplies; none of strengths. */
+  std::optional<LiveLoads> live = {};
 };
 
 /** All loads as live ones. */
@@ -96,7 +98,8 @@ FactorSearch search_loads(SceneData data,
                                           context.terminal);
   const double factor = answer.factor ? answer.factor->carried : 0.;
   return {std::move(answer),
-          context.parameters.scene_at(std::move(data), factor)};
+          context.parameters.scene_at(std::move(data), factor),
+          LiveLoads{live.load, live.load_torque}};
 }
 
 /** How the forces at the factor were found. */
@@ -171,7 +174,8 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
   AnalysisResult result = {"load_factor", "Load factor", description_of(factor),
                            json_of(factor), true};
   if (factor.has_mechanism())
-    result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism"};
+    result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism",
+                                 false, std::move(found.live)};
   outcome.results.push_back(std::move(result));
   return outcome;
 }

@@ -273,6 +273,7 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
                   [](const double s) { return s > 0.; }))
     answer.summary["load_factor"]["bound_of_continuous_faces"] =
         bound_of_continuous_faces(dead, live, answer.motion).factor;
+  answer.live = std::move(live.loads);
   return answer;
 }
 

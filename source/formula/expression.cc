@@ -28,8 +28,12 @@ struct Expression::Implementation
 
 namespace
 {
+const std::string name_of_pi = "pi";
+
 std::string what_it_may_use(const std::vector<std::string> &variables)
 {
+  if (variables.empty())
+    return "It may use no variables.";
   return "It may use the variables " + boost::algorithm::join(variables, ", ") +
          ".";
 }
@@ -85,7 +89,7 @@ Expression::Expression(const std::string &formula,
   {
     for (unsigned int i = 0; i < variables.size(); ++i)
       parser.DefineVar(variables[i], &implementation->values[i]);
-    parser.DefineConst("pi", 3.14159265358979323846);
+    parser.DefineConst(name_of_pi, 3.14159265358979323846);
     parser.SetExpr(formula);
     // Parsing is lazy: evaluate once, to meet the errors here. What is not a
     // number may be one where the formula will be asked for.
@@ -148,6 +152,13 @@ bool Expression::is_zero() const
 const Formula &Expression::formula() const
 {
   return *implementation->formula;
+}
+
+bool is_function_or_constant(const std::string &name)
+{
+  mu::Parser parser;
+  define_functions(parser);
+  return name == name_of_pi || parser.GetFunDef().count(name) > 0;
 }
 
 Condition::Condition(const std::string &formula,

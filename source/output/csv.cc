@@ -25,9 +25,10 @@ void write_cells_csv(std::ostream &out, const Results &results)
 
 void write_mechanism_csv(std::ostream &out,
                          const Scene &scene,
-                         const Motion &motion)
+                         const Motion &motion,
+                         const LiveLoads *const live)
 {
-  const MovingScene moving(scene, motion);
+  const MovingScene moving(scene, motion, live);
   write_table(out, mechanism_fields().columns(moving), scene.packing.n_cells());
 }
 

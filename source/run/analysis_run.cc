@@ -34,7 +34,7 @@ AnalysisRun::shared_packing(const std::filesystem::path &directory,
 
 void AnalysisRun::validate(const std::filesystem::path &directory) const
 {
-  warn_of_unused();
+  show_settings();
   terminal.begin("Packing");
   analysis.show(analysis.data(analysis.read_packing(directory)),
                 writer.unit_names());
@@ -45,7 +45,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
                                   const bool writes,
                                   PackingsOfRuns *const packings)
 {
-  warn_of_unused();
+  show_settings();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
   RunResult result =
@@ -63,7 +63,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
 RunResult AnalysisRun::answer(const std::filesystem::path &directory,
                               SharedPackings<Packing<2>> &packings)
 {
-  warn_of_unused();
+  show_settings();
   return find(directory, nullptr, &packings);
 }
 

@@ -14,7 +14,9 @@ unsigned int dimension_of(const ParameterSources &sources)
 {
   std::string value;
   for (const ParameterInput &input : sources.inputs())
-    value = input.value_of(dimension_entry).value_or(value);
+    for (const auto &[entry, of_entry] : input.entries_in(""))
+      if (entry == dimension_entry)
+        value = of_entry;
   for (const std::string &text : sources.assignments)
   {
     const Assignment assignment = assignment_of_text(text);

@@ -187,7 +187,8 @@ std::string ResultWriter::write(ResultDirectory &files,
   }
   if (beside)
     write_mechanism(files, results.scene, beside->motion,
-                    beside->has_size ? 1. : size_of_mechanism(results.scene));
+                    beside->has_size ? 1. : size_of_mechanism(results.scene),
+                    beside->live ? &*beside->live : nullptr);
   publish(files, results, prm);
   show_summary(terminal, results);
   return {};
@@ -277,7 +278,8 @@ std::string ResultWriter::write(ResultDirectory &files,
 void ResultWriter::write_mechanism(ResultDirectory &files,
                                    const Scene &scene,
                                    const Motion &motion,
-                                   const double factor) const
+                                   const double factor,
+                                   const LiveLoads *const live) const
 {
   const auto add = [&](const std::string &name, const auto &writer) {
     files.write(name, [&](std::ostream &out) { writer(out, scene, motion); });
@@ -291,7 +293,9 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
   }
   if (writes(ResultFiles::csv))
   {
-    add(mechanism_csv, write_mechanism_csv);
+    files.write(mechanism_csv, [&](std::ostream &out) {
+      write_mechanism_csv(out, scene, motion, live);
+    });
     add(mechanism_joints_csv, write_mechanism_joints_csv);
   }
 }

@@ -9,6 +9,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <iostream>
 
 namespace Voussoir
@@ -50,27 +51,104 @@ Run::Run(Terminal &terminal)
 
 void Run::read(const ParameterSources &sources)
 {
-  const std::vector<ParameterInput> inputs = sources.inputs();
+  inputs = sources.inputs();
+  assignments = sources.assignments;
   prm.declare_entry(dimension_entry, "2", dealii::Patterns::Integer(2, 3),
                     "2: the blocks are polygons in the plane. 3: they are "
                     "polyhedra in space, with parameters of their own, which "
                     "'voussoir --print-parameters --set Dimension=3' lists; "
                     "its states, load factors and ranges are found as in the "
                     "plane.");
+  declare_variables();
   declare(load_cases_in(inputs, sources));
   assigned.watch(prm);
-  for (const ParameterInput &input : inputs)
-    if (input.assign_to(prm))
-      assigned.forget_unchanged();
-  for (const std::string &assignment : sources.assignments)
-    assign_parameter(prm, assignment);
+  assign_all();
   check_dimension();
 }
 
-void Run::assign(const std::string &assignment)
+/** Declare an entry for each variable that is given somewhere. */
+void Run::declare_variables()
 {
-  assign_parameter(prm, assignment);
-  check_dimension();
+  const auto declare = [&](const std::string &name) {
+    variables.set(name, "0");
+    const InSection in_section(prm, {variables_section});
+    prm.declare_entry(name, "", dealii::Patterns::Anything(),
+                      "An expression of the variables before this one, whose "
+                      "number stands for $" +
+                          name + " in the values of other entries.");
+  };
+  for (const ParameterInput &input : inputs)
+    for (const auto &[name, expression] : input.entries_in(variables_section))
+      declare(name);
+  for (const std::string &text : assignments)
+    if (const EntryPath to = assignment_of_text(text).to;
+        to.section == SectionPath{variables_section})
+      declare(to.entry);
+}
+
+/** Assign all that was written, with the numbers of the variables in it. */
+void Run::assign_all()
+{
+  for (const ParameterInput &input : inputs)
+    for (const auto &[name, expression] : input.entries_in(variables_section))
+      variables.set(name, expression);
+  for (const std::string &text : assignments)
+    if (const auto [to, value] = assignment_of_text(text);
+        to.section == SectionPath{variables_section})
+      variables.set(to.entry, value);
+  variables.evaluate();
+  const auto with_numbers = [&](const std::string &text,
+                                const std::string &place) {
+    return variables.in(text, place);
+  };
+  for (ParameterInput input : inputs)
+  {
+    input.replace_values('$', variables_section, with_numbers);
+    if (input.assign_to(prm))
+    {
+      has_listing = true;
+      assigned.forget_unchanged();
+    }
+  }
+  for (const std::string &text : assignments)
+    carry_out(text);
+}
+
+void Run::carry_out(const std::string &text)
+{
+  Assignment assignment = assignment_of_text(text);
+  const std::string place = "--set " + text;
+  if (assignment.to.section != SectionPath{variables_section})
+    assignment.value = variables.in(assignment.value, place);
+  Voussoir::assign(prm, assignment, place);
+}
+
+void Run::assign(const std::string &text)
+{
+  const EntryPath to = assignment_of_text(text).to;
+  const bool is_variable = to.section == SectionPath{variables_section};
+  const std::vector<std::string> before = assignments;
+  assignments.erase(std::remove_if(assignments.begin(), assignments.end(),
+                                   [&](const std::string &other) {
+                                     return assignment_of_text(other).to == to;
+                                   }),
+                    assignments.end());
+  assignments.push_back(text);
+  try
+  {
+    if (is_variable)
+      assign_all();
+    else
+      carry_out(text);
+    check_dimension();
+  }
+  catch (const InputError &)
+  {
+    assignments = before;
+    if (is_variable)
+      assign_all();
+    throw;
+  }
 }
 
 void Run::check_dimension()
@@ -99,8 +177,15 @@ void Run::print(std::ostream &out,
   print_parameters(out, prm, is_wanted, format, detail);
 }
 
-void Run::warn_of_unused() const
+void Run::show_settings() const
 {
+  if (!variables.empty())
+    terminal.stage("Variables", variables.values_in_words());
+  // In a listing numbers stand for them already.
+  if (!has_listing)
+    for (const std::string &name : variables.unused())
+      terminal.warning("'" + variables_section + '/' + name +
+                       "' has no effect, since no value has $" + name + ".");
   for (const std::string &warning : unused_settings(assigned))
     terminal.warning(warning);
 }

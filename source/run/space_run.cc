@@ -105,7 +105,7 @@ void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
 
 void SpaceRun::validate(const std::filesystem::path &directory) const
 {
-  warn_of_unused();
+  show_settings();
   analysis.check(of_scene,
                  of_scene.blocks(read_packing(directory).packing, terminal),
                  terminal);
@@ -116,7 +116,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
                                const bool writes,
                                PackingsOfRuns *const packings)
 {
-  warn_of_unused();
+  show_settings();
   std::optional<ResultDirectory> files;
   if (writes)
   {
@@ -146,7 +146,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
 SpaceResult SpaceRun::answer(const std::filesystem::path &directory,
                              SharedPackings<CheckedPacking> &packings)
 {
-  warn_of_unused();
+  show_settings();
   return find(directory, &packings);
 }
 

@@ -42,14 +42,17 @@ def check_schema():
     for text in ('{"$schema": "voussoir.schema.json"}', '{"Rotations": true}',
                  '{"Rotations": "false"}', '{"Friction": {"Strength": 2}}',
                  '{"Packing": {"wall": {"Courses": 3, "Height": "1e-3"}}}',
-                 '{"Load cases": {"wind": {"Traction": "nx; 0"}}}'):
+                 '{"Load cases": {"wind": {"Traction": "nx; 0"}}}',
+                 '{"Variables": {"h": 3, "b": "2 * h"}, "Rotations": "$h"}',
+                 '{"Packing": {"wall": {"Height": "$(2 * h)"}}}'):
         expect(text, faults(text) == 0)
     for text in ('{"Rotation": true}', '{"Rotations": 1}', '{"Packing": 3}',
                  '{"Friction": {"Law": "Columb"}}', '{"Friction": {"Strength": [1, 2]}}',
                  '{"Packing": {"wall": {"Courses": 0}}}',
                  '{"Packing": {"wall": {"Courses": 2.5}}}',
                  '{"Packing": {"wall": {"Height": "high"}}}',
-                 '{"Load cases": {"wind": {"Tractoin": "nx; 0"}}}'):
+                 '{"Load cases": {"wind": {"Tractoin": "nx; 0"}}}',
+                 '{"Variables": {"h": {"b": 3}}}'):
         expect(text, faults(text) > 0)
 
 

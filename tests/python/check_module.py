@@ -217,6 +217,29 @@ def check_warnings():
            and factor["bound"] is None and factor["forces_at"] == 1)
 
 
+def check_variables():
+    """The variables of a scene may change, and all that has them follows."""
+    text = ("subsection Variables\n set h = 2\n set b = h / 2\nend\n"
+            "subsection Packing\n set Generator = wall\n subsection wall\n"
+            "  set Width = $b\n  set Height = $h\n end\nend\n"
+            "subsection Supports\n set Where = y < 1e-9\nend\n"
+            "subsection Friction\n set Strength = 10\nend\n")
+    scene = voussoir.Scene(text=text, settings={"Loads/Body force": "0; -$(1 / b)"})
+
+    def weight():
+        return scene.solve().summary["loads"]["total"][1]
+    expect("a weight", abs(weight() + 2) < 1e-12)
+    scene["Variables/h"] = 6
+    expect("another height", abs(weight() + 6) < 1e-12)
+    raised(voussoir.InputError, "no number",
+           lambda: scene.__setitem__("Variables/h", "1/0"))
+    raised(voussoir.InputError, "no size",
+           lambda: scene.__setitem__("Variables/h", -6))
+    expect("the height of before", abs(weight() + 6) < 1e-12)
+    scene["Loads/Body force"] = "0; -$h"
+    expect("another load", abs(weight() + 6 * 3 * 6) < 1e-12)
+
+
 def check_errors():
     """The messages are those of the program."""
     message = raised(voussoir.InputError, "a name",
@@ -274,6 +297,7 @@ check_samples()
 check_polygons()
 check_packing()
 check_warnings()
+check_variables()
 check_errors()
 check_views()
 check_memory()

@@ -4,6 +4,7 @@
 
 #include <voussoir/analyses/state/answer.h>
 #include <voussoir/analyses/state/solver_parameters.h>
+#include <voussoir/scene/loads/live_loads.h>
 #include <voussoir/scene/scene_parameters.h>
 #include <voussoir/terminal/terminal.h>
 
@@ -30,6 +31,8 @@ struct MotionBeside
   std::string title;
   /** False if only its direction says something. */
   bool has_size = false;
+  /** The loads of which it bounds the factor; none of others. */
+  std::optional<LiveLoads> live = {};
 };
 
 /** What an analysis says beside forces: all that is shown and written of it. */

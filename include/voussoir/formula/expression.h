@@ -61,6 +61,9 @@ private:
   std::unique_ptr<Implementation> implementation;
 };
 
+/** True if @p name is a function of expressions, or the constant. */
+bool is_function_or_constant(const std::string &name);
+
 /** An Expression in x, y, ... that chooses places: where it is not zero. */
 class Condition
 {

@@ -34,10 +34,15 @@ void write_boundary_csv(std::ostream &out, const Results &results);
 /** One line per cell, with cell_fields(). */
 void write_cells_csv(std::ostream &out, const Results &results);
 
-/** One line per cell, with mechanism_fields() of @p motion. */
+/**
+ * One line per cell, with mechanism_fields() of @p motion.
+ *
+ * @param live loads of which it bounds the factor, or null.
+ */
 void write_mechanism_csv(std::ostream &out,
                          const Scene &scene,
-                         const Motion &motion);
+                         const Motion &motion,
+                         const LiveLoads *live = nullptr);
 
 /** One line per interface, with mechanism_joint_fields() of @p motion. */
 void write_mechanism_joints_csv(std::ostream &out,

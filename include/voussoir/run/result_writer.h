@@ -121,7 +121,8 @@ private:
   void write_mechanism(ResultDirectory &files,
                        const Scene &scene,
                        const Motion &motion,
-                       double factor) const;
+                       double factor,
+                       const LiveLoads *live = nullptr) const;
   /** Write the cells for another program, and the gaps that were left. */
   void write_packing(ResultDirectory &files, const Packing<2> &packing) const;
   /** Add what every run writes, and put all files in place. */

@@ -7,6 +7,7 @@
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/print_parameters.h>
 #include <voussoir/run/shared_packings.h>
+#include <voussoir/run/variables.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -77,7 +78,8 @@ public:
    */
   void read(const ParameterSources &sources);
   /**
-   * Carry out one more assignment "Section/Name=value".
+   * Carry out one more assignment "Section/Name=value"; of a variable, all are
+   * carried out again.
    *
    * @throws InputError as assign_parameter() does, or if it changes `Dimension`
    *   to that of another kind of run.
@@ -135,8 +137,8 @@ protected:
   explicit Run(Terminal &terminal);
   /** Declare all parameters but `Dimension`, with load cases by their names. */
   virtual void declare(const std::set<std::string> &load_cases) = 0;
-  /** Warn of settings that have no effect. */
-  void warn_of_unused() const;
+  /** Show the variables, and warn of settings that have no effect. */
+  void show_settings() const;
 
   /** The terminal of the run. */
   Terminal &terminal;
@@ -146,10 +148,19 @@ protected:
   dealii::TimerOutput timer;
 
 private:
+  void declare_variables();
+  void assign_all();
+  void carry_out(const std::string &assignment);
   /** @throws InputError if `Dimension` is not dimension(), as it is then. */
   void check_dimension();
 
   AssignedEntries assigned;
+  /** What was written, as it was written. */
+  std::vector<ParameterInput> inputs;
+  std::vector<std::string> assignments;
+  Variables variables;
+  /** True if values may stand in the places of variables already. */
+  bool has_listing = false;
 };
 } // namespace Voussoir
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/base/beside.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <future>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -31,6 +34,9 @@ constexpr double small_load_factor = 1e-3;
  * at first: they hardly ever slide.
  */
 constexpr double largest_plain_limit = 1e6, sufficient_limit = 1e4;
+
+/** The joints from which on the dead loads have a thread of their own. */
+constexpr std::size_t n_joints_of_a_thread = 1024;
 
 /** Lower the strengths that are larger than @p most; joints that do not crush
  * still do not. */
@@ -90,7 +96,16 @@ public:
   FactorAnswerOf<SceneOf> find();
 
 private:
-  void look_at_rest();
+  /** What the dead loads alone do. */
+  struct AtRest
+  {
+    /** Forces far from their limits, if there are any. */
+    std::optional<FactorState> forces;
+    /** The mechanism in which they collapse, if that is proven. */
+    std::optional<MotionOfBlocks> collapse;
+    unsigned int n_iterations = 0;
+  };
+  AtRest look_at_rest(RowProblem &rows, Terminal &shown_by) const;
   ProvenFactor::Controls controls_of_factor() const
   {
     return {controls.tolerance, small_load_factor, controls.n_max_iterations,
@@ -113,10 +128,6 @@ private:
   RowProblem by_rows;
   /** The live loads are of the size of the dead ones. */
   SelfDual::Program program;
-  /** Forces for the dead loads alone, far from their limits if there are any.*/
-  std::optional<FactorState> at_rest;
-  /** The mechanism of the dead loads alone, if they collapse. */
-  MotionOfBlocks collapse_at_rest;
   FactorOf<SceneOf> found;
 };
 
@@ -159,36 +170,46 @@ LoadFactorSearch<SceneOf>::forces_of(const std::vector<double> &x) const
 
 /** Look whether the dead loads are carried by themselves. */
 template <typename SceneOf>
-void LoadFactorSearch<SceneOf>::look_at_rest()
+auto LoadFactorSearch<SceneOf>::look_at_rest(RowProblem &rows,
+                                             Terminal &shown_by) const -> AtRest
 {
+  AtRest at_rest;
+  if (!dead.is_loaded())
+    return at_rest;
   FeasibleForces any = find_feasible_forces(
-      by_rows, program.dead, controls.n_max_iterations, terminal);
-  found.n_iterations += any.n_iterations;
-  at_rest = std::move(any.state);
+      rows, program.dead, controls.n_max_iterations, shown_by);
+  at_rest.n_iterations = any.n_iterations;
+  at_rest.forces = std::move(any.state);
   if (any.collapse.empty())
-    return;
+    return at_rest;
   MotionOfBlocks motion = motion_of(any.collapse);
-  found.collapses_without = proves_collapse(certify_mechanism(dead, motion));
-  if (found.collapses_without)
-    collapse_at_rest = std::move(motion);
+  if (proves_collapse(certify_mechanism(dead, motion)))
+    at_rest.collapse = std::move(motion);
+  return at_rest;
 }
 
 template <typename SceneOf>
 FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
 {
+  const bool is_large = problem.joints().size() >= n_joints_of_a_thread;
+  const auto look = [&] {
+    if (!is_large)
+      return look_at_rest(by_rows, terminal);
+    // Matrices of its own, and nothing to be seen between the other's lines.
+    RowProblem own(problem);
+    return look_at_rest(own, Terminal::silent());
+  };
+  AtRest at_rest;
   ProvenFactor factor(by_rows.forces(), program, controls_of_factor(),
                       terminal);
-  if (dead.is_loaded())
-  {
-    look_at_rest();
-    if (at_rest)
-    {
-      factor.set_anchor(*at_rest);
-      factor.set_carried(*at_rest);
-    }
-  }
+  std::future<AtRest> found_at_rest = beside(is_large, look);
+  factor.set_carried([&] {
+    at_rest = found_at_rest.get();
+    return at_rest.forces;
+  });
   factor.find();
-  found.n_iterations += factor.n_iterations();
+  found.n_iterations += at_rest.n_iterations + factor.n_iterations();
+  found.collapses_without = at_rest.collapse.has_value();
   FactorAnswerOf<SceneOf> answer;
   keep(factor);
   if (factor.state() == SelfDual::State::unbounded)
@@ -204,7 +225,7 @@ FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
   if (found.forces.empty() && found.collapses_without)
   {
     // No factor is known to help.
-    answer.collapse = std::move(collapse_at_rest);
+    answer.collapse = std::move(*at_rest.collapse);
     return answer;
   }
   check_found(factor);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/parameters/parameter_faults.h>
+#include <voussoir/base/parameters/parameter_lines.h>
 #include <voussoir/base/text.h>
 
 #include <deal.II/base/utilities.h>
@@ -38,17 +39,6 @@ std::string on_one_line(const std::string &lines)
   for (std::istringstream words(lines); words >> word;)
     all += (all.empty() ? "" : " ") + word;
   return all;
-}
-
-/** A line without comment and the white space around it. */
-std::string statement(const std::string &line)
-{
-  return trim(line.substr(0, line.find('#')));
-}
-
-std::string first_word(const std::string &words)
-{
-  return words.substr(0, words.find_first_of(" \t"));
 }
 
 /** One fault of a text, and the line and the sections that it is in. */
@@ -94,7 +84,7 @@ private:
     std::istringstream in(text.lines);
     for (unsigned int k = 0; k < line; ++k)
       std::getline(in, faulty);
-    faulty = statement(faulty);
+    faulty = statement_of_line(faulty);
     place = "Line " + number + " of " + place;
   }
 
@@ -245,7 +235,7 @@ std::vector<SectionOfText> sections_before(const std::string &text,
   for (unsigned int number = 1; number < line && std::getline(in, content);
        ++number)
   {
-    const std::string words = statement(content);
+    const std::string words = statement_of_line(content);
     const std::string first = first_word(words);
     if (first == "subsection" || first == "SUBSECTION")
     {

@@ -3,19 +3,25 @@
 #include <voussoir/base/parameters/nested_parameters.h>
 #include <voussoir/base/parameters/parameter_faults.h>
 #include <voussoir/base/parameters/parameter_input.h>
+#include <voussoir/base/parameters/parameter_lines.h>
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/text.h>
 #include <voussoir/base/text_file.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace Voussoir
 {
 namespace
 {
+using dealii::Utilities::trim;
+
 /** True if a line of @p text is listing_title(). */
 bool is_listing(const std::string &text)
 {
@@ -42,6 +48,43 @@ void refuse_includes(const std::string &lines, const std::string &name)
                        "' includes another file; give all parameters in one, "
                        "or on the command line with --set.");
   }
+}
+bool is_set(const std::string &word)
+{
+  return boost::iequals(word, "set");
+}
+
+bool is_directly_in(const std::string &section,
+                    const std::vector<std::string> &sections)
+{
+  return section.empty() ? sections.empty()
+                         : sections.size() == 1 && sections[0] == section;
+}
+
+using Nested = boost::property_tree::ptree;
+
+/** What is directly in a section, or outside all. */
+const Nested &section_of(const Nested &nested, const std::string &section)
+{
+  static const Nested nothing;
+  if (section.empty())
+    return nested;
+  const auto found = nested.find(section);
+  return found == nested.not_found() ? nothing : found->second;
+}
+
+/** Replace the values in a node. @param path of it, without the last '. */
+template <typename Replaced>
+void replace_nested(Nested &node,
+                    const std::string &path,
+                    const std::string &file,
+                    const char letter,
+                    const Replaced &replaced)
+{
+  if (node.data().find(letter) != std::string::npos)
+    node.data() = replaced(node.data(), file + path + '\'');
+  for (auto &[name, inner] : node)
+    replace_nested(inner, path + '/' + name, file, letter, replaced);
 }
 } // namespace
 
@@ -96,33 +139,62 @@ ParameterInput::sections_in(const std::string &section) const
   return names;
 }
 
-std::optional<std::string>
-ParameterInput::value_of(const std::string &entry) const
+ParameterInput::Entries
+ParameterInput::entries_in(const std::string &section) const
 {
+  Entries entries;
   if (const auto *const nested = std::get_if<Nested>(&content))
   {
-    const auto node = nested->get_child_optional(entry);
-    if (!node)
-      return {};
-    return node->get("value", node->data());
+    for (const auto &[name, node] : section_of(*nested, section))
+      if (node.empty() || node.count("value") > 0)
+        entries.emplace_back(name, node.get("value", node.data()));
+    return entries;
   }
   // Not by deal.II, which would take what it does not know for a mistake.
-  const std::regex begins("\\s*subsection\\s.*", std::regex::icase);
-  const std::regex ends("\\s*end\\s*(#.*)?", std::regex::icase);
-  const std::regex assigns(
-      "\\s*set\\s+" + entry + "\\s*=\\s*([^#]*?)\\s*(#.*)?", std::regex::icase);
-  std::optional<std::string> value;
-  std::istringstream in(std::get<std::string>(content));
-  std::smatch match;
-  int depth = 0;
-  for (std::string line; std::getline(in, line);)
-    if (std::regex_match(line, begins))
-      ++depth;
-    else if (std::regex_match(line, ends))
-      --depth;
-    else if (depth == 0 && std::regex_match(line, match, assigns))
-      value = match[1];
-  return value;
+  for_each_line(std::get<std::string>(content),
+                [&](const std::vector<std::string> &sections,
+                    const std::string &line, unsigned int) {
+                  const std::string words = statement_of_line(line);
+                  const std::string first = first_word(words);
+                  const std::size_t equals = words.find('=');
+                  if (is_directly_in(section, sections) && is_set(first) &&
+                      equals != std::string::npos)
+                    entries.emplace_back(
+                        trim(words.substr(first.size(), equals - first.size())),
+                        trim(words.substr(equals + 1)));
+                });
+  return entries;
+}
+
+void ParameterInput::replace_values(
+    const char letter,
+    const std::string &section,
+    const std::function<std::string(const std::string &, const std::string &)>
+        &replaced)
+{
+  if (auto *const nested = std::get_if<Nested>(&content))
+  {
+    for (auto &[name, node] : *nested)
+      if (name != section)
+        replace_nested(node, '\'' + name, "'" + this->name + "', ", letter,
+                       replaced);
+    return;
+  }
+  std::string lines;
+  for_each_line(std::get<std::string>(content),
+                [&](const std::vector<std::string> &sections,
+                    const std::string &line, const unsigned int number) {
+                  const std::string before = line.substr(0, line.find('#'));
+                  const bool stays =
+                      before.find(letter) == std::string::npos ||
+                      (!sections.empty() && sections[0] == section);
+                  lines += stays ? line
+                                 : replaced(before, text("Line ", number,
+                                                         " of '", name, "'")) +
+                                       line.substr(before.size());
+                  lines += '\n';
+                });
+  content = lines;
 }
 
 bool ParameterInput::assign_to(dealii::ParameterHandler &prm) const

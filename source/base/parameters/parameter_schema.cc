@@ -47,6 +47,7 @@ Json schema_of_entry(const Json &entry)
   const std::string description = entry.at("pattern_description");
   Json values = schemas_of_value(read_pattern(description));
   values.push_back({{"$ref", "#/definitions/listed entry"}});
+  values.push_back({{"$ref", "#/definitions/variable"}});
   return {{"description", entry.at("documentation").get<std::string>() +
                               " Accepts " + text_of_pattern(description) + "."},
           {"default", entry.at("default_value")},
@@ -68,22 +69,28 @@ Json schema_of_section(const Json &section)
 
 void print_schema(std::ostream &out,
                   const dealii::ParameterHandler &prm,
-                  const std::string &of_users)
+                  const std::vector<std::string> &of_users)
 {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Parameters of Voussoir"}};
   schema.update(schema_of_section(tree_of(prm)));
   Json &properties = schema["properties"];
   properties["$schema"] = {{"type", "string"}};
-  Json &named = properties.at(of_users);
-  named["additionalProperties"] = named.at("properties").front();
-  named.erase("properties");
-  schema["definitions"] = {{"listed entry",
-                            {{"description", "An entry as "
-                                             "--print-parameters --as json "
-                                             "prints it."},
-                             {"type", "object"},
-                             {"required", {"value"}}}}};
+  for (const std::string &section : of_users)
+  {
+    Json &named = properties.at(section);
+    named["additionalProperties"] = named.at("properties").front();
+    named.erase("properties");
+  }
+  schema["definitions"] = {
+      {"listed entry",
+       {{"description", "An entry as --print-parameters --as json prints it."},
+        {"type", "object"},
+        {"required", {"value"}}}},
+      {"variable",
+       {{"description", "A text with variables, such as $h or $(2 * h)."},
+        {"type", "string"},
+        {"pattern", "\\$[A-Za-z_(]"}}}};
   out << schema.dump(2) << '\n';
 }
 } // namespace Voussoir

@@ -146,7 +146,8 @@ const FieldTable<SpaceResults> &polyhedron_fields()
 {
   static const FieldTable<SpaceResults> table(
       "cell group volume faces fixed", polyhedra(), polyhedron_loads(),
-      polyhedron_motion(), polyhedron_stress(), opening_motion());
+      polyhedron_motion(), polyhedron_stress(), opening_motion(),
+      polyhedron_live_loads());
   return table;
 }
 
@@ -156,7 +157,7 @@ const FieldTable<SpaceResults> &face_interface_fields()
       "normal_force shear_force normal_stress utilisation cell_minus "
       "cell_plus area distance normal",
       face_interfaces(), face_forces(), face_ranges(), face_jumps(),
-      face_self_stress());
+      face_self_stress(), face_strengths());
   return table;
 }
 

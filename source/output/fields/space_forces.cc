@@ -139,6 +139,44 @@ Fields<SpaceResults> face_forces()
            })});
 }
 
+namespace
+{
+/** Strengths in tables, if the scene has them. @param words when. */
+Fields<SpaceResults> strengths_when(const std::string &words,
+                                    std::vector<double> Strengths::*const of,
+                                    Field<SpaceResults> field)
+{
+  return when<SpaceResults>({words,
+                             [of](const SpaceResults &a) {
+                               return a.is_analysed &&
+                                      !(a.scene.blocks->strengths.*of).empty();
+                             }},
+                            {field.only_in_table()});
+}
+} // namespace
+
+Fields<SpaceResults> face_strengths()
+{
+  const auto of = [](std::vector<double> Strengths::*const member) {
+    return [member](const SpaceResults &a) {
+      return Stored(a.scene.blocks->strengths.*member);
+    };
+  };
+  return together<SpaceResults>(
+      {strengths_when("with loads", &Strengths::of_interface,
+                      {"strength", "S", "s_e; c_e with Coulomb's friction",
+                       of(&Strengths::of_interface)}),
+       strengths_when("with Coulomb's friction", &Strengths::coefficient,
+                      {"coefficient", "", "mu_e", of(&Strengths::coefficient)}),
+       strengths_when(
+           "where joints bear tension", &Strengths::tensile,
+           {"tensile_strength", "S", "f_t", of(&Strengths::tensile)}),
+       strengths_when("where joints crush", &Strengths::compressive,
+                      {"compressive_strength", "S",
+                       "f_c, inf where an interface does not",
+                       of(&Strengths::compressive)})});
+}
+
 Fields<SpaceResults> face_jumps()
 {
   return when<SpaceResults>(
@@ -166,6 +204,23 @@ Fields<SpaceResults> polyhedron_loads()
                       return of_cell(a.scene.loads.torque, c);
                     })
            .with_attribute("load_torque")});
+}
+
+Fields<SpaceResults> polyhedron_live_loads()
+{
+  return only_in_table(when<SpaceResults>(
+      {"of a load factor",
+       [](const SpaceResults &a) { return a.live && a.is_mechanism; }},
+      {vector_field("live_load", "S L^2",
+                    "the loads that the factor multiplies; `load` is all at "
+                    "the factor that is carried",
+                    [](const SpaceResults &a, const unsigned int c) {
+                      return of_cell(a.live->force, c);
+                    }),
+       vector_field("live_torque", "S L^3", "their moment about its centre",
+                    [](const SpaceResults &a, const unsigned int c) {
+                      return of_cell(a.live->torque, c);
+                    })}));
 }
 
 Fields<SpaceResults> polyhedron_motion()

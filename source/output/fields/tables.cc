@@ -62,7 +62,7 @@ const FieldTable<MovingScene> &mechanism_fields()
           "displacement along the motion; of a mechanism the largest "
           "component is 1, where a rotation counts times the root of the mean "
           "area of a cell"),
-      cell_groups(), cell_load_torques(), cell_rotations());
+      cell_groups(), cell_load_torques(), cell_rotations(), live_loads());
   return table;
 }
 

@@ -38,6 +38,9 @@ po::options_description visible_options(Arguments &arguments)
       "repeatable")("directories", po::bool_switch(&arguments.has_directories),
                     "with --sweep or --find: write the results of each run, "
                     "into run_1, run_2, ... of the output directory")(
+      "critical", po::bool_switch(&arguments.writes_critical),
+      "with --sweep: write the results of the run with the least load factor, "
+      "into critical of the output directory")(
       "validate", po::bool_switch(&arguments.validate),
       "read the scene and its packing, show what was understood, and solve and "
       "write nothing")(

@@ -7,6 +7,7 @@
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/sweep.h>
+#include <voussoir/run/variables.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/version.h>
 
@@ -53,6 +54,8 @@ bool run_many(const Arguments &arguments,
               Terminal &terminal)
 {
   const bool finds = !arguments.find.empty();
+  if (arguments.sweeps.empty() && arguments.writes_critical)
+    throw InputError("--critical belongs to --sweep. See 'voussoir --help'.");
   if (arguments.sweeps.empty() && !finds)
   {
     if (!arguments.results.empty() || arguments.has_directories)
@@ -72,7 +75,8 @@ bool run_many(const Arguments &arguments,
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
   const ManyRuns runs = {arguments.file, arguments.assignments,
-                         arguments.results, arguments.has_directories};
+                         arguments.results, arguments.has_directories,
+                         arguments.writes_critical};
   if (finds)
   {
     search(runs, read_search_range(arguments.find), terminal);
@@ -105,7 +109,7 @@ std::optional<std::string> text_of_parameters(const Arguments &arguments,
               parameter_format_of(arguments.format.value_or("prm")),
               arguments.print_settings ? Detail::value : Detail::listing);
   else if (arguments.print_schema)
-    print_schema(text, run.entries(), load_cases_section);
+    print_schema(text, run.entries(), {load_cases_section, variables_section});
   else if (arguments.print_reference)
     write_reference(text, run.entries(),
                     run.dimension() == 3 ? "Parameters in space" : "Parameters",
@@ -144,9 +148,11 @@ ExitStatus run(const Arguments &arguments,
   if (!arguments.file.empty())
     sources.file = arguments.file;
   sources.assignments = arguments.assignments;
-  if (arguments.print_schema) // of load cases by any name
-    sources.assignments.push_back(load_cases_section +
-                                  "/case/Boundary load=traction");
+  if (arguments.print_schema) // of load cases and variables by any name
+    sources.assignments.insert(
+        sources.assignments.end(),
+        {load_cases_section + "/case/Boundary load=traction",
+         variables_section + "/name=0"});
   const std::unique_ptr<Run> run = make_run(sources, terminal, processes);
   if (const auto text = text_of_parameters(arguments, *run))
     return print(streams.out, *text);

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/result_directory.h>
+#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/repeated_run.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/run/sweep/sweep_files.h>
@@ -95,6 +96,9 @@ private:
 /** The number of different warnings that the terminal shows. */
 constexpr std::size_t most_warnings = 10;
 
+/** A difference of load factors, over the larger, that says nothing. */
+constexpr double same_factor = 1e-6;
+
 /** All runs of a sweep or a search. */
 class Runner
 {
@@ -121,7 +125,9 @@ public:
     done.resize(first + points.size());
     std::atomic<std::size_t> n_done = 0;
     in_threads(points.size(), [&](const std::size_t k) {
-      done[first + k] = scene.run(points[k], directory_of(first + k));
+      const std::string name =
+          wanted.has_directories ? text("run_", first + k + 1) : "";
+      done[first + k] = run_into(name, points[k]);
       const std::lock_guard lock(of_terminal);
       if (first + k == 0)
         look_at_results(done.front());
@@ -131,6 +137,38 @@ public:
   }
 
   const std::vector<SweepRun> &runs() const { return done; }
+
+  /**
+   * Say between which the load factors are, and repeat the run of the least to
+   * write its results, if that is wanted.
+   *
+   * @return false if there are no finite ones.
+   */
+  bool look_at_factors()
+  {
+    const auto factors = load_factors(done);
+    if (factors.empty())
+      return false;
+    // Of those that are the same but for the width of their proofs the first.
+    const auto first_best = [&](const double sense) {
+      return std::min_element(
+          factors.begin(), factors.end(), [&](const auto &a, const auto &b) {
+            return sense * (b.first - a.first) >
+                   same_factor * std::max(std::abs(a.first), std::abs(b.first));
+          });
+    };
+    const auto least = first_best(1.), greatest = first_best(-1.);
+    const auto words = [&](const std::pair<double, std::size_t> &of) {
+      return text_of_number(of.first) + " with " +
+             words_of(names, done[of.second].values);
+    };
+    terminal.summary("Load factor",
+                     "from " + words(*least) + " to " + words(*greatest));
+    if (wanted.writes_critical)
+      done[least->second].page =
+          run_into("critical", done[least->second].values).page;
+    return true;
+  }
 
   /** Write the table of all runs and its page, and say so with the warnings. */
   void write()
@@ -198,13 +236,19 @@ private:
                        "between them, such as ground/reaction/1.");
   }
 
-  std::string directory_of(const std::size_t k) const
+  /** One run, whose results are in a directory beside the table, if named. */
+  SweepRun run_into(const std::string &name,
+                    const std::vector<std::string> &values)
   {
-    return wanted.has_directories
-               ? (std::filesystem::path(scene.output_directory()) /
-                  ("run_" + std::to_string(k + 1)))
-                     .string()
-               : "";
+    namespace fs = std::filesystem;
+    if (name.empty())
+      return scene.run(values, "");
+    const fs::path directory = fs::path(scene.output_directory()) / name;
+    SweepRun run = scene.run(values, directory.string());
+    const fs::path page = directory / "report.html";
+    if (run.has_answer && fs::exists(page))
+      run.page = name + '/' + page.filename().string();
+    return run;
   }
 
   const ManyRuns &wanted;
@@ -241,12 +285,16 @@ void sweep(const ManyRuns &wanted,
   runner.run(points_of(axes));
   terminal.stage("Sweep", counted(runner.runs().size(), "run") + ": " +
                               counts(runner.runs()));
+  const bool has_factors = runner.look_at_factors();
   runner.write();
   for (const SweepRun &run : runner.runs())
     if (!run.has_answer)
       throw SolverError("With " + words_of(names_of(changing), run.values) +
                         ": " + run.reason);
   runner.check_results();
+  if (wanted.writes_critical && !has_factors)
+    throw InputError("--critical: no run has a finite load factor; set "
+                     "'Analysis = load factor'.");
 }
 
 void search(const ManyRuns &wanted,

@@ -2,6 +2,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/plot.h>
+#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/report_page.h>
 #include <voussoir/run/sweep/sweep_files.h>
 #include <voussoir/run/sweep/sweep_results.h>
@@ -106,6 +107,19 @@ std::string word_of(const SweepRun &run)
                         : "failed";
 }
 
+std::vector<std::pair<double, std::size_t>>
+load_factors(const std::vector<SweepRun> &runs)
+{
+  std::vector<std::pair<double, std::size_t>> factors;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (double factor;
+        boost::conversion::try_lexical_convert(
+            result_at(runs[k].summary, columns[0].second), factor) &&
+        std::isfinite(factor))
+      factors.emplace_back(factor, k);
+  return factors;
+}
+
 std::string SharedWarning::description(const std::vector<std::string> &names,
                                        const std::vector<SweepRun> &all) const
 {
@@ -202,7 +216,10 @@ void write_sweep_html(std::ostream &out,
     out << "<tr>";
     for (const std::string &value : run.values)
       out << "<td>" << html_text(value) << "</td>";
-    out << "<td>" << word_of(run) << "</td>";
+    out << "<td>";
+    if (!run.page.empty())
+      out << "<a href=\"" << html_text(run.page) << "\">";
+    out << word_of(run) << (run.page.empty() ? "" : "</a>") << "</td>";
     for (const auto &column : shown)
       out << "<td>" << html_text(result_at(run.summary, column.second))
           << "</td>";

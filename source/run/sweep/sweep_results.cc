@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/nearest_name.h>
+#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/sweep_results.h>
 #include <voussoir/run/sweep/sweep_values.h>
 

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/sweep_values.h>
+#include <voussoir/run/variables.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -27,10 +28,10 @@ const std::string forms_of_search =
     "give NAME=LOW:HIGH or NAME=LOW:HIGH:WIDTH, such as "
     "\"Friction/Strength=0:1:1e-6\".";
 
-/** Finds a variable where it is a word, with an operator in front of it. */
+/** Finds a variable where it is a word. */
 std::regex word(const std::string &variable)
 {
-  return std::regex("([-+*/^]\\s*)?\\b" + variable + "\\b");
+  return std::regex("\\b" + variable + "\\b");
 }
 
 struct NameAndValues
@@ -80,29 +81,19 @@ std::string ChangingEntry::assignment(const std::string &value) const
 {
   if (text.empty())
     return entry + '=' + value;
-  // A sign behind an operator needs parentheses.
-  const bool has_sign = value.front() == '-' || value.front() == '+';
-  std::string with_value;
+  std::string with_value = text;
   const std::regex place = word(variable);
-  std::sregex_iterator found(text.begin(), text.end(), place), end;
-  auto rest = text.begin();
-  for (; found != end; ++found)
+  std::size_t k = 0;
+  for (std::smatch found; std::regex_search(with_value.cbegin() + k,
+                                            with_value.cend(), found, place);)
   {
-    const std::string before = (*found)[1];
-    with_value.append(rest, text.begin() + found->position());
-    with_value +=
-        before + (has_sign && !before.empty() ? '(' + value + ')' : value);
-    rest = text.begin() + found->position() + found->length();
+    const std::size_t begin = k + found.position();
+    const std::size_t end = begin + found.length();
+    const std::size_t n_behind = with_value.size() - end;
+    with_value = with_number(with_value, begin, end, value);
+    k = with_value.size() - n_behind;
   }
-  with_value.append(rest, text.end());
   return entry + '=' + with_value;
-}
-
-std::string value_text(const double value)
-{
-  TextLines text;
-  text << value;
-  return text.text();
 }
 
 SweepAxis read_sweep_axis(const std::string &text)

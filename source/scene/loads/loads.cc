@@ -99,6 +99,7 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "-5, spread evenly over it or acting at a place, as in "
                     "cell 12: 0, -5 at 0.3, 1. Per unit thickness.",
                     Anything());
+  vehicle.add_parameters(prm);
   prm.leave_subsection();
 }
 
@@ -113,6 +114,8 @@ Loads LoadParameters::loads(const Packing<2> &packing) const
                              loads.warnings, *loads.requested);
   loads.on_cells =
       cell_forces_of_text(packing, cell_forces, section + "/Cell forces");
+  for (CellForce &axle : vehicle.forces(packing, section, loads.warnings))
+    loads.on_cells.push_back(std::move(axle));
   for (const CellForce &f : loads.on_cells)
     for (const unsigned int c : f.cells)
       loads.requested->add(f.place_in(packing, c), f.force);

@@ -55,6 +55,14 @@ double ProvenFactor::width() const
   return size > 0. ? std::abs(least_bound - best_state->alpha) / size : 0.;
 }
 
+void ProvenFactor::take_known()
+{
+  if (!known)
+    return;
+  anchor = std::exchange(known, nullptr)();
+  best_state = anchor;
+}
+
 void ProvenFactor::find_anchors(const SelfDual::Point &point)
 {
   if (!anchor)
@@ -94,6 +102,7 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
       continue;
     least = search.merit();
     best = search.point();
+    take_known();
     find_anchors(*best);
     if (least > first_trial_factor * controls.tolerance ||
         (search.n_iterations() < last_trial + n_between_factors &&
@@ -104,6 +113,7 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
   }
   iterations += search.n_iterations();
   ray = search.point();
+  take_known();
   if (!best)
     return;
   look_near(*best, 0.);

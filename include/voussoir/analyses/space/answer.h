@@ -37,6 +37,8 @@ struct SpaceAnswer
   SpaceMotion motion = {};
   /** True if that is a mechanism. */
   bool is_mechanism = false;
+  /** The loads of which it bounds the factor; none of others. */
+  std::optional<SpaceLoads> live = {};
   /** The errors of a mechanism in which the loads collapse. */
   MechanismCertificate proof = {};
   /** The ranges of forces over all states, if they are asked for. */

@@ -7,10 +7,12 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace Voussoir
 {
@@ -36,11 +38,27 @@ public:
   /** The names of the sections directly in @p section, which need not exist. */
   std::set<std::string> sections_in(const std::string &section) const;
 
+  /** Names and values. */
+  using Entries = std::vector<std::pair<std::string, std::string>>;
   /**
-   * The value that is given to an entry outside all sections, the last one;
-   * whatever else is there may be undeclared.
+   * The entries directly in @p section, or outside all sections if it is empty,
+   * as they are assigned one after the other; all may be undeclared.
    */
-  std::optional<std::string> value_of(const std::string &entry) const;
+  Entries entries_in(const std::string &section) const;
+
+  /**
+   * Replace the values that have a letter.
+   *
+   * @param letter that what is replaced has.
+   * @param section whose values stay as they are.
+   * @param replaced takes a value, or a line with it but without a comment, and
+   *   its place for messages, and returns what stands for it.
+   */
+  void replace_values(
+      char letter,
+      const std::string &section,
+      const std::function<std::string(const std::string &value,
+                                      const std::string &place)> &replaced);
 
   /**
    * Assign all to @p prm.

@@ -29,6 +29,12 @@ struct EntryPath
   SectionPath section;
   /** Its name. */
   std::string entry;
+
+  /** True if both are those of @p other. */
+  bool operator==(const EntryPath &other) const
+  {
+    return section == other.section && entry == other.entry;
+  }
 };
 
 /** @param text such as "Packing/wall/Courses". */

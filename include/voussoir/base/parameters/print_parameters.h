@@ -7,6 +7,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace Voussoir
 {
@@ -47,12 +48,12 @@ void print_parameters(std::ostream &out,
  * A JSON schema (draft 7) of the .json files that ParameterInput reads, by
  * which editors complete and check them.
  *
- * @param of_users a section whose sections users name; that which @p prm has
- *   there stands for all.
+ * @param of_users sections whose sections or entries users name; the first
+ *   that @p prm has there stands for all.
  */
 void print_schema(std::ostream &out,
                   const dealii::ParameterHandler &prm,
-                  const std::string &of_users);
+                  const std::vector<std::string> &of_users);
 } // namespace Voussoir
 
 #endif

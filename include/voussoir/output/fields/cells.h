@@ -17,6 +17,8 @@ Fields<Packing<2>> cell_groups();
 Fields<Scene> cell_loads();
 /** Where blocks turn, T_c. */
 Fields<Scene> cell_load_torques();
+/** The live loads of which a mechanism bounds the factor, and their torques. */
+Fields<MovingScene> live_loads();
 /** The torque of all forces, the mean stress and what follows from it. */
 Fields<Results> cell_stresses();
 } // namespace Voussoir

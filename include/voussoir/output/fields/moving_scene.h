@@ -3,6 +3,7 @@
 #define voussoir_output_fields_moving_scene_h
 
 #include <voussoir/packing/polyhedra/packing.h>
+#include <voussoir/scene/loads/live_loads.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
 #include <voussoir/scene/scene.h>
 
@@ -15,9 +16,16 @@ namespace Voussoir
 class MovingScene
 {
 public:
-  /** Both must outlive this object. */
-  MovingScene(const Scene &scene, const Motion &motion)
-      : scene(scene), motion(motion)
+  /**
+   * All must outlive this object.
+   *
+   * @param live loads of which the motion bounds the factor; null if it bounds
+   *   none.
+   */
+  MovingScene(const Scene &scene,
+              const Motion &motion,
+              const LiveLoads *live = nullptr)
+      : scene(scene), motion(motion), live(live)
   {}
 
   /** The jumps of the motion, found when they are first asked for. */
@@ -28,8 +36,9 @@ public:
     return *found;
   }
 
-  const Scene &scene;   /**< what moves */
-  const Motion &motion; /**< of its cells, in any unit */
+  const Scene &scene;          /**< what moves */
+  const Motion &motion;        /**< of its cells, in any unit */
+  const LiveLoads *const live; /**< or null */
 
 private:
   mutable std::optional<InterfaceJumps> found;

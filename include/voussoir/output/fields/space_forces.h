@@ -11,10 +11,14 @@ namespace Voussoir
 
 /** Of interfaces: the resultants of their forces, and what they use. */
 Fields<SpaceResults> face_forces();
+/** Of interfaces: the strengths that they have. */
+Fields<SpaceResults> face_strengths();
 /** Of interfaces: how they open and slide in a motion. */
 Fields<SpaceResults> face_jumps();
 /** Of cells: the loads on them, and fixed cells without. */
 Fields<SpaceResults> polyhedron_loads();
+/** Of cells: the live loads of which a mechanism bounds the factor. */
+Fields<SpaceResults> polyhedron_live_loads();
 /** Of cells: their motion. */
 Fields<SpaceResults> polyhedron_motion();
 } // namespace Voussoir

@@ -67,6 +67,12 @@ private:
   std::string content;
 };
 
+/** The shortest text that is read as @p value again. */
+inline std::string value_text(const double value)
+{
+  return (TextLines() << value).text();
+}
+
 /**
  * Write what @p lines appends for the numbers from begin to end - 1, which
  * follow on each other from 0 to @p n - 1. It is called by all threads at a

@@ -23,6 +23,8 @@ struct Arguments
   std::vector<std::string> results;
   /** --directories. */
   bool has_directories = false;
+  /** --critical. */
+  bool writes_critical = false;
   /** --validate. */
   bool validate = false;
   /** --print-parameters: the section to print; empty for all parameters. */

@@ -30,6 +30,8 @@ struct SweepRun
   std::vector<std::string> warnings;
   /** The message of a solver that failed. */
   std::string reason;
+  /** The page of its results, from the directory of sweep.csv; or none. */
+  std::string page;
   /** Wall clock time, in seconds. */
   double seconds = 0.;
 };

@@ -22,12 +22,14 @@ struct ManyRuns
   std::vector<std::string> results;
   /** True to write the results of each run into a directory of its own. */
   bool has_directories = false;
+  /** True to write those of the least load factor, into `critical`. */
+  bool writes_critical = false;
 };
 
 /**
  * Run a scene with all combinations of the values of @p axes, as many at a time
  * as there are cores, and write sweep.csv and sweep.html into its output
- * directory.
+ * directory. With load factors say between which they are, and where.
  *
  * @throws InputError if some values are wrong: then nothing is written.
  * @throws SolverError if the solver failed in some runs; all are written.

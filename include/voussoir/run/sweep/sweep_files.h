@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -19,6 +20,11 @@ inline const std::string sweep_html = "sweep.html";
 
 /** The status of a run in one word. */
 std::string word_of(const SweepRun &run);
+
+/** The load factors that are carried, if finite, each with the number of its
+ * run. */
+std::vector<std::pair<double, std::size_t>>
+load_factors(const std::vector<SweepRun> &runs);
 
 /** A warning that some of many runs have. */
 struct SharedWarning

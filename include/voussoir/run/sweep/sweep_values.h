@@ -66,9 +66,6 @@ struct SearchRange
  * @throws InputError if it is neither.
  */
 SearchRange read_search_range(const std::string &text);
-
-/** The shortest text that is read as @p value again. */
-std::string value_text(double value);
 } // namespace Voussoir
 
 #endif

@@ -7,6 +7,7 @@
 #include <voussoir/scene/loads/cell_forces.h>
 #include <voussoir/scene/loads/resultant.h>
 #include <voussoir/scene/loads/segment_tractions.h>
+#include <voussoir/scene/loads/vehicle.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -72,7 +73,7 @@ public:
    * @throws InputError naming the place if a value is not a finite number or
    *   varies too fast for its mean; if a formula cannot be parsed, the uniform
    *   stress is not symmetric, a place is on no edge, a line on no boundary, or
-   *   a name is that of no cell.
+   *   a name is that of no cell; as VehicleParameters::forces().
    */
   Loads loads(const Packing<2> &packing) const;
 
@@ -104,6 +105,7 @@ private:
   std::string body = "0; 0";
   std::string body_of_groups;
   std::string cell_forces;
+  VehicleParameters vehicle;
 };
 } // namespace Voussoir
 

@@ -54,10 +54,10 @@ public:
                const Controls &controls,
                Terminal &terminal);
 
-  /** Take forces far from their limits, at any alpha, if some are known. */
-  void set_anchor(FactorState state) { anchor = std::move(state); }
-  /** Take forces within their limits, which prove their own factor. */
-  void set_carried(FactorState state) { best_state = std::move(state); }
+  /** Forces far from their limits, at any alpha, or none. */
+  using KnownForces = std::function<std::optional<FactorState>()>;
+  /** Take these, which prove their own factor, from where they are needed. */
+  void set_carried(KnownForces forces) { known = std::move(forces); }
   /** Points of the way to an optimum, each with its error. */
   struct Course
   {
@@ -112,6 +112,7 @@ private:
                ? best_state->alpha
                : -program.sense * std::numeric_limits<double>::infinity();
   }
+  void take_known();
   void find_anchors(const SelfDual::Point &point);
   void look_near(const SelfDual::Point &point, double near_enough);
   void look_farther(const SelfDual::Point &point);
@@ -122,6 +123,7 @@ private:
   const SelfDual::Program program;
   const Controls controls;
   Terminal &terminal;
+  KnownForces known;
   Course *followed = nullptr;
   SelfDual::State state_of_program = SelfDual::State::running;
   /** A state far from the limits, and a motion far from closing joints. */
