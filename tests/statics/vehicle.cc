@@ -127,6 +127,7 @@ void run()
   refused(row, "set Axles = a: 300");
   refused(row, "set Axles = 0: 300, 200");
   refused(row, "set Axles = 0: -300");
+  refused(row, "set Axles = 0: 300\nset Effective width = 0");
 }
 
 const RoomTest test("vehicle", run);

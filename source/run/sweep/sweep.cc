@@ -163,7 +163,9 @@ public:
              words_of(names, done[of.second].values);
     };
     terminal.summary("Load factor",
-                     "from " + words(*least) + " to " + words(*greatest));
+                     least == greatest
+                         ? words(*least)
+                         : "from " + words(*least) + " to " + words(*greatest));
     if (wanted.writes_critical)
       done[least->second].page =
           run_into("critical", done[least->second].values).page;

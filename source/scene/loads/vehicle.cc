@@ -111,7 +111,7 @@ void VehicleParameters::add_parameters(dealii::ParameterHandler &prm)
                     "The width of the blocks, across the plane, that carries "
                     "the vehicle: the forces of axles are divided by it. A "
                     "length, positive.",
-                    Double(std::numeric_limits<double>::min()));
+                    Double(0.));
   prm.leave_subsection();
 }
 
@@ -134,6 +134,9 @@ VehicleParameters::forces(const Packing<2> &packing,
                      "', which is no vehicle; those are " + names +
                      ". Give one, or axles such as 0: 300 | 1.2: 300.");
   }
+  if (!axles.empty() && !(width > 0.))
+    throw InputError("The parameter '" + section +
+                     "/Vehicle/Effective width' is 0; it must be positive.");
   std::vector<CellForce> forces;
   bool is_beside = false;
   for (const auto &[distance, value] : split_named_list(
