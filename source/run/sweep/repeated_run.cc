@@ -24,6 +24,7 @@ RepeatedRun::RepeatedRun(std::filesystem::path file_in,
       make_run({file, {}, assignments}, Terminal::silent());
   origin = std::filesystem::proximate(
       std::filesystem::canonical(file).parent_path());
+  of_scene = scene->entries().get("Title");
   directory = scene->entries().get("Output directory");
   inputs = scene->input_files(origin);
 }

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <exception>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -96,9 +95,6 @@ private:
 /** The number of different warnings that the terminal shows. */
 constexpr std::size_t most_warnings = 10;
 
-/** A difference of load factors, over the larger, that says nothing. */
-constexpr double same_factor = 1e-6;
-
 /** All runs of a sweep or a search. */
 class Runner
 {
@@ -146,29 +142,21 @@ public:
    */
   bool look_at_factors()
   {
-    const auto factors = load_factors(done);
-    if (factors.empty())
+    const auto extremes = extreme_factors(done);
+    if (!extremes)
       return false;
-    // Of those that are the same but for the width of their proofs the first.
-    const auto first_best = [&](const double sense) {
-      return std::min_element(
-          factors.begin(), factors.end(), [&](const auto &a, const auto &b) {
-            return sense * (b.first - a.first) >
-                   same_factor * std::max(std::abs(a.first), std::abs(b.first));
-          });
-    };
-    const auto least = first_best(1.), greatest = first_best(-1.);
+    const auto &[least, greatest] = *extremes;
     const auto words = [&](const std::pair<double, std::size_t> &of) {
       return text_of_number(of.first) + " with " +
              words_of(names, done[of.second].values);
     };
     terminal.summary("Load factor",
-                     least == greatest
-                         ? words(*least)
-                         : "from " + words(*least) + " to " + words(*greatest));
+                     least.second == greatest.second
+                         ? words(least)
+                         : "from " + words(least) + " to " + words(greatest));
     if (wanted.writes_critical)
-      done[least->second].page =
-          run_into("critical", done[least->second].values).page;
+      done[least.second].page =
+          run_into("critical", done[least.second].values).page;
     return true;
   }
 
@@ -185,7 +173,7 @@ public:
       write_sweep_csv(out, names, wanted.results, done);
     });
     files.write(sweep_html, [&](std::ostream &out) {
-      write_sweep_html(out, names, wanted.results, done);
+      write_sweep_html(out, scene.title(), names, wanted.results, done);
     });
     files.publish_beside();
     terminal.stage("Output",
@@ -261,18 +249,6 @@ private:
   std::vector<SweepRun> done;
   std::mutex of_terminal;
 };
-
-/** "12 solved, 8 collapse". */
-std::string counts(const std::vector<SweepRun> &runs)
-{
-  std::map<std::string, unsigned int> of_word;
-  for (const SweepRun &run : runs)
-    ++of_word[word_of(run)];
-  std::string words;
-  for (const auto &[word, n] : of_word)
-    words += text(words.empty() ? "" : ", ", n, ' ', word);
-  return words;
-}
 } // namespace
 
 void sweep(const ManyRuns &wanted,
@@ -286,7 +262,7 @@ void sweep(const ManyRuns &wanted,
   Runner runner(wanted, changing, terminal);
   runner.run(points_of(axes));
   terminal.stage("Sweep", counted(runner.runs().size(), "run") + ": " +
-                              counts(runner.runs()));
+                              counts_of(runner.runs()));
   const bool has_factors = runner.look_at_factors();
   runner.write();
   for (const SweepRun &run : runner.runs())

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <ostream>
 #include <set>
@@ -36,6 +37,18 @@ const std::vector<std::pair<std::string, std::string>> columns = {
 /** The columns that have a plot. */
 const std::set<std::string> worth_a_plot = {"load_factor", "max_utilisation",
                                             "work_over_dissipation"};
+
+/** A difference of load factors, over the larger, that says nothing. */
+constexpr double same_factor = 1e-6;
+
+/** The letters of a number that a page shows as it is. */
+constexpr std::size_t most_letters = 8;
+
+/** True if a load factor is less than another by more than proofs differ. */
+bool is_less(const double a, const double b)
+{
+  return b - a > same_factor * std::max(std::abs(a), std::abs(b));
+}
 
 /** The text of a table's field, in quotes if need be. */
 std::string field(const std::string &text)
@@ -107,8 +120,18 @@ std::string word_of(const SweepRun &run)
                         : "failed";
 }
 
-std::vector<std::pair<double, std::size_t>>
-load_factors(const std::vector<SweepRun> &runs)
+std::string counts_of(const std::vector<SweepRun> &runs)
+{
+  std::map<std::string, std::size_t> of_word;
+  for (const SweepRun &run : runs)
+    ++of_word[word_of(run)];
+  std::string words;
+  for (const auto &[word, n] : of_word)
+    words += text(words.empty() ? "" : ", ", n, ' ', word);
+  return words;
+}
+
+std::optional<ExtremeFactors> extreme_factors(const std::vector<SweepRun> &runs)
 {
   std::vector<std::pair<double, std::size_t>> factors;
   for (std::size_t k = 0; k < runs.size(); ++k)
@@ -117,7 +140,17 @@ load_factors(const std::vector<SweepRun> &runs)
             result_at(runs[k].summary, columns[0].second), factor) &&
         std::isfinite(factor))
       factors.emplace_back(factor, k);
-  return factors;
+  if (factors.empty())
+    return {};
+  ExtremeFactors extremes = {factors[0], factors[0]};
+  for (const auto &factor : factors)
+  {
+    if (is_less(factor.first, extremes.least.first))
+      extremes.least = factor;
+    if (is_less(extremes.greatest.first, factor.first))
+      extremes.greatest = factor;
+  }
+  return extremes;
 }
 
 std::string SharedWarning::description(const std::vector<std::string> &names,
@@ -176,16 +209,93 @@ void write_sweep_csv(std::ostream &out,
   }
 }
 
+namespace
+{
+/** A number with the digits that people read, or a text as it is. */
+std::string short_field(const std::string &text)
+{
+  double number = 0.;
+  return html_text(boost::conversion::try_lexical_convert(text, number) &&
+                           text.size() > most_letters
+                       ? text_of_number(number)
+                       : text);
+}
+
+/** The status of a run, which leads to its page if it has one. */
+void write_status(std::ostream &out, const SweepRun &run)
+{
+  if (!run.page.empty())
+    out << "<a href=\"" << html_text(run.page) << "\">";
+  out << word_of(run) << (run.page.empty() ? "" : "</a>");
+}
+
+/** All runs as lines of a table, without columns that none has. */
+void write_sweep_table(
+    std::ostream &out,
+    const std::vector<std::string> &names,
+    const std::vector<std::pair<std::string, std::string>> &columns,
+    const std::vector<SweepRun> &runs)
+{
+  std::vector<std::pair<std::string, std::string>> shown;
+  std::copy_if(columns.begin(), columns.end(), std::back_inserter(shown),
+               [&](const auto &column) {
+                 return std::any_of(
+                     runs.begin(), runs.end(), [&](const SweepRun &run) {
+                       return !result_at(run.summary, column.second).empty();
+                     });
+               });
+  out << "<div class=\"scrolls\"><table>\n<tr>";
+  for (const std::string &name : names)
+    out << "<th>" << html_text(name) << "</th>";
+  out << "<th>status</th>";
+  for (const auto &column : shown)
+    out << "<th>" << html_text(column.first) << "</th>";
+  out << "</tr>\n";
+  for (const SweepRun &run : runs)
+  {
+    out << "<tr>";
+    for (const std::string &value : run.values)
+      out << "<td>" << short_field(value) << "</td>";
+    out << "<td>";
+    write_status(out, run);
+    out << "</td>";
+    for (const auto &column : shown)
+      out << "<td>" << short_field(result_at(run.summary, column.second))
+          << "</td>";
+    out << "</tr>\n";
+  }
+  out << "</table></div>\n<p>The numbers have all digits in " << sweep_csv
+      << ".</p>\n";
+}
+} // namespace
+
 void write_sweep_html(std::ostream &out,
+                      const std::string &title_of_scene,
                       const std::vector<std::string> &names,
                       const std::vector<std::string> &results,
                       const std::vector<SweepRun> &runs)
 {
+  const std::string title =
+      title_of_scene.empty() ? "Sweep" : html_text(title_of_scene);
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta "
-         "charset=\"utf-8\">\n<title>Sweep</title>\n<style>\n"
-      << page_css << "</style>\n</head>\n<body>\n<h1>"
-      << html_text(boost::algorithm::join(names, ", ")) << "</h1>\n";
-  out << "<p><span class=\"swatch line of-carried\"></span> carried <span "
+         "charset=\"utf-8\">\n<meta name=\"viewport\" "
+         "content=\"width=device-width\">\n<title>"
+      << title << "</title>\n<style>\n"
+      << page_css << "</style>\n</head>\n<body>\n<h1>" << title
+      << "</h1>\n<p>Runs over "
+      << html_text(boost::algorithm::join(names, ", ")) << ": "
+      << counts_of(runs) << ".";
+  if (const auto extremes = extreme_factors(runs))
+  {
+    const SweepRun &least = runs[extremes->least.second];
+    out << " The least load factor is " << text_of_number(extremes->least.first)
+        << ", with " << html_text(words_of(names, least.values));
+    if (!least.page.empty())
+      out << " (<a href=\"" << html_text(least.page) << "\">its page</a>)";
+    out << ".";
+  }
+  out << "</p>\n<p><span class=\"swatch line of-carried\"></span> carried "
+         "<span "
          "class=\"swatch line of-hinge\"></span> collapse</p>\n";
   auto shown = columns;
   for (const std::string &result : results)
@@ -204,28 +314,7 @@ void write_sweep_html(std::ostream &out,
           << counted(runs.size(), "run")
           << ", which the plot leaves out.</p>\n";
   }
-  out << "<table>\n<tr>";
-  for (const std::string &name : names)
-    out << "<th>" << html_text(name) << "</th>";
-  out << "<th>status</th>";
-  for (const auto &column : shown)
-    out << "<th>" << html_text(column.first) << "</th>";
-  out << "</tr>\n";
-  for (const SweepRun &run : runs)
-  {
-    out << "<tr>";
-    for (const std::string &value : run.values)
-      out << "<td>" << html_text(value) << "</td>";
-    out << "<td>";
-    if (!run.page.empty())
-      out << "<a href=\"" << html_text(run.page) << "\">";
-    out << word_of(run) << (run.page.empty() ? "" : "</a>") << "</td>";
-    for (const auto &column : shown)
-      out << "<td>" << html_text(result_at(run.summary, column.second))
-          << "</td>";
-    out << "</tr>\n";
-  }
-  out << "</table>\n";
+  write_sweep_table(out, names, shown, runs);
   for (const SharedWarning &warning : warnings_of(runs))
     out << "<p class=\"warning\">"
         << html_text(warning.description(names, runs)) << "</p>\n";

@@ -53,6 +53,8 @@ public:
               std::vector<std::string> assignments,
               std::vector<ChangingEntry> changing);
 
+  /** The entry `Title`. */
+  const std::string &title() const { return of_scene; }
   /** The entry `Output directory`. */
   const std::string &output_directory() const { return directory; }
   /** Files that the scene is read from, without the values. */
@@ -77,7 +79,7 @@ private:
   const std::vector<ChangingEntry> changing;
   /** Where relative paths begin. */
   std::filesystem::path origin;
-  std::string directory;
+  std::string of_scene, directory;
   std::vector<std::filesystem::path> inputs;
   PackingsOfRuns packings;
 };

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,10 +22,27 @@ inline const std::string sweep_html = "sweep.html";
 /** The status of a run in one word. */
 std::string word_of(const SweepRun &run);
 
-/** The load factors that are carried, if finite, each with the number of its
- * run. */
-std::vector<std::pair<double, std::size_t>>
-load_factors(const std::vector<SweepRun> &runs);
+/** How often each status is there: "12 solved, 8 collapse". */
+std::string counts_of(const std::vector<SweepRun> &runs);
+
+/** The least and the greatest load factor of some runs. */
+struct ExtremeFactors
+{
+  /** @{ */
+  /** The factor and the number of the first run that has it. */
+  std::pair<double, std::size_t> least;
+  std::pair<double, std::size_t> greatest;
+  /** @} */
+};
+
+/**
+ * Those of the factors that are carried. Factors that differ by a millionth are
+ * the same.
+ *
+ * @return nothing if no run has a finite one.
+ */
+std::optional<ExtremeFactors>
+extreme_factors(const std::vector<SweepRun> &runs);
 
 /** A warning that some of many runs have. */
 struct SharedWarning
@@ -52,6 +70,7 @@ std::vector<SharedWarning> warnings_of(const std::vector<SweepRun> &runs);
  * Write the table of all runs, or a page with it and with plots of its numbers
  * if there is one parameter whose values are numbers.
  *
+ * @param title_of_scene may be empty.
  * @param names of the parameters.
  * @param results numbers of summary.json, as in "ground/reaction/1".
  * @param runs in the order of the lines.
@@ -61,6 +80,7 @@ void write_sweep_csv(std::ostream &out,
                      const std::vector<std::string> &results,
                      const std::vector<SweepRun> &runs);
 void write_sweep_html(std::ostream &out,
+                      const std::string &title_of_scene,
                       const std::vector<std::string> &names,
                       const std::vector<std::string> &results,
                       const std::vector<SweepRun> &runs);
