@@ -270,18 +270,17 @@ void write_sweep_table(
 } // namespace
 
 void write_sweep_html(std::ostream &out,
-                      const std::string &title_of_scene,
+                      const std::string &title,
                       const std::vector<std::string> &names,
                       const std::vector<std::string> &results,
                       const std::vector<SweepRun> &runs)
 {
-  const std::string title =
-      title_of_scene.empty() ? "Sweep" : html_text(title_of_scene);
+  const std::string heading = title.empty() ? "Sweep" : html_text(title);
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta "
          "charset=\"utf-8\">\n<meta name=\"viewport\" "
          "content=\"width=device-width\">\n<title>"
-      << title << "</title>\n<style>\n"
-      << page_css << "</style>\n</head>\n<body>\n<h1>" << title
+      << heading << "</title>\n<style>\n"
+      << page_css << "</style>\n</head>\n<body>\n<h1>" << heading
       << "</h1>\n<p>Runs over "
       << html_text(boost::algorithm::join(names, ", ")) << ": "
       << counts_of(runs) << ".";

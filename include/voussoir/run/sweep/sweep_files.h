@@ -65,12 +65,9 @@ struct SharedWarning
 /** Each warning of the runs once, in the order of the first run with it. */
 std::vector<SharedWarning> warnings_of(const std::vector<SweepRun> &runs);
 
-/** @{ */
 /**
- * Write the table of all runs, or a page with it and with plots of its numbers
- * if there is one parameter whose values are numbers.
+ * Write the table of all runs.
  *
- * @param title_of_scene may be empty.
  * @param names of the parameters.
  * @param results numbers of summary.json, as in "ground/reaction/1".
  * @param runs in the order of the lines.
@@ -79,12 +76,19 @@ void write_sweep_csv(std::ostream &out,
                      const std::vector<std::string> &names,
                      const std::vector<std::string> &results,
                      const std::vector<SweepRun> &runs);
+
+/**
+ * Write a page with that table in fewer digits, and with plots of its numbers
+ * if there is one parameter whose values are numbers.
+ *
+ * @param title of the scene; may be empty.
+ * @param names, results, runs as in write_sweep_csv().
+ */
 void write_sweep_html(std::ostream &out,
-                      const std::string &title_of_scene,
+                      const std::string &title,
                       const std::vector<std::string> &names,
                       const std::vector<std::string> &results,
                       const std::vector<SweepRun> &runs);
-/** @} */
 } // namespace Voussoir
 
 #endif
