@@ -80,15 +80,21 @@ Fields<MovingScene> live_loads()
   const auto bounds_factor = [](const MovingScene &m) {
     return m.live != nullptr;
   };
-  return only_in_table(when<MovingScene>(
-      {"of a load factor", bounds_factor},
-      {{"live_load", "S L",
-        "the loads that the factor multiplies; `load` is all at the factor "
-        "that is carried",
-        [](const MovingScene &m) { return Stored(m.live->force); }},
-       {"live_load_torque", "S L^2",
-        "their torque about the centre; without rotations it does no work",
-        [](const MovingScene &m) { return Stored(m.live->torque); }}}));
+  const auto bounds_factor_of_torques = [](const MovingScene &m) {
+    return m.live != nullptr && m.scene.turns();
+  };
+  return only_in_table(together<MovingScene>(
+      {when<MovingScene>(
+           {"of a load factor", bounds_factor},
+           {{"live_load", "S L",
+             "the loads that the factor multiplies; `load` is all at the "
+             "factor that is carried",
+             [](const MovingScene &m) { return Stored(m.live->force); }}}),
+       when<MovingScene>(
+           {"of a load factor with `Rotations = true`",
+            bounds_factor_of_torques},
+           {{"live_load_torque", "S L^2", "their torque about the centre",
+             [](const MovingScene &m) { return Stored(m.live->torque); }}})}));
 }
 
 Fields<Results> cell_stresses()

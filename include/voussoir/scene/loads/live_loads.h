@@ -13,7 +13,8 @@ struct LiveLoads
 {
   /** Their force; S L. */
   std::vector<dealii::Tensor<1, 2>> force;
-  /** Their torque about x_c, positive counterclockwise; S L^2. */
+  /** Their torque about x_c, positive counterclockwise; S L^2. Empty where
+   * blocks do not turn. */
   std::vector<double> torque;
 };
 } // namespace Voussoir
