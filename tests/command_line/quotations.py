@@ -134,6 +134,8 @@ class Shell:
         for name in ("contrib/run", "bin/voussoir"):
             (self.directory / name).write_text(f'#!/bin/sh\nexec {program} "$@"\n')
             (self.directory / name).chmod(0o755)
+        checks = "contrib/check_proof"
+        (self.directory / checks).symlink_to(top / checks)
         for block in blocks:
             for begin, name in SCENES.items():
                 if block.first.startswith(begin):
@@ -211,7 +213,7 @@ def check_commands(shell, block):
         expect_sampled(block.place, block.output(), printed)
     elif block.output():
         expect_printed(block.place, block.output(), printed,
-                       whole=not re.match("contrib/run|voussoir", commands[-1]))
+                       whole=not re.match("contrib/(run|check_proof)|voussoir", commands[-1]))
     return len(commands)
 
 

@@ -40,8 +40,8 @@ IN_SPACE = {"blocks", "volume", "joints"}
 # Scenes with Rotations = true.
 TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
-FACTORS = {"arch_bridge", "block_on_incline", "buttress", "dry_arch", "dry_stone_wall",
-           "ferris_tin_loi_1", "ferris_tin_loi_2", "two_span_bridge"}
+FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_lorry", "buttress", "dry_arch",
+           "dry_stone_wall", "ferris_tin_loi_1", "ferris_tin_loi_2", "two_span_bridge"}
 # Those whose supports move: a state and a motion.
 MOVED = {"spreading_arch"}
 
