@@ -66,44 +66,44 @@ void Run::read(const ParameterSources &sources)
   check_dimension();
 }
 
+/** Call @p f for each name and expression, as they are assigned. */
+template <typename F>
+void Run::for_each_variable(const F &f) const
+{
+  for (const ParameterInput &input : inputs)
+    for (const auto &[name, expression] : input.entries_in(variables_section))
+      f(name, expression);
+  for (const std::string &text : assignments)
+    if (const auto [to, value] = assignment_of_text(text);
+        to.section == SectionPath{variables_section})
+      f(to.entry, value);
+}
+
 /** Declare an entry for each variable that is given somewhere. */
 void Run::declare_variables()
 {
-  const auto declare = [&](const std::string &name) {
-    variables.set(name, "0");
+  for_each_variable([&](const std::string &name, const std::string &) {
     const InSection in_section(prm, {variables_section});
     prm.declare_entry(name, "", dealii::Patterns::Anything(),
                       "An expression of the variables before this one, whose "
                       "number stands for $" +
                           name + " in the values of other entries.");
-  };
-  for (const ParameterInput &input : inputs)
-    for (const auto &[name, expression] : input.entries_in(variables_section))
-      declare(name);
-  for (const std::string &text : assignments)
-    if (const EntryPath to = assignment_of_text(text).to;
-        to.section == SectionPath{variables_section})
-      declare(to.entry);
+  });
 }
 
 /** Assign all that was written, with the numbers of the variables in it. */
 void Run::assign_all()
 {
-  for (const ParameterInput &input : inputs)
-    for (const auto &[name, expression] : input.entries_in(variables_section))
-      variables.set(name, expression);
-  for (const std::string &text : assignments)
-    if (const auto [to, value] = assignment_of_text(text);
-        to.section == SectionPath{variables_section})
-      variables.set(to.entry, value);
+  for_each_variable([&](const std::string &name, const std::string &of_name) {
+    variables.set(name, of_name);
+  });
   variables.evaluate();
-  const auto with_numbers = [&](const std::string &text,
-                                const std::string &place) {
-    return variables.in(text, place);
-  };
   for (ParameterInput input : inputs)
   {
-    input.replace_values('$', variables_section, with_numbers);
+    input.replace_values(variables_section, [&](const std::string &text,
+                                                const std::string &place) {
+      return variables.in(text, place);
+    });
     if (input.assign_to(prm))
     {
       has_listing = true;

@@ -155,6 +155,19 @@ SPACE = [in_table("interface_points.csv", "force_z", more),
          in_summary("load_factor", "carried", more), in_summary("load_factor", "bound", more)]
 
 
+def check_unreadable():
+    for directory in ("nowhere", "without"):
+        found = proven(directory)
+        if found.returncode != 1 or "cannot be read" not in found.stdout:
+            fail(f"{directory} can be read: {found.stdout}")
+        print(found.stdout.strip())
+        shutil.copytree("prm_arch_bridge", "without", dirs_exist_ok=True)
+        everything = Table("without", "cells.csv")
+        for row in everything.rows:
+            del row["load_x"]
+        everything.write()
+
+
 def check_errors(directory, errors):
     if proven(directory).returncode != 0:
         fail(f"{directory} is not proven")
@@ -175,6 +188,7 @@ def main():
     check_errors("prm_arch_bridge", PLANE)
     check_errors("collapse", COLLAPSE)
     check_errors("space_building", SPACE)
+    check_unreadable()
 
 
 main()

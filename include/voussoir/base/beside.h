@@ -10,19 +10,24 @@
 
 namespace Voussoir
 {
+/** True if this is not the only thread that the program may have. */
+inline bool has_other_threads()
+{
+  return dealii::MultithreadInfo::n_threads() > 1;
+}
+
 /**
  * Call a function by another thread, beside what this one does, with traps of
  * invalid operations as in this one.
  *
- * @param is_worth false to call it at once by this thread, as with one core.
+ * @param by_another false to call it at once by this thread.
  * @param function takes nothing, and outlives the result.
  * @return what it returns or throws, by get().
  */
 template <typename Function>
-auto beside(const bool is_worth, const Function &function)
+auto beside(const bool by_another, const Function &function)
 {
   const bool are_trapped = invalid_operations_are_trapped();
-  const bool by_another = is_worth && dealii::MultithreadInfo::n_threads() > 1;
   // Where the system has no other thread, get() calls it.
   auto result =
       std::async(by_another ? std::launch::async | std::launch::deferred

@@ -81,8 +81,8 @@ public:
    * Carry out one more assignment "Section/Name=value"; of a variable, all are
    * carried out again.
    *
-   * @throws InputError as assign_parameter() does, or if it changes `Dimension`
-   *   to that of another kind of run.
+   * @throws InputError as Voussoir::assign() and Variables do, or if it changes
+   * `Dimension` to that of another kind of run.
    */
   void assign(const std::string &assignment);
 
@@ -148,6 +148,8 @@ protected:
   dealii::TimerOutput timer;
 
 private:
+  template <typename F>
+  void for_each_variable(const F &f) const;
   void declare_variables();
   void assign_all();
   void carry_out(const std::string &assignment);

@@ -38,14 +38,9 @@ public:
 
   /** True if there are none. */
   bool empty() const { return expressions.empty(); }
-  /** The names and expressions, in their order. */
-  const std::vector<std::pair<std::string, std::string>> &all() const
-  {
-    return expressions;
-  }
   /** "x = 2, h = 1.5". */
   std::string values_in_words() const;
-  /** Those that nothing uses so far, in their order. */
+  /** The names that nothing uses so far, in their order. */
   std::vector<std::string> unused() const;
 
   /**

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/analyses/factors/changed_strengths.h>
 #include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/base/beside.h>
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/scene/proofs/space_certificate.h>
 #include <voussoir/statics/conic/feasible_state.h>
@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <future>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace Voussoir
@@ -37,35 +36,6 @@ constexpr double largest_plain_limit = 1e6, sufficient_limit = 1e4;
 
 /** The joints from which on the dead loads have a thread of their own. */
 constexpr std::size_t n_joints_of_a_thread = 1024;
-
-/** Lower the strengths that are larger than @p most; joints that do not crush
- * still do not. */
-void lower(std::vector<double> &strengths, const double most)
-{
-  for (double &strength : strengths)
-    if (std::isfinite(strength))
-      strength = std::min(strength, most);
-}
-
-/** @{ */
-/** A scene whose finite strengths are no larger than @p most; S. */
-Scene with_strengths_up_to(Scene scene, const double most)
-{
-  lower(scene.strength, most);
-  lower(scene.tensile_strength, most);
-  lower(scene.compressive_strength, most);
-  return scene;
-}
-SpaceScene with_strengths_up_to(SpaceScene scene, const double most)
-{
-  auto blocks = std::make_shared<SpaceBlocks>(*scene.blocks);
-  lower(blocks->strengths.of_interface, most);
-  lower(blocks->strengths.tensile, most);
-  lower(blocks->strengths.compressive, most);
-  scene.blocks = std::move(blocks);
-  return scene;
-}
-/** @} */
 
 /**
  * The problem of the dead loads; without any of the live ones, whose own size
@@ -191,9 +161,10 @@ auto LoadFactorSearch<SceneOf>::look_at_rest(RowProblem &rows,
 template <typename SceneOf>
 FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
 {
-  const bool is_large = problem.joints().size() >= n_joints_of_a_thread;
+  const bool is_beside =
+      problem.joints().size() >= n_joints_of_a_thread && has_other_threads();
   const auto look = [&] {
-    if (!is_large)
+    if (!is_beside)
       return look_at_rest(by_rows, terminal);
     // Matrices of its own, and nothing to be seen between the other's lines.
     RowProblem own(problem);
@@ -202,7 +173,7 @@ FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
   AtRest at_rest;
   ProvenFactor factor(by_rows.forces(), program, controls_of_factor(),
                       terminal);
-  std::future<AtRest> found_at_rest = beside(is_large, look);
+  std::future<AtRest> found_at_rest = beside(is_beside, look);
   factor.set_carried([&] {
     at_rest = found_at_rest.get();
     return at_rest.forces;

@@ -228,31 +228,25 @@ private:
 std::vector<SectionOfText> sections_before(const std::string &text,
                                            const unsigned int line)
 {
-  std::vector<SectionOfText> sections;
+  std::vector<SectionOfText> found;
   std::vector<std::size_t> open;
-  std::istringstream in(text);
-  std::string content;
-  for (unsigned int number = 1; number < line && std::getline(in, content);
-       ++number)
-  {
-    const std::string words = statement_of_line(content);
-    const std::string first = first_word(words);
-    if (first == "subsection" || first == "SUBSECTION")
+  for_each_line(text, [&](SectionPath sections, const std::string &content,
+                          const unsigned int number) {
+    if (number >= line)
+      return;
+    if (const auto name = section_begun_by(content))
     {
-      std::vector<std::string> path;
-      if (!open.empty())
-        path = sections[open.back()].path;
-      path.push_back(trim(words.substr(first.size())));
-      open.push_back(sections.size());
-      sections.push_back({path, number, true});
+      sections.push_back(*name);
+      open.push_back(found.size());
+      found.push_back({std::move(sections), number, true});
     }
-    else if ((words == "end" || words == "END") && !open.empty())
+    else if (ends_section(content) && !open.empty())
     {
-      sections[open.back()].is_open = false;
+      found[open.back()].is_open = false;
       open.pop_back();
     }
-  }
-  return sections;
+  });
+  return found;
 }
 
 std::string explain_fault(dealii::ParameterHandler &prm,

@@ -78,13 +78,11 @@ template <typename Replaced>
 void replace_nested(Nested &node,
                     const std::string &path,
                     const std::string &file,
-                    const char letter,
                     const Replaced &replaced)
 {
-  if (node.data().find(letter) != std::string::npos)
-    node.data() = replaced(node.data(), file + path + '\'');
+  node.data() = replaced(node.data(), file + path + '\'');
   for (auto &[name, inner] : node)
-    replace_nested(inner, path + '/' + name, file, letter, replaced);
+    replace_nested(inner, path + '/' + name, file, replaced);
 }
 } // namespace
 
@@ -127,9 +125,12 @@ ParameterInput::sections_in(const std::string &section) const
   std::set<std::string> names;
   if (const auto *const lines = std::get_if<std::string>(&content))
   {
-    for (const SectionOfText &found : sections_before(*lines))
-      if (found.path.size() == 2 && found.path[0] == section)
-        names.insert(found.path[1]);
+    for_each_line(*lines, [&](const std::vector<std::string> &sections,
+                              const std::string &line, unsigned int) {
+      if (const auto name = section_begun_by(line);
+          name && is_directly_in(section, sections))
+        names.insert(*name);
+    });
     return names;
   }
   for (const auto &[outer, inner] : std::get<Nested>(content))
@@ -167,7 +168,6 @@ ParameterInput::entries_in(const std::string &section) const
 }
 
 void ParameterInput::replace_values(
-    const char letter,
     const std::string &section,
     const std::function<std::string(const std::string &, const std::string &)>
         &replaced)
@@ -176,8 +176,7 @@ void ParameterInput::replace_values(
   {
     for (auto &[name, node] : *nested)
       if (name != section)
-        replace_nested(node, '\'' + name, "'" + this->name + "', ", letter,
-                       replaced);
+        replace_nested(node, '\'' + name, "'" + this->name + "', ", replaced);
     return;
   }
   std::string lines;
@@ -186,8 +185,7 @@ void ParameterInput::replace_values(
                     const std::string &line, const unsigned int number) {
                   const std::string before = line.substr(0, line.find('#'));
                   const bool stays =
-                      before.find(letter) == std::string::npos ||
-                      (!sections.empty() && sections[0] == section);
+                      !sections.empty() && sections[0] == section;
                   lines += stays ? line
                                  : replaced(before, text("Line ", number,
                                                          " of '", name, "'")) +

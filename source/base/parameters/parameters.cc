@@ -113,10 +113,4 @@ void assign(dealii::ParameterHandler &prm,
   }
   throw InputError(place + ": " + fault + ' ' + how_to_list_parameters);
 }
-
-void assign_parameter(dealii::ParameterHandler &prm,
-                      const std::string &assignment)
-{
-  assign(prm, assignment_of_text(assignment), "--set " + assignment);
-}
 } // namespace Voussoir

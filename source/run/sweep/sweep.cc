@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/output/report/report.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/repeated_run.h>
@@ -235,9 +236,8 @@ private:
       return scene.run(values, "");
     const fs::path directory = fs::path(scene.output_directory()) / name;
     SweepRun run = scene.run(values, directory.string());
-    const fs::path page = directory / "report.html";
-    if (run.has_answer && fs::exists(page))
-      run.page = name + '/' + page.filename().string();
+    if (run.has_answer && fs::exists(directory / report_html))
+      run.page = name + '/' + report_html;
     return run;
   }
 

@@ -2,7 +2,8 @@
 #ifndef voussoir_analyses_factors_strength_factor_h
 #define voussoir_analyses_factors_strength_factor_h
 
-#include <voussoir/analyses/factors/divided_strengths.h>
+#include <voussoir/analyses/factors/changed_strengths.h>
+#include <voussoir/analyses/factors/check_strength_factor.h>
 
 namespace Voussoir
 {

@@ -47,15 +47,13 @@ public:
   Entries entries_in(const std::string &section) const;
 
   /**
-   * Replace the values that have a letter.
+   * Replace all values but those of a section.
    *
-   * @param letter that what is replaced has.
    * @param section whose values stay as they are.
    * @param replaced takes a value, or a line with it but without a comment, and
    *   its place for messages, and returns what stands for it.
    */
   void replace_values(
-      char letter,
       const std::string &section,
       const std::function<std::string(const std::string &value,
                                       const std::string &place)> &replaced);

@@ -6,6 +6,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -25,6 +26,22 @@ inline std::string first_word(const std::string &words)
   return words.substr(0, words.find_first_of(" \t"));
 }
 
+/** The name of the section that a line begins, if it begins one. */
+inline std::optional<std::string> section_begun_by(const std::string &line)
+{
+  const std::string statement = statement_of_line(line);
+  const std::string first = first_word(statement);
+  if (!boost::iequals(first, "subsection"))
+    return {};
+  return dealii::Utilities::trim(statement.substr(first.size()));
+}
+
+/** True if a line ends a section. */
+inline bool ends_section(const std::string &line)
+{
+  return boost::iequals(statement_of_line(line), "end");
+}
+
 /**
  * Call a function for each line of a .prm file, valid or not.
  *
@@ -39,14 +56,11 @@ void for_each_line(const std::string &lines, const F &f)
   std::string line;
   for (unsigned int number = 1; std::getline(in, line); ++number)
   {
-    const std::string statement = statement_of_line(line);
-    const std::string first = first_word(statement);
-    if (boost::iequals(statement, "end") && !sections.empty())
+    if (ends_section(line) && !sections.empty())
       sections.pop_back();
     f(sections, line, number);
-    if (boost::iequals(first, "subsection"))
-      sections.push_back(
-          dealii::Utilities::trim(statement.substr(first.size())));
+    if (const auto begun = section_begun_by(line))
+      sections.push_back(*begun);
   }
 }
 } // namespace Voussoir

@@ -126,14 +126,6 @@ void assign(dealii::ParameterHandler &prm,
             const Assignment &assignment,
             const std::string &place);
 
-/**
- * Carry out one command-line assignment "Section/Subsection/Name=value".
- *
- * @throws InputError as assign() does.
- */
-void assign_parameter(dealii::ParameterHandler &prm,
-                      const std::string &assignment);
-
 /** The sentence that tells a user where to find every parameter. */
 extern const std::string how_to_list_parameters;
 } // namespace Voussoir

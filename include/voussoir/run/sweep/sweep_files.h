@@ -36,8 +36,8 @@ struct ExtremeFactors
 };
 
 /**
- * Those of the factors that are carried. Factors that differ by a millionth are
- * the same.
+ * The extremes of the factors that are carried. Factors that differ by a
+ * millionth are the same.
  *
  * @return nothing if no run has a finite one.
  */

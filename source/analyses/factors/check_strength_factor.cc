@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/analyses/factors/divided_strengths.h>
+#include <voussoir/analyses/factors/check_strength_factor.h>
 #include <voussoir/base/exceptions.h>
-
-#include <memory>
-#include <utility>
 
 namespace Voussoir
 {
@@ -21,27 +18,6 @@ bool dilates(const SpaceScene &scene)
 }
 /** @} */
 } // namespace
-
-Scene with_strengths_divided(const Scene &scene, const double divisor)
-{
-  Scene divided = scene;
-  for (auto *const strengths : {&divided.strength, &divided.coefficient})
-    for (double &strength : *strengths)
-      strength /= divisor;
-  return divided;
-}
-
-SpaceScene with_strengths_divided(const SpaceScene &scene, const double divisor)
-{
-  auto blocks = std::make_shared<SpaceBlocks>(*scene.blocks);
-  for (auto *const strengths :
-       {&blocks->strengths.of_interface, &blocks->strengths.coefficient})
-    for (double &strength : *strengths)
-      strength /= divisor;
-  SpaceScene divided = scene;
-  divided.blocks = std::move(blocks);
-  return divided;
-}
 
 template <typename SceneOf>
 void check_strength_factor(const SceneOf &scene,
