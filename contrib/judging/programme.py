@@ -59,9 +59,22 @@ class Programme:
             return loads[:, :2].ravel()
         return (loads / (1., 1., self.length)).ravel()
 
+    # The largest load that is not one of the cells'.
+    further_load = 0.
+
+    def further_forces(self, _run):
+        """What a run has written of forces that are not of joints."""
+        return numpy.zeros(0)
+
+    def further_resistance(self, _jumps):
+        """The most that these take out of a motion."""
+        return 0.
+
     def violation(self, x):
         """By how much forces are not admissible, at most."""
-        return max(self.admissible.violation(x), self.sections.excess(x))
+        of_joints = x[:len(self.joints) * (self.joints.n_contacts + 1)]
+        return max(self.admissible.violation(x),
+                   self.sections.excess(of_joints))
 
     def cut(self, x, tolerance):
         """Cut off forces that no section admits; whether there are any."""

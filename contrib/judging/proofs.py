@@ -70,8 +70,9 @@ def written_motion(run, programme, table):
 
 def state_proof(run, programme, loads):
     """Of the forces in interfaces.csv, for these loads in rows."""
-    x = written_forces(run, programme.joints)
-    force = numpy.abs(loads).max() or 1.
+    x = numpy.concatenate([written_forces(run, programme.joints),
+                           programme.further_forces(run)])
+    force = max(numpy.abs(loads).max(), programme.further_load) or 1.
     return StateProof(numpy.abs(programme.matrix @ x + loads).max() / force,
                       programme.violation(x) / force)
 
@@ -79,10 +80,12 @@ def state_proof(run, programme, loads):
 def mechanism_proof(run, programme):
     """Of the displacements and angles in mechanism.csv."""
     motion = written_motion(run, programme, "mechanism.csv")
-    jumps = (programme.matrix.T @ motion).reshape(
-        len(programme.joints), -1)
+    of_columns = programme.matrix.T @ motion
+    n = len(programme.joints) * (programme.joints.n_contacts + 1)
+    jumps = of_columns[:n].reshape(len(programme.joints), -1)
     dissipation, closing = resistance(programme.joints, programme.sections,
                                       jumps[:, :-1].T, jumps[:, -1])
+    dissipation += programme.further_resistance(of_columns[n:])
     return MechanismProof(dissipation, programme.dead @ motion,
                           programme.live @ motion,
                           closing / numpy.abs(motion).max(),

@@ -75,7 +75,7 @@ FactorSearch search_strength(const SceneData &data,
 {
   const Scene scene = context.parameters.scene_at(data, 1.);
   check_strength_factor(scene, controls);
-  if (scene.coefficient.empty() && !scene.has_normal_limits())
+  if (scene.coefficient.empty() && !scene.has_more_than_friction())
     return as_factor_of_loads(data, controls, context);
   FactorSearch found = {find_strength_factor(scene, controls, context.terminal),
                         scene};

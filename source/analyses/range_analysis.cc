@@ -3,11 +3,17 @@
 #include <voussoir/analyses/ranges/range_words.h>
 #include <voussoir/base/text.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Voussoir
 {
 namespace
 {
 using Json = nlohmann::ordered_json;
+
+/** The most supports, and links, whose ranges are told in words. */
+constexpr std::size_t most_in_words = 6;
 
 /** The ranges of the reactions of all straight supports. */
 Json summary_of_reactions(const Ranges &ranges)
@@ -25,18 +31,54 @@ Json summary_of_reactions(const Ranges &ranges)
   return json;
 }
 
+/** The ranges of the forces of links. */
+Json summary_of_links(const Ranges &ranges, const Scene &scene)
+{
+  Json json = Json::array();
+  for (unsigned int k = 0; k < ranges.links.size(); ++k)
+    json.push_back({{"name", scene.links[k].name},
+                    {"force", json_of_range(ranges.links[k])}});
+  return json;
+}
+
 /** The ranges of forces. */
-Json summary_of(const Ranges &ranges)
+Json summary_of(const Ranges &ranges, const Scene &scene)
 {
   Json json = json_of_ranges(ranges, summary_of_reactions(ranges));
+  if (!ranges.links.empty())
+    json["links"] = summary_of_links(ranges, scene);
   json["iterations"] = ranges.proofs.n_iterations;
   return json;
 }
 } // namespace
 
-std::string description_of(const Ranges &ranges)
+std::string description_of(const Ranges &ranges, const Scene &scene)
 {
-  return words_of_ranges(ranges, "straight support");
+  std::string words = words_of_ranges(ranges, "straight support");
+  if (!ranges.links.empty())
+    words += text("; forces of ", counted(ranges.links.size(), "link"));
+  const auto shown = [&](const double force) {
+    return std::abs(force) <= Ranges::least_range * ranges.reference ? 0.
+                                                                     : force;
+  };
+  const auto from_to = [&](const Range &range) {
+    return !range.is_bounded() ? std::string("without bound")
+           : ranges.is_determined(range)
+               ? text(shown(range.least))
+               : text(shown(range.least), " to ", shown(range.greatest));
+  };
+  for (unsigned int s = 0; s < std::min<std::size_t>(ranges.reactions.size(),
+                                                     most_in_words);
+       ++s)
+    words += text("; from ", text_of_point(ranges.supports[s].start), " to ",
+                  text_of_point(ranges.supports[s].end), " x ",
+                  from_to(ranges.reactions[s][0]), ", y ",
+                  from_to(ranges.reactions[s][1]));
+  for (unsigned int k = 0;
+       k < std::min<std::size_t>(ranges.links.size(), most_in_words); ++k)
+    words +=
+        text("; ", scene.links[k].name, ' ', from_to(ranges.links[k]));
+  return words;
 }
 
 void RangeAnalysis::check(const Scene &scene) const
@@ -57,8 +99,8 @@ void RangeAnalysis::answer(AnalysisOutcome &outcome,
   context.terminal.stage(
       "Ranges", text(counted(found.proofs.n_programmes, "linear programme"),
                      ", ", counted(found.proofs.n_iterations, "step")));
-  AnalysisResult result = {name(), "Ranges", description_of(found),
-                           summary_of(found)};
+  AnalysisResult result = {name(), "Ranges", description_of(found, scene),
+                           summary_of(found, scene)};
   result.data = std::move(found);
   outcome.results.push_back(std::move(result));
 }

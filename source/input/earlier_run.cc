@@ -172,6 +172,7 @@ Carried EarlierRun::forces(const Scene &scene, SolverRecord &record)
   found.correction = origin.correction;
   read_interfaces(scene, found);
   read_cells(scene.packing, found);
+  read_links(scene, found);
   return found;
 }
 
@@ -238,5 +239,35 @@ void EarlierRun::read_cells(const Packing<2> &packing, Carried &found)
   if (cells.next())
     cells.refuse(
         text("is more than the ", origin.n_cells, " cells of that run."));
+}
+
+void EarlierRun::read_links(const Scene &scene, Carried &found)
+{
+  if (!fs::exists(directory / links_csv) && scene.links.empty())
+    return;
+  CsvReader line = open(links_csv);
+  line.choose({"x0", "y0", "x1", "y1", "least", "most", "force"});
+  const double rounding = rounding_in(scene.packing);
+  for (const Link &link : scene.links)
+  {
+    if (!line.next())
+      refuse(text("its ", links_csv, " ends before the link '", link.name,
+                  "'."));
+    const Point<2> start(line[0], line[1]), end(line[2], line[3]);
+    if (!are_same(start, link.on_minus, rounding) ||
+        !are_same(end, link.on_plus, rounding))
+      differ(line, "the link '" + link.name + "' " + from_to(start, end),
+             from_to(link.on_minus, link.on_plus));
+    for (const auto &[there, here] :
+         {std::pair(line[4], link.least), std::pair(line[5], link.most)})
+      if (std::abs(there - here) > rounding_of_strengths * std::abs(here))
+        differ(line,
+               text("the bound ", text_to_copy(there), " of the link '",
+                    link.name, "'"),
+               text_to_copy(here));
+    found.forces.in_links.push_back(line[6]);
+  }
+  if (line.next())
+    line.refuse("is a link more than this run has.");
 }
 } // namespace Voussoir

@@ -40,4 +40,17 @@ void write_mechanism_joints_csv(std::ostream &out,
   write_table(out, mechanism_joint_fields().columns(moving),
               scene.packing.interfaces().size());
 }
+
+void write_links_csv(std::ostream &out, const Results &results)
+{
+  write_table(out, link_fields().columns(results), results.scene.links.size());
+}
+
+void write_mechanism_links_csv(std::ostream &out,
+                               const Scene &scene,
+                               const Motion &motion)
+{
+  const MovingScene moving(scene, motion);
+  write_table(out, mechanism_link_fields().columns(moving), scene.links.size());
+}
 } // namespace Voussoir

@@ -23,6 +23,9 @@ namespace
 namespace py = pybind11;
 
 // The number of elements of a packing, of data that have one.
+const auto n_links = [](const auto &data) {
+  return part_of<Scene>(data).links.size();
+};
 const auto n_interfaces = [](const auto &data) {
   return part_of<Packing<2>>(data).interfaces().size();
 };
@@ -101,8 +104,10 @@ void add_results(Class &of)
   };
   add_fields(of, mechanism_joint_fields(), moving, n_interfaces);
   add_fields(of, mechanism_fields(), moving, n_cells);
+  add_fields(of, mechanism_link_fields(), moving, n_links);
   add_fields(of, interface_fields(), state, n_interfaces);
   add_fields(of, cell_fields(), state, n_cells);
+  add_fields(of, link_fields(), state, n_links);
 }
 
 /** All other quantities of the results in space. */

@@ -15,11 +15,11 @@ AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
       writer(terminal, this->processes, timer)
 {}
 
-void AnalysisRun::declare(const std::set<std::string> &load_cases)
+void AnalysisRun::declare(const NamedSections &names)
 {
   writer.add_entries(prm);
   analysis.add_entries(prm);
-  analysis.add_sections(prm, load_cases);
+  analysis.add_sections(prm, names);
   writer.add_sections(prm);
 }
 

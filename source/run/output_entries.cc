@@ -39,7 +39,8 @@ void OutputEntries::add_verbosity(dealii::ParameterHandler &prm)
 FilesOfRuns files_of_all_runs()
 {
   return {
-      {interfaces_csv, cells_csv, boundary_csv, blocks_vtu, interfaces_vtu,
+      {interfaces_csv, cells_csv, boundary_csv, links_csv, links_vtu,
+       mechanism_links_csv, mechanism_links_vtu, blocks_vtu, interfaces_vtu,
        stress_vtu, stress_pvtu, drawing_check_vtu, defects_vtu, mechanism_csv,
        mechanism_joints_csv, mechanism_vtu, mechanism_joints_vtu,
        interface_points_csv, results_pvd, report_html, drawing_check_html,

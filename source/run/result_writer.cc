@@ -34,6 +34,13 @@ double size_of_mechanism(const Scene &scene)
 {
   return std::sqrt(scene.packing.area() / scene.packing.n_cells());
 }
+
+void add_grids_of_mechanism(const Scene &scene, std::vector<std::string> &grids)
+{
+  grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});
+  if (!scene.links.empty())
+    grids.push_back(mechanism_links_vtu);
+}
 } // namespace
 
 ResultWriter::ResultWriter(Terminal &terminal,
@@ -173,6 +180,8 @@ std::string ResultWriter::write(ResultDirectory &files,
     add(interfaces_csv, write_interfaces_csv);
     add(cells_csv, write_cells_csv);
     add(boundary_csv, write_boundary_csv);
+    if (!results.scene.links.empty())
+      add(links_csv, write_links_csv);
   }
   if (writes(ResultFiles::vtu))
   {
@@ -181,8 +190,13 @@ std::string ResultWriter::write(ResultDirectory &files,
     if (stress.reconstruct())
       grids.insert(grids.begin(), write_stress(files, results, own_part));
     add(interfaces_vtu, write_interfaces_vtu);
+    if (!results.scene.links.empty())
+    {
+      add(links_vtu, write_links_vtu);
+      grids.push_back(links_vtu);
+    }
     if (beside)
-      grids.insert(grids.end(), {mechanism_vtu, mechanism_joints_vtu});
+      add_grids_of_mechanism(results.scene, grids);
     write_collection(files, grids);
   }
   if (beside)
@@ -196,17 +210,21 @@ std::string ResultWriter::write(ResultDirectory &files,
 
 std::optional<StressPart> ResultWriter::find_stresses(Results &results)
 {
-  const Scene &scene = results.scene;
   if (writes(ResultFiles::csv) || writes(ResultFiles::vtu) ||
-      reports(scene.packing))
+      reports(results.scene.packing))
   {
-    results.torques = residual_torques(scene, results.forces);
-    results.mean_stresses = cell_mean_stresses(scene, results.forces);
+    results.torques = residual_torques(results.scene, results.forces);
+    results.mean_stresses = cell_mean_stresses(results.scene, results.forces);
   }
   std::optional<StressPart> own_part;
   if (!stress.reconstruct() || !writes(ResultFiles::vtu))
     return own_part;
 
+  // Links are no sides of cells.
+  std::optional<Scene> loaded;
+  if (!results.scene.links.empty())
+    loaded.emplace(loaded_by_links(results.scene, results.forces));
+  const Scene &scene = loaded ? *loaded : results.scene;
   const Reconstruction how = stress.reconstruction();
   if (!scene.packing.not_seen_whole().empty())
   {
@@ -265,7 +283,9 @@ std::string ResultWriter::write(ResultDirectory &files,
   std::vector<std::string> to_look_at;
   if (writes(ResultFiles::vtu))
   {
-    write_collection(files, {mechanism_vtu, mechanism_joints_vtu});
+    std::vector<std::string> grids;
+    add_grids_of_mechanism(collapse.scene, grids);
+    write_collection(files, grids);
     to_look_at.push_back(results_pvd);
   }
   if (writes(ResultFiles::csv))
@@ -290,6 +310,8 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
       write_mechanism_vtu(out, scene, motion, factor);
     });
     add(mechanism_joints_vtu, write_mechanism_joints_vtu);
+    if (!scene.links.empty())
+      add(mechanism_links_vtu, write_mechanism_links_vtu);
   }
   if (writes(ResultFiles::csv))
   {
@@ -297,6 +319,8 @@ void ResultWriter::write_mechanism(ResultDirectory &files,
       write_mechanism_csv(out, scene, motion, live);
     });
     add(mechanism_joints_csv, write_mechanism_joints_csv);
+    if (!scene.links.empty())
+      add(mechanism_links_csv, write_mechanism_links_csv);
   }
 }
 

@@ -3,7 +3,7 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/run/run.h>
 #include <voussoir/run/unused_settings.h>
-#include <voussoir/scene/loads/load_cases.h>
+#include <voussoir/scene/scene_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -16,20 +16,22 @@ namespace Voussoir
 {
 namespace
 {
-/** The load cases of the sources. */
-std::set<std::string> load_cases_in(const std::vector<ParameterInput> &inputs,
-                                    const ParameterSources &sources)
+/** The names that the sources give to sections. */
+NamedSections named_sections_in(const std::vector<ParameterInput> &inputs,
+                                const ParameterSources &sources)
 {
-  std::set<std::string> cases;
-  for (const ParameterInput &input : inputs)
-    cases.merge(input.sections_in(load_cases_section));
-  for (const std::string &text : sources.assignments)
+  NamedSections names;
+  for (const std::string &of_users : SceneParameters::sections_of_users())
   {
-    const SectionPath section = assignment_of_text(text).to.section;
-    if (section.size() > 1 && section[0] == load_cases_section)
-      cases.insert(section[1]);
+    std::set<std::string> &found = names[of_users];
+    for (const ParameterInput &input : inputs)
+      found.merge(input.sections_in(of_users));
+    for (const std::string &text : sources.assignments)
+      if (const SectionPath section = assignment_of_text(text).to.section;
+          section.size() > 1 && section[0] == of_users)
+        found.insert(section[1]);
   }
-  return cases;
+  return names;
 }
 } // namespace
 
@@ -60,7 +62,7 @@ void Run::read(const ParameterSources &sources)
                     "its states, load factors and ranges are found as in the "
                     "plane.");
   declare_variables();
-  declare(load_cases_in(inputs, sources));
+  declare(named_sections_in(inputs, sources));
   assigned.watch(prm);
   assign_all();
   check_dimension();

@@ -68,10 +68,10 @@ void SceneAnalysis::add_entries(dealii::ParameterHandler &prm)
 }
 
 void SceneAnalysis::add_sections(dealii::ParameterHandler &prm,
-                                 const std::set<std::string> &load_cases)
+                                 const NamedSections &names)
 {
   solver.add_parameters(prm);
-  of_scene.add_parameters(prm, load_cases);
+  of_scene.add_parameters(prm, names);
   for (const auto &of : analyses)
     of->add_parameters(prm);
   for (const auto &of : further)

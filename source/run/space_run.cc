@@ -65,7 +65,7 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
 }
 } // namespace
 
-void SpaceRun::declare(const std::set<std::string> & /*load_cases*/)
+void SpaceRun::declare(const NamedSections & /*names*/)
 {
   output.add_entries(prm);
   analysis.add_entries(prm);

@@ -154,14 +154,17 @@ double reach(const Packing<2> &packing, const unsigned int c)
 Scene::Scene(Packing<2> packing_in,
              std::vector<double> strength_in,
              Loads loads,
-             const Kinematics &kinematics_in)
+             const Kinematics &kinematics_in,
+             std::vector<Link> links_in)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
-      kinematics(&kinematics_in), traction(std::move(loads.traction)),
+      kinematics(&kinematics_in), links(std::move(links_in)), traction(std::move(loads.traction)),
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
       has_body_force(!body.empty()), load(packing.n_cells()),
-      load_size(packing.n_cells(), 0.), group(connected_groups(packing))
+      load_size(packing.n_cells(), 0.), group(linked_groups(packing, links))
 {
+  for (const Link &link : links)
+    link_names.push_back(link.name);
   traction_moment.resize(packing.boundary_edges().size());
   for (const CellForce &f : on_cells)
     for (const unsigned int c : f.cells)
@@ -206,10 +209,7 @@ void Scene::add_up_loads()
       load[c] = 0.;
   if (!turns())
     return;
-  InterfaceForces no_forces;
-  no_forces.normal.resize(packing.interfaces().size());
-  no_forces.tangential.resize(packing.interfaces().size());
-  load_torque = residual_torques(*this, no_forces);
+  load_torque = residual_torques(*this, no_forces(*this));
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (std::abs(load_torque[c]) <=
         cancellation_tolerance * load_size[c] * reach(packing, c))
@@ -325,6 +325,38 @@ InterfaceForces::torque_on_cell_minus(const Packing<2>::Interface &interface,
          cross(interface.end - centre, at_ends[e][1] * interface.normal);
 }
 
+Scene loaded_by_links(Scene scene, const InterfaceForces &forces)
+{
+  const auto add = [&](const unsigned int c, const dealii::Point<2> &x,
+                       const Tensor<1, 2> &force) {
+    if (c == scene.packing.ground())
+      return;
+    scene.body.add(scene.packing, c, force, x);
+    scene.load[c] += force;
+    scene.load_size[c] += force.norm();
+    if (scene.turns())
+      scene.load_torque[c] += cross(x - scene.packing.centre(c), force);
+  };
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    const Tensor<1, 2> force = forces.in_links[k] * link.direction;
+    add(link.cell_minus, link.on_minus, force);
+    add(link.cell_plus, link.on_plus, -force);
+  }
+  scene.links.clear();
+  return scene;
+}
+
+InterfaceForces no_forces(const Scene &scene)
+{
+  InterfaceForces none;
+  none.normal.resize(scene.packing.interfaces().size());
+  none.tangential.resize(scene.packing.interfaces().size());
+  none.in_links.resize(scene.links.size());
+  return none;
+}
+
 std::vector<double> residual_torques(const Scene &scene,
                                      const InterfaceForces &forces)
 {
@@ -338,6 +370,17 @@ std::vector<double> residual_torques(const Scene &scene,
     if (i.cell_plus != packing.ground())
       torques[i.cell_plus] -=
           forces.torque_on_cell_minus(i, e, packing.centre(i.cell_plus));
+  }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    const auto torque = [&](const unsigned int c, const dealii::Point<2> &x) {
+      return forces.in_links[k] *
+             cross(x - packing.centre(c), link.direction);
+    };
+    torques[link.cell_minus] += torque(link.cell_minus, link.on_minus);
+    if (link.cell_plus != packing.ground())
+      torques[link.cell_plus] -= torque(link.cell_plus, link.on_plus);
   }
   for (unsigned int b = 0; b < packing.boundary_edges().size(); ++b)
   {

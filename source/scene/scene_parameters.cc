@@ -6,9 +6,18 @@
 
 namespace Voussoir
 {
-void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
-                                     const std::set<std::string> &cases)
+std::vector<std::string> SceneParameters::sections_of_users()
 {
+  return {load_cases_section, ties_section};
+}
+
+void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
+                                     const NamedSections &names)
+{
+  const auto names_in = [&](const std::string &section) {
+    const auto found = names.find(section);
+    return found == names.end() ? std::set<std::string>() : found->second;
+  };
   prm.add_parameter(
       "Rotations", blocks_turn,
       "true: blocks also turn, so that moments are balanced, and touch at both "
@@ -19,9 +28,10 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
   supports.add_parameters(prm);
   loads.add_parameters(prm);
   live_loads.add_parameters(prm);
-  load_cases.add_parameters(prm, cases);
+  load_cases.add_parameters(prm, names_in(load_cases_section));
   friction.add_parameters(prm);
   contact.add_parameters(prm);
+  ties.add_parameters(prm, names_in(ties_section));
 }
 
 Packing<2> SceneParameters::read_packing(const std::filesystem::path &directory,
@@ -46,7 +56,7 @@ SceneData SceneParameters::data(Packing<2> blocks,
                                 const bool with_live_loads,
                                 Terminal &terminal) const
 {
-  SceneData data = {std::move(blocks), {}, {}, {}};
+  SceneData data = {std::move(blocks), {}, {}, {}, {}};
   data.strengths = friction.strengths(data.packing);
   contact.add_strengths(data.packing, data.strengths);
   if (load_cases.forgotten())
@@ -59,6 +69,7 @@ SceneData SceneParameters::data(Packing<2> blocks,
     data.live_loads = live_loads.loads(data.packing);
     load_cases.add_combination("Live loads", data.packing, data.live_loads);
   }
+  data.links = ties.links(data.packing);
   for (const auto &warnings :
        {data.strengths.warnings, data.loads.warnings, data.live_loads.warnings})
     for (const std::string &warning : warnings)
@@ -70,7 +81,8 @@ Scene SceneParameters::scene_of(SceneData data) const
 {
   Scene scene(std::move(data.packing), std::move(data.strengths.of_interface),
               std::move(data.loads),
-              blocks_turn ? rotations() : translations());
+              blocks_turn ? rotations() : translations(),
+              std::move(data.links));
   scene.coefficient = std::move(data.strengths.coefficient);
   scene.dilates = data.strengths.dilate;
   scene.friction_law = std::move(data.strengths.law);
@@ -88,6 +100,7 @@ Scene SceneParameters::scene_at(SceneData data, const double factor) const
 Scene SceneParameters::live_scene_of(SceneData data) const
 {
   std::swap(data.loads, data.live_loads);
+  data.links = without_rest(std::move(data.links)); // which is a dead load
   return scene_of(std::move(data));
 }
 } // namespace Voussoir

@@ -21,8 +21,20 @@ std::vector<Tensor<2, 2>> cell_mean_stresses(const Scene &scene,
       mean[c] += outer_product(of_side.force, a + half - packing.centre(c)) +
                  outer_product(of_side.shift, half);
     }
-    mean[c] = (mean[c] + scene.body.moment(c)) / packing.area(c);
+    mean[c] += scene.body.moment(c);
   }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    const Tensor<1, 2> force = forces.in_links[k] * link.direction;
+    mean[link.cell_minus] +=
+        outer_product(force, link.on_minus - packing.centre(link.cell_minus));
+    if (link.cell_plus != packing.ground())
+      mean[link.cell_plus] -=
+          outer_product(force, link.on_plus - packing.centre(link.cell_plus));
+  }
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    mean[c] /= packing.area(c);
   return mean;
 }
 } // namespace Voussoir

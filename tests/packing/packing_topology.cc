@@ -27,7 +27,7 @@ void run()
   std::cout << packing.n_cells() << " cells, " << packing.interfaces().size()
             << " interfaces, " << packing.boundary_edges().size()
             << " boundary edges, static indeterminacy "
-            << static_indeterminacy(packing) << std::endl;
+            << static_indeterminacy(packing, connected_groups(packing), 2) << std::endl;
   for (const auto &i : packing.interfaces())
     std::cout << i.cell_minus << " -> " << i.cell_plus << "  n = " << i.normal
               << "  t = " << i.tangent() << "  length " << i.length << "  at "
@@ -66,7 +66,7 @@ void run()
   std::cout << "touching in a point: " << two.interfaces().size()
             << " interfaces, groups " << connected_groups(two)[0] << " and "
             << connected_groups(two)[1] << ", static indeterminacy "
-            << static_indeterminacy(two) << std::endl;
+            << static_indeterminacy(two, connected_groups(two), 2) << std::endl;
 }
 
 const RoomTest test("packing_topology", run);

@@ -257,7 +257,7 @@ void crushing_beside_wall()
     // Next to no force passes through the very end.
     check("  small forces", place.greatest > 0.5 - 1e-3);
   }
-  std::cout << "  " << description_of(ranges) << std::endl;
+  std::cout << "  " << description_of(ranges, scene) << std::endl;
 }
 
 /** The end of a process that fails in a library: its last words and status. */

@@ -26,7 +26,7 @@ private:
 };
 
 /** A line for people on how many interfaces and supports have ranges. */
-std::string description_of(const Ranges &ranges);
+std::string description_of(const Ranges &ranges, const Scene &scene);
 } // namespace Voussoir
 
 #endif

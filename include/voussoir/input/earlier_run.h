@@ -55,6 +55,7 @@ private:
   void check_size(const Packing<2> &packing) const;
   void read_interfaces(const Scene &scene, Carried &found);
   void read_cells(const Packing<2> &packing, Carried &found);
+  void read_links(const Scene &scene, Carried &found);
 
   const std::filesystem::path directory;
   const Origin origin;

@@ -17,8 +17,10 @@ namespace Voussoir
 inline const std::string interfaces_csv = "interfaces.csv";
 inline const std::string cells_csv = "cells.csv";
 inline const std::string boundary_csv = "boundary.csv";
+inline const std::string links_csv = "links.csv";
 inline const std::string mechanism_csv = "mechanism.csv";
 inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
+inline const std::string mechanism_links_csv = "mechanism_links.csv";
 /** @} */
 
 /** One line per interface, in their order, with interface_fields(). */
@@ -48,6 +50,14 @@ void write_mechanism_csv(std::ostream &out,
 void write_mechanism_joints_csv(std::ostream &out,
                                 const Scene &scene,
                                 const Motion &motion);
+
+/** One line per link, with link_fields(). */
+void write_links_csv(std::ostream &out, const Results &results);
+
+/** One line per link, with mechanism_link_fields() of @p motion. */
+void write_mechanism_links_csv(std::ostream &out,
+                               const Scene &scene,
+                               const Motion &motion);
 } // namespace Voussoir
 
 #endif

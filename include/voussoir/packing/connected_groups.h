@@ -5,6 +5,7 @@
 #include <voussoir/packing/packing.h>
 #include <voussoir/packing/polyhedra/packing.h>
 
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -25,19 +26,28 @@ enum class Ground
  * n_cells + 1 numbers, where the ground has the number n_cells. Groups touch
  * each other nowhere, so a group without the ground must be balanced by itself.
  * If the ground separates, it is a group of its own.
+ *
+ * @param others pairs of cells, or of a cell and the ground, that are connected
+ *   besides.
  */
 template <int dim>
-std::vector<unsigned int> connected_groups(const Packing<dim> &packing,
-                                           Ground ground = Ground::connects);
+std::vector<unsigned int> connected_groups(
+    const Packing<dim> &packing,
+    Ground ground = Ground::connects,
+    const std::vector<std::pair<unsigned int, unsigned int>> &others = {});
 
 /**
  * The degree of static indeterminacy: as many forces per interface as there are
- * equations of balance per cell, @p n_per_cell, which is three with moments and
- * two without, less the independent equations, which are those of all cells but
- * for one cell in each connected group that has no support.
+ * equations of balance per cell, which is three with moments and two without,
+ * and one per link, less the independent equations, which are those of all
+ * cells but for one cell in each connected group that has no support.
+ *
+ * @param group what connected_groups() returns, with the links.
  */
 unsigned int static_indeterminacy(const Packing<2> &packing,
-                                  unsigned int n_per_cell = 2);
+                                  const std::vector<unsigned int> &group,
+                                  unsigned int n_per_cell,
+                                  unsigned int n_links = 0);
 } // namespace Voussoir
 
 #endif

@@ -66,7 +66,7 @@ public:
   /** @} */
 
 protected:
-  void declare(const std::set<std::string> &load_cases) override;
+  void declare(const NamedSections &names) override;
 
 private:
   /**

@@ -4,6 +4,7 @@
 
 #include <voussoir/analyses/state/status.h>
 #include <voussoir/base/parameters/assigned_entries.h>
+#include <voussoir/base/parameters/named_sections.h>
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/print_parameters.h>
 #include <voussoir/run/shared_packings.h>
@@ -18,7 +19,6 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -135,8 +135,8 @@ public:
 protected:
   /** @param terminal sees what the run notices. */
   explicit Run(Terminal &terminal);
-  /** Declare all parameters but `Dimension`, with load cases by their names. */
-  virtual void declare(const std::set<std::string> &load_cases) = 0;
+  /** Declare all parameters but `Dimension`, with sections of users. */
+  virtual void declare(const NamedSections &names) = 0;
   /** Show the variables, and warn of settings that have no effect. */
   void show_settings() const;
 

@@ -54,7 +54,7 @@ public:
   /** Declare the entries outside all sections, and the sections. */
   void add_entries(dealii::ParameterHandler &prm);
   void add_sections(dealii::ParameterHandler &prm,
-                    const std::set<std::string> &load_cases);
+                    const NamedSections &names);
   /** @} */
 
   /** Files that the scene is read from; paths start at @p directory. */

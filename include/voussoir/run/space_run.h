@@ -73,7 +73,7 @@ public:
   /** @} */
 
 protected:
-  void declare(const std::set<std::string> &load_cases) override;
+  void declare(const NamedSections &names) override;
 
 private:
   /** The file in which the packing is written, too. */

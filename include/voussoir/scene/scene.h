@@ -5,6 +5,7 @@
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/contact/joint_limits.h>
 #include <voussoir/packing/packing.h>
+#include <voussoir/scene/links/link.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/motion.h>
 
@@ -37,6 +38,7 @@ struct Scene
    * @param strength s_e of each of its interfaces, not negative; S.
    * @param loads on its boundary edges and cells.
    * @param kinematics of the blocks.
+   * @param links between them, and to the ground.
    * @throws InputError if the total force on a connected group of cells without
    *   support, or where they turn its moment, is not zero, since nothing holds
    *   it, or if a load is too large or too small to compute with.
@@ -44,7 +46,8 @@ struct Scene
   Scene(Packing<2> packing,
         std::vector<double> strength,
         Loads loads,
-        const Kinematics &kinematics = translations());
+        const Kinematics &kinematics = translations(),
+        std::vector<Link> links = {});
 
   /** The blocks, with their supports. */
   Packing<2> packing;
@@ -65,6 +68,10 @@ struct Scene
   std::vector<double> compressive_strength;
   /** The motions of the blocks. */
   const Kinematics *kinematics;
+  /** Forces between cells that need not touch. */
+  std::vector<Link> links;
+  /** The names of these. */
+  std::vector<std::string> link_names;
   /** The forces that interface @p e admits. */
   JointLimits limits(const unsigned int e) const
   {
@@ -83,11 +90,19 @@ struct Scene
   {
     return !tensile_strength.empty() || !compressive_strength.empty();
   }
-  /** True if any load acts on a cell. */
+  /** True if more than pressure and friction acts between cells. */
+  bool has_more_than_friction() const
+  {
+    return has_normal_limits() || !links.empty();
+  }
+  /** True if any load acts on a cell, or a link is stressed. */
   bool is_loaded() const
   {
     return std::any_of(load_size.begin(), load_size.end(),
-                       [](const double size) { return size > 0.; });
+                       [](const double size) { return size > 0.; }) ||
+           std::any_of(links.begin(), links.end(), [](const Link &link) {
+             return link.rest() != 0.;
+           });
   }
   /** True if they turn, so that moments are balanced. */
   bool turns() const { return kinematics->turns(); }
@@ -115,7 +130,7 @@ struct Scene
    * nothing is known of what was asked for.
    */
   double load_residual = 0.;
-  /** connected_groups() of the packing, n_cells + 1 numbers. */
+  /** linked_groups() of the packing, n_cells + 1 numbers. */
   std::vector<unsigned int> group;
 
 private:
@@ -143,6 +158,8 @@ struct InterfaceForces
   std::vector<std::array<double, 2>> at_ends;
   /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
   std::vector<double> tangential;
+  /** The force of each of Scene::links, positive in tension. */
+  std::vector<double> in_links = {};
 
   /** True if there are none. */
   bool empty() const { return normal.empty(); }
@@ -187,6 +204,15 @@ struct InterfaceForces
                : 0.5 * interface.length * (at_ends[e][0] - at_ends[e][1]);
   }
 };
+
+/**
+ * A scene with the forces of its links as loads inside the cells, spread over
+ * these, in the place of the links: what the stress is found of.
+ */
+Scene loaded_by_links(Scene scene, const InterfaceForces &forces);
+
+/** The forces zero in all interfaces and links of @p scene. */
+InterfaceForces no_forces(const Scene &scene);
 
 /**
  * The torque about x_c of all forces on each cell, positive counterclockwise;

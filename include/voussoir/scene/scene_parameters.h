@@ -2,9 +2,11 @@
 #ifndef voussoir_scene_scene_parameters_h
 #define voussoir_scene_scene_parameters_h
 
+#include <voussoir/base/parameters/named_sections.h>
 #include <voussoir/contact/contact_parameters.h>
 #include <voussoir/contact/friction_parameters.h>
 #include <voussoir/packing/packing_parameters.h>
+#include <voussoir/scene/links/ties.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/scene.h>
@@ -16,7 +18,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -33,15 +34,19 @@ struct SceneData
   Loads loads;
   /** The loads that a factor multiplies, if one is looked for. */
   Loads live_loads;
+  /** Between its blocks, and to the ground. */
+  std::vector<Link> links;
 };
 
 /** The entry `Rotations` and the sections that describe a scene. */
 class SceneParameters
 {
 public:
-  /** Declare them, with load cases of these names, and bind them. */
+  /** The sections in which users name the sections. */
+  static std::vector<std::string> sections_of_users();
+  /** Declare them, with those sections of users, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm,
-                      const std::set<std::string> &load_cases);
+                      const NamedSections &names);
 
   /** Files that the packing is read from; paths start at @p directory. */
   auto input_files(const std::filesystem::path &directory) const
@@ -96,6 +101,7 @@ private:
   LoadParameters loads;
   LoadParameters live_loads = LoadParameters("Live loads");
   LoadCases load_cases;
+  Ties ties;
   FrictionParameters friction;
   ContactParameters contact;
 };

@@ -26,6 +26,8 @@ constexpr double larger_alpha = 10., largest_alpha = 1e6;
 
 /** A factor, over LoadFactor::unit, that is none. */
 constexpr double small_load_factor = 1e-3;
+/** The same where there are no dead loads: forces at it are rounding. */
+constexpr double rounding_of_load_factor = 1e-12;
 
 /**
  * The largest force that a joint bears without pressure, over the loads, with
@@ -212,13 +214,17 @@ void LoadFactorSearch<SceneOf>::keep(const ProvenFactor &factor)
     found.carried = factor.carried()->alpha * found.unit;
     found.forces = forces_of(factor.carried()->x);
   }
-  if (!dead.is_loaded() && !(program.sense * found.carried > 0.))
+  if (!dead.is_loaded() && !(program.sense * found.carried >
+                             rounding_of_load_factor * found.unit))
   {
     // Without loads there is nothing to be carried.
     found.carried = 0.;
-    if (factor.mechanism())
-      found.forces =
-          forces_of(std::vector<double>(by_rows.rows().n_all_rows(), 0.));
+    if (factor.carried() || factor.mechanism())
+    {
+      Solution at_rest;
+      at_rest.forces.assign(problem.n_all_rows(), 0.);
+      found.forces = dimensional_forces(problem, dead, at_rest);
+    }
   }
   if (!factor.mechanism())
     return;

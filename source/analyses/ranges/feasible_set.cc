@@ -104,6 +104,10 @@ std::vector<double> coefficients_of(const Scene & /*scene*/,
                      term.at_ends[r] / (n == 1 ? 2. : 1.), c);
     rows.add_force(term.interface, n, term.tangential, c);
   }
+  for (const ForceFunction::LinkTerm &term : function.links)
+    if (const LinkContact &link = problem.links()[term.link];
+        link.joint != dealii::numbers::invalid_unsigned_int)
+      rows.add_force(link.joint, 0, link.sign * term.factor, c);
   return c;
 }
 std::vector<double> coefficients_of(const SpaceScene &scene,

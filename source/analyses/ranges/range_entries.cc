@@ -131,6 +131,12 @@ void RangeEntries::add_parameters(dealii::ParameterHandler &prm)
                  "that touch are one.",
       dealii::Patterns::Bool());
   if constexpr (dim == 2)
+  {
+    prm.add_parameter("Links", links,
+                      "true: also find the least and the greatest force of "
+                      "each of the 'Ties': what a tie must bear at least, and "
+                      "what it may be made to bear.",
+                      dealii::Patterns::Bool());
     add_choice<RangeMethod>(
         prm, "Method", method,
         {{RangeMethod::automatic, "automatic",
@@ -144,6 +150,7 @@ void RangeEntries::add_parameters(dealii::ParameterHandler &prm)
           "of "
           "several interfaces are left to the simplex method."}},
         "How they are found.");
+  }
   prm.leave_subsection();
 }
 
@@ -153,7 +160,7 @@ RangeEntries::wanted(const Packing<dim> &packing) const
 {
   const Condition holds(where, variables_on_sides<dim>(), parameter_where);
   RangesWanted wanted = {std::vector<bool>(packing.interfaces().size(), false),
-                         reactions, method};
+                         reactions, method, links};
   if (reactions && packing.n_supports() == 0)
     throw InputError("'Ranges/Reactions' is true, and there are no supports: "
                      "'Supports/Where' gives them.");
@@ -162,7 +169,7 @@ RangeEntries::wanted(const Packing<dim> &packing) const
   if (!joints.empty())
     for (const std::string &names : split_at_bars(joints))
       choose_named(packing, names, wanted.interfaces);
-  if (holds.is_never() && joints.empty() && !reactions)
+  if (holds.is_never() && joints.empty() && !reactions && !links)
     return {};
   return wanted;
 }

@@ -64,6 +64,10 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
       functions.push_back(reaction(scene.packing, support, direction));
     }
 
+  if (wanted.links)
+    for (unsigned int k = 0; k < scene.links.size(); ++k)
+      functions.push_back(force_of_link(k));
+
   const bool has_places =
       scene.turns() && scene.tensile_strength.empty() && !interfaces.empty();
   const std::vector<unsigned int> no_interfaces;
@@ -91,6 +95,7 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   }
   for (unsigned int s = 0; s < supports.size(); ++s, next += 2)
     ranges.reactions.push_back({{next[0], next[1]}});
+  ranges.links.assign(next, search.ranges().end());
   ranges.supports = std::move(supports);
   return ranges;
 }

@@ -279,6 +279,10 @@ void check_can_be_sampled(const Scene &scene)
                      "bear tension nor crush, and 'Contact' gives them "
                      "strengths; set 'Ranges/Samples = 0', or leave these "
                      "out.");
+  if (!scene.links.empty())
+    throw InputError("'Ranges/Samples' draws the forces of interfaces alone, "
+                     "and there are 'Ties' or 'Fill'; set 'Ranges/Samples = "
+                     "0', or leave these out.");
   const std::size_t of_each = contact_points(scene.turns()).pressure.size() + 1;
   const std::size_t n = scene.packing.interfaces().size() * of_each;
   if (n > most_forces)

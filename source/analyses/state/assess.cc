@@ -121,12 +121,16 @@ part_around(const Scene &scene, const unsigned int first, const double load)
 {
   const Packing<2> &packing = scene.packing;
   std::vector<std::vector<unsigned int>> neighbours(packing.n_cells());
+  const auto connect = [&](const unsigned int one, const unsigned int other) {
+    if (other == packing.ground())
+      return;
+    neighbours[one].push_back(other);
+    neighbours[other].push_back(one);
+  };
   for (const Packing<2>::Interface &i : packing.interfaces())
-    if (i.cell_plus != packing.ground())
-    {
-      neighbours[i.cell_minus].push_back(i.cell_plus);
-      neighbours[i.cell_plus].push_back(i.cell_minus);
-    }
+    connect(i.cell_minus, i.cell_plus);
+  for (const Link &link : scene.links)
+    connect(link.cell_minus, link.cell_plus);
   std::vector<bool> part(packing.n_cells(), false);
   std::vector<unsigned int> to_visit = {first};
   part[first] = true;

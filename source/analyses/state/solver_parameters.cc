@@ -32,7 +32,7 @@ const Formulation &SolverParameters::formulation_for(const Scene &scene) const
 {
   if (!scene.dilates)
     return coulomb_state;
-  return scene.coefficient.empty() && !scene.has_normal_limits() ? formulation()
+  return scene.coefficient.empty() && !scene.has_more_than_friction() ? formulation()
                                                                  : any_state;
 }
 

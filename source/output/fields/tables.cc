@@ -2,6 +2,7 @@
 #include <voussoir/output/fields/cells.h>
 #include <voussoir/output/fields/edges.h>
 #include <voussoir/output/fields/forces.h>
+#include <voussoir/output/fields/links.h>
 #include <voussoir/output/fields/mobilised_friction.h>
 #include <voussoir/output/fields/motion.h>
 #include <voussoir/output/fields/state_ranges.h>
@@ -51,6 +52,20 @@ const FieldTable<MovingScene> &mechanism_joint_fields()
   static const FieldTable<MovingScene> table(
       "", only_in_table(interface_edges()), only_in_table(strengths()),
       interface_jumps(), further_limits());
+  return table;
+}
+
+const FieldTable<Results> &link_fields()
+{
+  static const FieldTable<Results> table("link_force link_utilisation",
+                                         link_ends(), link_forces());
+  return table;
+}
+
+const FieldTable<MovingScene> &mechanism_link_fields()
+{
+  static const FieldTable<MovingScene> table("elongation", link_ends(),
+                                             link_elongations());
   return table;
 }
 

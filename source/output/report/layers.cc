@@ -93,6 +93,19 @@ Point<2> moved(const Packing<2> &packing,
 }
 } // namespace
 
+dealii::BoundingBox<2> box_of(const Scene &scene)
+{
+  auto corners = scene.packing.box().get_boundary_points();
+  for (const Link &link : scene.links)
+    for (const Point<2> &x : {link.on_minus, link.on_plus})
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        corners.first[d] = std::min(corners.first[d], x[d]);
+        corners.second[d] = std::max(corners.second[d], x[d]);
+      }
+  return {corners};
+}
+
 double typical_size(const Packing<2> &packing)
 {
   return std::sqrt(packing.area() / packing.n_cells());
@@ -111,6 +124,32 @@ void draw_supports(Drawing &drawing,
     const Tensor<1, 2> below = ground_depth * drawing.extent() * i.normal;
     drawing.polygon({i.start, i.end, i.end + below, i.start + below}, "ground");
     drawing.line(i.start, i.end, "support");
+  }
+}
+
+void draw_links(Drawing &drawing,
+                const Scene &scene,
+                const InterfaceForces *const forces,
+                const std::string &views)
+{
+  if (scene.links.empty())
+    return;
+  const Layer layer(drawing, forces ? "link-forces" : "links", views);
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    std::string kind = "link";
+    if (forces)
+    {
+      const double used = link.utilisation(forces->in_links[k]);
+      if (used > least_force)
+        kind += forces->in_links[k] > 0. ? " pulls" : " pushes";
+      if (used > 1. - least_force)
+        kind += " yields";
+    }
+    drawing.line(link.on_minus, link.on_plus, kind);
+    for (const Point<2> &x : {link.on_minus, link.on_plus})
+      drawing.dot(x, "anchor");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <voussoir/output/report/html_table.h>
 #include <voussoir/output/report/sections.h>
 #include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/link_summary.h>
 #include <voussoir/output/summary/messages.h>
 #include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/versions.h>
@@ -82,6 +83,21 @@ std::string table_of_most_used(const Results &results, const UnitNames &names)
              ? "without bound"
              : text(joint.at("utilisation").get<double>())});
   }
+  return table.close();
+}
+
+std::string table_of_links(const Results &results, const UnitNames &names)
+{
+  HtmlTable table("links", "Ties, props and fill",
+                  {"name", UnitNames::labelled("force, tension positive",
+                                               names.force),
+                   "least", "most", "share of the bound"});
+  for (const Json &link : links_summary(results))
+    table.row({html_text(link.at("name")),
+               text(link.at("force").get<double>()),
+               text(link.at("least").get<double>()),
+               text(link.at("most").get<double>()),
+               text(link.at("utilisation").get<double>())});
   return table.close();
 }
 
@@ -175,6 +191,9 @@ std::string sections_of(const Results &results, const ReportDetails &details)
          (results.reactions.empty()
               ? ""
               : table_of_reactions(results, details.units)) +
+         (results.scene.links.empty()
+              ? ""
+              : table_of_links(results, details.units)) +
          table_of_most_used(results, details.units) +
          section("certificate", "Certificate", certificate_of(results)) +
          closing_tables(results, details);

@@ -39,7 +39,7 @@ class PictureMaker
 {
 public:
   PictureMaker(const Scene &scene, const UnitNames &names)
-      : picture(scene.packing), overlays(scene.packing), scene(scene),
+      : picture(box_of(scene)), overlays(box_of(scene)), scene(scene),
         packing(scene.packing), names(names)
   {}
 
@@ -169,6 +169,9 @@ void add_structure(PictureMaker &maker)
                                        html_text(UnitNames::labelled(
                                            text(largest), maker.names.force))))
                          : "<p>no loads</p>";
+  draw_links(drawing, maker.scene, nullptr, "in-structure in-motion");
+  if (!maker.scene.links.empty())
+    legend += swatch("of-link", "tie, prop or fill");
   if (!maker.packing.gaps().empty())
     legend += swatch("of-gap", "narrow gap that was left open");
   maker.add_view("structure", "Structure", legend);
@@ -180,6 +183,12 @@ void add_forces(PictureMaker &maker, const InterfaceForces &forces)
   const double largest =
       draw_resultants(drawing, maker.scene, forces, "in-forces");
   draw_line_of_thrust(drawing, maker.scene, forces, "in-forces");
+  draw_links(drawing, maker.scene, &forces, "in-forces");
+  const std::string of_links =
+      maker.scene.links.empty()
+          ? ""
+          : swatch("of-pulls", "link in tension; thick where it yields") +
+                swatch("of-pushes", "in compression");
   maker.add_view(
       "forces", "Forces",
       swatch("of-resultant", text("resultants of the joints; the longest is ",
@@ -189,7 +198,8 @@ void add_forces(PictureMaker &maker, const InterfaceForces &forces)
                ? swatch("of-thrust", "line of thrust, where a block has two "
                                      "joints that bear")
                : "<p>Blocks do not turn in this run: forces are drawn at the "
-                 "middle of the joints.</p>"));
+                 "middle of the joints.</p>") +
+          of_links);
 }
 
 /** A view of one value of each joint. */

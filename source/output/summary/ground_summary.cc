@@ -50,6 +50,12 @@ Tensor<1, 2> total_load(const Scene &scene)
   return shown(balance_on_ground(scene, {}).load, size_of_loads(scene));
 }
 
+GroundBalance balance_of(const Results &results)
+{
+  return balance_on_ground(results.scene, results.reactions,
+                           results.forces.in_links);
+}
+
 /** The length of all supports. */
 double length_of_supports(const Packing<2> &packing)
 {
@@ -119,7 +125,7 @@ Json ground_summary(const Results &results)
          {"at", force.norm() > 0. ? pair(reaction.place) : Json(nullptr)}});
   }
   const GroundBalance balance =
-      balance_on_ground(results.scene, results.reactions);
+      balance_of(results);
   return {{"load", pair(balance.load)},
           {"reaction", pair(balance.reaction)},
           {"imbalance", balance.imbalance},
@@ -173,7 +179,7 @@ void show_reactions(Terminal &terminal, const Results &results)
   const std::size_t n = results.reactions.size();
   terminal.summary(
       "Reaction",
-      text(words(balance_on_ground(results.scene, results.reactions).reaction),
+      text(words(balance_of(results).reaction),
            " on ", counted(n, "straight support"), ", mean normal stress ",
            mean_normal_stress(results)));
   for (std::size_t k = 0; k < std::min(n, n_shown_reactions); ++k)

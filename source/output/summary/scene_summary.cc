@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/link_summary.h>
 #include <voussoir/output/summary/scene_summary.h>
 
 #include <algorithm>
@@ -170,6 +171,7 @@ void show_scene(Terminal &terminal, const Scene &scene, const UnitNames &units)
   show_groups(terminal, scene);
   show_joints(terminal, scene);
   show_tractions(terminal, scene);
+  show_links(terminal, scene);
 }
 
 std::string description_of_law(const Scene &scene)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/link_summary.h>
 #include <voussoir/output/summary/messages.h>
 #include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/summary.h>
@@ -57,7 +58,9 @@ Json summary_of(const RunRecord &run, const Status &status)
       {"extent", {box.side_length(0), box.side_length(1)}},
       {"area", packing.area()},
       {"static_indeterminacy",
-       static_indeterminacy(packing, run.scene.kinematics->n_unknowns())},
+       static_indeterminacy(packing, run.scene.group,
+                            run.scene.kinematics->n_unknowns(),
+                            run.scene.links.size())},
       {"groups", groups}};
   summary["loads"] = loads_summary(run.scene);
   summary["solver"] = {{"outcome", run.outcome},
@@ -120,6 +123,8 @@ Json summary_of(const Results &results)
     summary[analysis.key] = analysis.summary;
   if (!results.reactions.empty())
     summary["ground"] = ground_summary(results);
+  if (!results.scene.links.empty())
+    summary["links"] = links_summary(results);
   summary["most_used"] = most_used_summary(results);
   if (!results.never_pressed.empty())
     summary["interfaces"] = {
@@ -213,6 +218,7 @@ void show_summary(Terminal &terminal, const Results &results)
                    text("violation ", certificate.admissibility_violation,
                         " of the largest load on a cell"));
   show_reactions(terminal, results);
+  show_link_forces(terminal, results);
   terminal.summary("Friction",
                    text("largest utilisation ", certificate.max_utilisation));
   terminal.summary("Contact",

@@ -13,14 +13,17 @@ using VtuValues::vector;
 
 namespace
 {
-/** A grid of one line for each interface. */
-VtuFile lines_of(const std::vector<Packing<2>::Interface> &interfaces)
+/** A grid of one line for each of @p list, between two members of it. */
+template <typename Element, typename Place>
+VtuFile lines_of(const std::vector<Element> &list,
+                 Place Element::*const start,
+                 Place Element::*const end_of_line)
 {
-  const auto points = [&](std::size_t p, std::size_t end, double *place) {
+  const auto points = [&list, start, end_of_line](
+                          std::size_t p, std::size_t end, double *place) {
     for (; p < end; ++p)
     {
-      const Packing<2>::Interface &i = interfaces[p / 2];
-      const auto x = vector(p % 2 == 0 ? i.start : i.end);
+      const auto x = vector(list[p / 2].*(p % 2 == 0 ? start : end_of_line));
       place = std::copy(x.begin(), x.end(), place);
     }
   };
@@ -29,14 +32,25 @@ VtuFile lines_of(const std::vector<Packing<2>::Interface> &interfaces)
       *place++ = 2 * (e + 1);
   };
   return VtuFile::separate(VtuFile::Shape::line,
-                           {2 * interfaces.size(), points},
-                           {interfaces.size(), ends});
+                           {2 * list.size(), points}, {list.size(), ends});
+}
+
+VtuFile interfaces_of(const Scene &scene)
+{
+  using Interface = Packing<2>::Interface;
+  return lines_of(scene.packing.interfaces(), &Interface::start,
+                  &Interface::end);
+}
+
+VtuFile links_of(const Scene &scene)
+{
+  return lines_of(scene.links, &Link::on_minus, &Link::on_plus);
 }
 } // namespace
 
 void write_interfaces_vtu(std::ostream &out, const Results &results)
 {
-  VtuFile file = lines_of(results.scene.packing.interfaces());
+  VtuFile file = interfaces_of(results.scene);
   add_fields(file, interface_fields().arrays(results));
   file.write(out);
 }
@@ -46,8 +60,25 @@ void write_mechanism_joints_vtu(std::ostream &out,
                                 const Motion &motion)
 {
   const MovingScene moving(scene, motion);
-  VtuFile file = lines_of(scene.packing.interfaces());
+  VtuFile file = interfaces_of(scene);
   add_fields(file, mechanism_joint_fields().arrays(moving));
+  file.write(out);
+}
+
+void write_links_vtu(std::ostream &out, const Results &results)
+{
+  VtuFile file = links_of(results.scene);
+  add_fields(file, link_fields().arrays(results));
+  file.write(out);
+}
+
+void write_mechanism_links_vtu(std::ostream &out,
+                               const Scene &scene,
+                               const Motion &motion)
+{
+  const MovingScene moving(scene, motion);
+  VtuFile file = links_of(scene);
+  add_fields(file, mechanism_link_fields().arrays(moving));
   file.write(out);
 }
 } // namespace Voussoir

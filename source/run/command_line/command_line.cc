@@ -8,7 +8,7 @@
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/run/variables.h>
-#include <voussoir/scene/loads/load_cases.h>
+#include <voussoir/scene/scene_parameters.h>
 #include <voussoir/version.h>
 
 #include <filesystem>
@@ -109,7 +109,13 @@ std::optional<std::string> text_of_parameters(const Arguments &arguments,
               parameter_format_of(arguments.format.value_or("prm")),
               arguments.print_settings ? Detail::value : Detail::listing);
   else if (arguments.print_schema)
-    print_schema(text, run.entries(), {load_cases_section, variables_section});
+  {
+    std::vector<std::string> of_users = {variables_section};
+    if (run.dimension() == 2)
+      for (const std::string &section : SceneParameters::sections_of_users())
+        of_users.push_back(section);
+    print_schema(text, run.entries(), of_users);
+  }
   else if (arguments.print_reference)
     write_reference(text, run.entries(),
                     run.dimension() == 3 ? "Parameters in space" : "Parameters",
@@ -148,11 +154,15 @@ ExitStatus run(const Arguments &arguments,
   if (!arguments.file.empty())
     sources.file = arguments.file;
   sources.assignments = arguments.assignments;
-  if (arguments.print_schema) // of load cases and variables by any name
-    sources.assignments.insert(
-        sources.assignments.end(),
-        {load_cases_section + "/case/Boundary load=traction",
-         variables_section + "/name=0"});
+  // Sections and variables by any name.
+  const bool is_plane = dimension_of(sources) == 2;
+  if (is_plane && (arguments.print_schema || arguments.print_reference))
+    sources.assignments.push_back(ties_section + "/NAME/Prestress=0");
+  if (is_plane && arguments.print_schema)
+    sources.assignments.push_back(load_cases_section +
+                                  "/NAME/Boundary load=traction");
+  if (arguments.print_schema)
+    sources.assignments.push_back(variables_section + "/NAME=0");
   const std::unique_ptr<Run> run = make_run(sources, terminal, processes);
   if (const auto text = text_of_parameters(arguments, *run))
     return print(streams.out, *text);

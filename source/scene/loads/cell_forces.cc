@@ -3,17 +3,12 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/area_moments.h>
+#include <voussoir/packing/cells_at.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/loads/cell_forces.h>
 #include <voussoir/scene/loads/loaded_cells.h>
 #include <voussoir/scene/loads/segment_tractions.h>
 
-#include <deal.II/boost_adaptors/point.h>
-
-#include <boost/geometry.hpp>
-
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace Voussoir
@@ -23,22 +18,6 @@ using dealii::Tensor;
 
 namespace
 {
-/**
- * The distance of a place from a cell, over the root of its area, that counts
- * as none: coordinates are often written with few digits.
- */
-constexpr double largest_distance_from_cell = 1e-6;
-
-/** The distance of @p x from a cell, zero in it, over the root of its area. */
-double
-distance(const Packing<2> &packing, const unsigned int c, const Point<2> &x)
-{
-  boost::geometry::model::ring<Point<2>, false, false> ring;
-  for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-    ring.push_back(packing.vertex(c, i));
-  return boost::geometry::distance(x, ring) / std::sqrt(packing.area(c));
-}
-
 /** Two numbers; the message of their fault begins with @p begin. */
 Point<2> pair_or_refuse(const std::string &text,
                         const std::string &form,
@@ -58,29 +37,16 @@ void add_force_at(const Packing<2> &packing,
                   const std::string &parameter,
                   std::vector<CellForce> &forces)
 {
-  std::vector<unsigned int> there;
-  unsigned int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-  {
-    const double to_cell = distance(packing, c, x);
-    if (to_cell <= largest_distance_from_cell)
-      there.push_back(c);
-    if (to_cell < least)
-    {
-      least = to_cell;
-      nearest = c;
-    }
-  }
-  if (there.empty())
-    throw InputError(
-        text("The parameter '", parameter, "' lets a force act at ",
-             text_of_point(x), ", which is in no cell; the nearest is ",
-             packing.describe(nearest), ", ",
-             text_of_number(least * std::sqrt(packing.area(nearest))),
-             " away. Correct the place, or name the cell."));
-  for (const unsigned int c : there)
-    forces.push_back({text("cell ", c), {c}, force / double(there.size()), x});
+  const CellsAt cells(packing, x);
+  if (cells.there.empty())
+    throw InputError(text("The parameter '", parameter,
+                          "' lets a force act at ", text_of_point(x),
+                          ", which is in no cell; ",
+                          cells.describe_nearest(packing),
+                          ". Correct the place, or name the cell."));
+  for (const unsigned int c : cells.there)
+    forces.push_back(
+        {text("cell ", c), {c}, force / double(cells.there.size()), x});
 }
 
 /** "name: force at x, y". */
@@ -101,7 +67,7 @@ CellForce force_in_cell(const Packing<2> &packing,
                           " cells of that name; name one cell, as in cell "
                           "12, or give the place alone."));
   const unsigned int c = cells.front();
-  if (distance(packing, c, x) > largest_distance_from_cell)
+  if (!is_in_cell(packing, c, x))
     throw InputError(text(begin, text_of_point(x), ", which is not a place in ",
                           packing.describe(c), " at ",
                           text_of_point(packing.centre(c)), "."));

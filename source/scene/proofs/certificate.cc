@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/packing/connected_groups.h>
 #include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
 #include <voussoir/scene/proofs/utilisation.h>
@@ -31,12 +30,20 @@ std::vector<double> reference_forces(const Scene &scene,
   std::vector<double> load;
   for (const Tensor<1, 2> &force : scene.load)
     load.push_back(force.norm());
+  // What stresses a link is a load.
+  for (const Link &link : scene.links)
+    for (const unsigned int c : {link.cell_minus, link.cell_plus})
+      if (c != scene.packing.ground())
+        load[c] = std::max(load[c], std::abs(link.rest()));
   double largest_force = 0.;
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
     largest_force = std::max({largest_force, std::abs(forces.normal[e]),
                               std::abs(forces.tangential[e])});
+  for (const double force : forces.in_links)
+    largest_force = std::max(largest_force, std::abs(force));
   return Voussoir::reference_forces(
-      connected_groups(scene.packing, Ground::separates), load, largest_force);
+      linked_groups(scene.packing, scene.links, Ground::separates), load,
+      largest_force);
 }
 
 bool are_finite(const InterfaceForces &forces)
@@ -49,7 +56,8 @@ bool are_finite(const InterfaceForces &forces)
     if (!std::isfinite(sum))
       return false;
   }
-  return true;
+  return std::all_of(forces.in_links.begin(), forces.in_links.end(),
+                     [](const double force) { return std::isfinite(force); });
 }
 
 /** The excess of the forces of an interface over their limits. */
@@ -93,6 +101,14 @@ struct OwnForces
         beside[c] = std::max(beside[c], light(other));
       }
     }
+    for (unsigned int k = 0; k < scene.links.size(); ++k)
+      for (const auto &[c, other] :
+           {std::pair(scene.links[k].cell_minus, scene.links[k].cell_plus),
+            std::pair(scene.links[k].cell_plus, scene.links[k].cell_minus)})
+      {
+        pressed[c] = std::max(pressed[c], std::abs(forces.in_links[k]));
+        beside[c] = std::max(beside[c], light(other));
+      }
     for (unsigned int c = 0; c < size.size(); ++c)
     {
       near_light[c] = light(c) > 0. || beside[c] > 0.;
@@ -135,6 +151,20 @@ std::vector<double> rounding_of_forces(const Scene &scene,
                       std::sqrt(packing.area(c));
       }
   }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    const double size = std::abs(forces.in_links[k]);
+    for (const auto &[c, x] : {std::pair(link.cell_minus, link.on_minus),
+                               std::pair(link.cell_plus, link.on_plus)})
+      if (c != packing.ground())
+      {
+        ++n[c];
+        sum[c] += size;
+        torques[c] += size * (x.distance(packing.centre(c)) + x.norm()) /
+                      std::sqrt(packing.area(c));
+      }
+  }
   for (unsigned int c = 0; c < sum.size(); ++c)
     sum[c] = std::numeric_limits<double>::epsilon() * 0.5 * (n[c] + 4.) *
              (scene.turns() ? std::max(sum[c], torques[c]) : sum[c]);
@@ -169,6 +199,11 @@ unbalanced_cells(const Scene &scene,
     for (const unsigned int c : {i.cell_minus, i.cell_plus})
       defect[c] = std::max(defect[c], violation(scene, forces, e));
   }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+    for (const unsigned int c :
+         {scene.links[k].cell_minus, scene.links[k].cell_plus})
+      defect[c] =
+          std::max(defect[c], scene.links[k].excess(forces.in_links[k]));
   const std::vector<double> rounded = rounding_of_forces(scene, forces);
   std::vector<UnbalancedCell> unbalanced;
   for (unsigned int c = 0; c < own.size.size(); ++c)
@@ -208,6 +243,16 @@ Certificate certify(const Scene &scene, const InterfaceForces &forces)
         std::max(certificate.max_utilisation, utilisation(e));
   }
 
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+  {
+    const Link &link = scene.links[k];
+    const Tensor<1, 2> f = forces.in_links[k] * link.direction;
+    sum[link.cell_minus] += f;
+    sum[link.cell_plus] -= f;
+    errors.add(certificate.admissibility_violation, Kind::limit,
+               link.excess(forces.in_links[k]), link.cell_minus);
+  }
+
   const std::vector<double> torques = residual_torques(scene, forces);
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
@@ -231,6 +276,8 @@ double largest_load(const Scene &scene)
   double largest = 0.;
   for (const Tensor<1, 2> &load : scene.load)
     largest = std::max(largest, load.norm());
+  for (const Link &link : scene.links)
+    largest = std::max(largest, std::abs(link.rest()));
   return largest;
 }
 
@@ -247,6 +294,9 @@ WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
     of.closing = std::max(of.closing, joint.closing);
     of.all_closings += joint.closing;
   }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+    of.dissipation +=
+        scene.links[k].dissipation(elongation(scene, k, motion));
   return of;
 }
 } // namespace

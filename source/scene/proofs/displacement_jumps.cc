@@ -44,6 +44,18 @@ InterfaceJumps jumps_of(const Packing<2> &packing, const Motion &motion)
   return jumps;
 }
 
+double elongation(const Scene &scene, const unsigned int k, const Motion &motion)
+{
+  const Link &link = scene.links[k];
+  const auto along = [&](const unsigned int c, const dealii::Point<2> &x) {
+    return c == scene.packing.ground()
+               ? 0.
+               : motion.at(c, x - scene.packing.centre(c)) * link.direction;
+  };
+  return along(link.cell_plus, link.on_plus) -
+         along(link.cell_minus, link.on_minus);
+}
+
 double work_of_loads(const Scene &scene, const Motion &motion)
 {
   double work = 0.;
@@ -53,6 +65,8 @@ double work_of_loads(const Scene &scene, const Motion &motion)
     if (!motion.rotation.empty())
       work += scene.load_torque[c] * motion.rotation[c];
   }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+    work -= scene.links[k].rest() * elongation(scene, k, motion);
   return work;
 }
 } // namespace Voussoir

@@ -18,6 +18,8 @@ double ForceFunction::operator()(const InterfaceForces &forces) const
     sum += term.at_ends[0] * ends[0] + term.at_ends[1] * ends[1] +
            term.tangential * forces.tangential[term.interface];
   }
+  for (const LinkTerm &term : links)
+    sum += term.factor * forces.in_links[term.link];
   return sum;
 }
 
@@ -30,22 +32,29 @@ ForceFunction ForceFunction::times(const double factor) const
       of_end *= factor;
     term.tangential *= factor;
   }
+  for (LinkTerm &term : product.links)
+    term.factor *= factor;
   return product;
 }
 
 ForceFunction normal_force(const unsigned int e)
 {
-  return {{{e, {{1., 1.}}, 0.}}};
+  return {{{e, {{1., 1.}}, 0.}}, {}};
 }
 
 ForceFunction couple_about(const unsigned int e, const double at)
 {
-  return {{{e, {{0.5 + at, at - 0.5}}, 0.}}};
+  return {{{e, {{0.5 + at, at - 0.5}}, 0.}}, {}};
 }
 
 ForceFunction tangential_force(const unsigned int e)
 {
-  return {{{e, {{0., 0.}}, 1.}}};
+  return {{{e, {{0., 0.}}, 1.}}, {}};
+}
+
+ForceFunction force_of_link(const unsigned int k)
+{
+  return {{}, {{k, 1.}}};
 }
 
 ForceFunction reaction(const Packing<2> &packing,
@@ -89,6 +98,18 @@ ForceBound bound_of(const Scene &scene,
     found.bound += joint.dissipation;
     found.closing_violation = std::max(found.closing_violation, joint.closing);
   }
+  std::vector<double> elongations;
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+    elongations.push_back(elongation(scene, k, motion));
+  for (const ForceFunction::LinkTerm &term : function.links)
+  {
+    // The work of the forces of rest on the motion is in that of the loads.
+    found.bound += scene.links[term.link].rest() * term.factor;
+    elongations[term.link] += term.factor;
+    largest = std::max(largest, std::abs(term.factor));
+  }
+  for (unsigned int k = 0; k < scene.links.size(); ++k)
+    found.bound += scene.links[k].dissipation(elongations[k]);
   found.closing_violation /= largest;
   return found;
 }

@@ -54,7 +54,8 @@ std::vector<Reaction> reactions(const Scene &scene,
 }
 
 GroundBalance balance_on_ground(const Scene &scene,
-                                const std::vector<Reaction> &reactions)
+                                const std::vector<Reaction> &reactions,
+                                const std::vector<double> &in_links)
 {
   // Sums of many numbers of one sign, to be compared to rounding.
   long double load[2] = {0., 0.}, reaction[2] = {0., 0.}, size = 0.;
@@ -67,6 +68,10 @@ GroundBalance balance_on_ground(const Scene &scene,
   for (const Reaction &support : reactions)
     for (unsigned int i = 0; i < 2; ++i)
       reaction[i] += support.force[i];
+  for (unsigned int k = 0; k < in_links.size(); ++k)
+    for (unsigned int i = 0; i < 2; ++i)
+      if (scene.links[k].cell_plus == scene.packing.ground())
+        reaction[i] += in_links[k] * scene.links[k].direction[i];
 
   GroundBalance balance = {{}, {}, 0.};
   for (unsigned int i = 0; i < 2; ++i)

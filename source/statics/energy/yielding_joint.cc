@@ -11,12 +11,12 @@ namespace
 {
 /** The rows of a joint between blocks that turn, before the tangential one. */
 constexpr unsigned int start = 0, end = 1, middle = 2;
-constexpr unsigned int n_contacts_with_middle = 3;
+constexpr unsigned int n_ends = 2, n_contacts_with_middle = 3;
 
 /** True if joint @p e of a problem crushes between blocks that turn. */
 bool has_section(const DiscreteProblem &problem, const unsigned int e)
 {
-  return problem.kinematics().turns() && !problem.normal_limits().empty() &&
+  return problem.n_contacts(e) == n_ends && !problem.normal_limits().empty() &&
          std::isfinite(problem.normal_limits()[e].crushing);
 }
 } // namespace

@@ -15,7 +15,8 @@ DiscreteProblem::DiscreteProblem(Data data)
     : Structure(ProcessGroup(), std::move(data.part)),
       length_unit(data.length_unit), stress_unit(data.stress_unit),
       has_load(data.is_loaded), coordinate_rounding(data.coordinate_rounding),
-      n_moving_cells(data.n_cells), limits_of_joints(std::move(data.limits))
+      n_moving_cells(data.n_cells), limits_of_joints(std::move(data.limits)),
+      links_of_scene(std::move(data.links))
 {
   // Formulations in the plane count one coefficient a row.
   Assert(!has_blocks() || !is_plane(), dealii::ExcInternalError());
@@ -199,7 +200,19 @@ DiscreteProblem DiscreteProblem::in_units_of(const double factor) const
     strength /= factor;
   for (NormalLimits &limits : problem.limits_of_joints)
     limits = {limits.tension / factor, limits.crushing / factor};
+  for (LinkContact &link : problem.links_of_scene)
+    link.rest /= factor;
   return problem;
+}
+
+unsigned int DiscreteProblem::n_interfaces() const
+{
+  return joints().size() -
+         std::count_if(links_of_scene.begin(), links_of_scene.end(),
+                       [](const LinkContact &link) {
+                         return link.joint !=
+                                dealii::numbers::invalid_unsigned_int;
+                       });
 }
 
 double DiscreteProblem::largest_limit() const

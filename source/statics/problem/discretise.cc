@@ -62,6 +62,7 @@ public:
 private:
   void choose_scales(const std::vector<bool> &moves);
   void add_interface(unsigned int interface);
+  void add_link(const Link &link);
 
   const Scene &scene;
   dealii::Point<2> centroid;
@@ -83,6 +84,36 @@ void find_load(const Scene &scene,
   if (scene.turns())
     load[2] =
         scene.load_torque[cell] / (stress_unit * length_unit * length_unit);
+}
+
+/**
+ * Add the force of rest of a link to the loads on the cells at its ends.
+ *
+ * @param of_cell gives the load of a cell, n_unknowns() numbers, or null.
+ */
+template <typename LoadOfCell>
+void add_rest(const Scene &scene,
+              const Link &link,
+              const double length_unit,
+              const double stress_unit,
+              const LoadOfCell &of_cell)
+{
+  const auto add = [&](const unsigned int cell, const dealii::Point<2> &x,
+                       const double sign) {
+    double *const load =
+        cell == scene.packing.ground() ? nullptr : of_cell(cell);
+    if (!load)
+      return;
+    const Tensor<1, 2> force =
+        sign * link.rest() / (stress_unit * length_unit) * link.direction;
+    for (unsigned int i = 0; i < 2; ++i)
+      load[i] += force[i];
+    if (scene.turns())
+      load[2] +=
+          cross((x - scene.packing.centre(cell)) / length_unit, force);
+  };
+  add(link.cell_minus, link.on_minus, 1.);
+  add(link.cell_plus, link.on_plus, -1.);
 }
 
 Discretisation::Discretisation(const Scene &scene,
@@ -113,7 +144,7 @@ Discretisation::Discretisation(const Scene &scene,
     if (c == packing.ground() || !moves[c])
       body[c] = data.n_cells;
   const std::size_t n_interfaces = packing.interfaces().size();
-  part.joints.reserve(n_interfaces,
+  part.joints.reserve(n_interfaces + scene.links.size(),
                       n_interfaces *
                           (contact_points(scene.turns()).pressure.size() + 1),
                       part.kinematics);
@@ -124,11 +155,17 @@ Discretisation::Discretisation(const Scene &scene,
     rests_on_ground |= !part.joints.list.empty() &&
                        part.joints.list.back().cell_plus == data.n_cells;
   }
+  for (const Link &link : scene.links)
+    rests_on_ground |=
+        body[link.cell_minus] != body[link.cell_plus] &&
+        std::max(body[link.cell_minus], body[link.cell_plus]) == data.n_cells;
   if (rests_on_ground)
   {
     part.centres.emplace_back();
     part.loads.resize(part.loads.size() + n);
   }
+  for (const Link &link : scene.links)
+    add_link(link);
 }
 
 /** Joints with the ground have it as c+; those within it are none. */
@@ -167,12 +204,68 @@ void Discretisation::add_interface(const unsigned int interface)
        scene.strength[interface] / data.stress_unit * length,
        scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
       rows, data.part.kinematics);
-  if (!scene.has_normal_limits())
+  if (!scene.has_normal_limits() && scene.links.empty())
     return;
   const JointLimits limits = scene.limits(interface);
   const double force_unit = data.stress_unit * data.length_unit;
   data.limits.push_back(
       {limits.tension / force_unit, limits.crushing / force_unit});
+}
+
+/**
+ * A tie is a contact that is pressed where its ends draw apart, and a prop one
+ * where they draw together; each bears the smaller of its two bounds as
+ * tension.
+ */
+void Discretisation::add_link(const Link &link)
+{
+  const double force_unit = data.stress_unit * data.length_unit;
+  const double rest = link.rest() / force_unit;
+  const double most = link.most / force_unit - rest;
+  const double least = link.least / force_unit - rest;
+  const bool is_tie = most >= -least;
+  data.links.push_back({rest, is_tie ? -1. : 1.});
+  unsigned int minus = body[link.cell_minus], plus = body[link.cell_plus];
+  if (minus == plus)
+    return;
+  const auto arm = [&](const unsigned int cell, const unsigned int b,
+                       const dealii::Point<2> &x) {
+    return (x - (b == data.n_cells ? centroid : scene.packing.centre(cell))) /
+           data.length_unit;
+  };
+  Tensor<1, 2> from_minus = arm(link.cell_minus, minus, link.on_minus);
+  Tensor<1, 2> from_plus = arm(link.cell_plus, plus, link.on_plus);
+  Tensor<1, 2> direction = link.direction;
+  if (minus == data.n_cells)
+  {
+    std::swap(minus, plus);
+    std::swap(from_minus, from_plus);
+    direction *= -1.;
+  }
+  Structure::Part &part = data.part;
+  add_rest(scene, link, data.length_unit, data.stress_unit,
+           [&](const unsigned int cell) {
+             return body[cell] == data.n_cells
+                        ? nullptr
+                        : &part.loads[part.kinematics.n_unknowns() *
+                                      body[cell]];
+           });
+  if (!(most > least))
+    return;
+  data.links.back().joint = part.joints.list.size();
+  const Tensor<1, 2> normal = is_tie ? -direction : direction;
+  const Tensor<1, 2> tangent({-normal[1], normal[0]});
+  rows.clear();
+  for (const Tensor<1, 2> &d : {normal, tangent})
+    rows.push_back({{{d[0], d[1], 0.}},
+                    {{cross(from_minus, d)}},
+                    {{cross(from_plus, d)}}});
+  const double length =
+      link.on_minus.distance(link.on_plus) / data.length_unit;
+  part.joints.add({minus, plus, 1., length > 0. ? length : 1., 0.}, rows,
+                  part.kinematics);
+  data.limits.push_back(
+      {std::min(most, -least), std::max(most, -least)});
 }
 
 void Discretisation::choose_scales(const std::vector<bool> &moves)
@@ -195,6 +288,8 @@ void Discretisation::choose_scales(const std::vector<bool> &moves)
                (scene.load_torque.empty()
                     ? 0.
                     : std::abs(scene.load_torque[c]) / data.length_unit);
+  for (const Link &link : scene.links)
+    total += std::abs(link.rest());
   data.is_loaded = total > 0.;
   if (data.is_loaded)
     data.stress_unit = total / std::sqrt(area);
@@ -224,6 +319,9 @@ std::vector<double> discretise_loads(const DiscreteProblem &problem,
   for (unsigned int c = 0; c < problem.n_cells(); ++c)
     find_load(scene, c, problem.length_scale(), problem.stress_scale(),
               &loads[problem.dof(c, 0)]);
+  for (const Link &link : scene.links)
+    add_rest(scene, link, problem.length_scale(), problem.stress_scale(),
+             [&](const unsigned int c) { return &loads[problem.dof(c, 0)]; });
   return loads;
 }
 
@@ -274,7 +372,7 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
   InterfaceForces forces;
   if (solution.forces.empty())
     return forces;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  for (unsigned int e = 0; e < problem.n_interfaces(); ++e)
   {
     const unsigned int n = problem.n_contacts(e);
     const double *f = &solution.forces[problem.first_row(e)];
@@ -283,6 +381,13 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
     if (n == 2)
       forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
   }
+  for (const LinkContact &link : problem.links())
+    forces.in_links.push_back(
+        unit *
+        (link.joint == dealii::numbers::invalid_unsigned_int
+             ? link.rest
+             : link.rest + link.sign *
+                               solution.forces[problem.first_row(link.joint)]));
   return forces;
 }
 
@@ -300,6 +405,13 @@ std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
         result.push_back(factor * f);
     result.push_back(factor * forces.tangential[e]);
   }
+  for (unsigned int k = 0; k < problem.links().size(); ++k)
+    if (const LinkContact &link = problem.links()[k];
+        link.joint != dealii::numbers::invalid_unsigned_int)
+    {
+      result.push_back(link.sign * (factor * forces.in_links[k] - link.rest));
+      result.push_back(0.);
+    }
   return result;
 }
 } // namespace Voussoir

@@ -229,6 +229,9 @@ std::vector<double> uniform_pressure(const DiscreteProblem &problem)
 
 std::optional<Opening> opening_without_search(const DiscreteProblem &problem)
 {
+  // A tie draws together what dilates.
+  if (!problem.links().empty())
+    return {};
   std::vector<double> u = dilation(problem);
   // Convex blocks all draw apart, others may clamp each other.
   const bool draws_apart = opens_between_cells(problem, u);

@@ -32,6 +32,7 @@ public:
 private:
   std::string where = "0", joints;
   bool reactions = false;
+  bool links = false;
   RangeMethod method = RangeMethod::automatic;
 };
 } // namespace Voussoir

@@ -21,6 +21,8 @@ struct RangesWanted
   bool reactions = false;
   /** How. */
   RangeMethod method = RangeMethod::automatic;
+  /** True if the forces of links are among them. */
+  bool links = false;
 };
 
 /**
@@ -47,6 +49,8 @@ struct Ranges
   std::vector<StraightRun> supports;
   std::vector<std::array<Range, 2>> reactions;
   /** @} */
+  /** The force of each of Scene::links; empty if not wanted. */
+  std::vector<Range> links;
 
   /** The force that differences are relative to: the largest load on a cell. */
   double reference = 0.;

@@ -17,6 +17,10 @@ const FieldTable<Results> &cell_fields();
 const FieldTable<Scene> &boundary_fields();
 /** The quantities of mechanism_joints.csv and mechanism_joints.vtu. */
 const FieldTable<MovingScene> &mechanism_joint_fields();
+/** The quantities of links.csv and links.vtu. */
+const FieldTable<Results> &link_fields();
+/** The quantities of mechanism_links.csv and mechanism_links.vtu. */
+const FieldTable<MovingScene> &mechanism_link_fields();
 /** The quantities of mechanism.csv and mechanism.vtu. */
 const FieldTable<MovingScene> &mechanism_fields();
 /** The quantities of interfaces that a packing alone has. */

@@ -9,6 +9,9 @@
 
 namespace Voussoir
 {
+/** The box around the cells of a scene and the ends of its links; lengths. */
+dealii::BoundingBox<2> box_of(const Scene &scene);
+
 /** The root of the mean area of a cell, a length to draw things by. */
 double typical_size(const Packing<2> &packing);
 
@@ -21,6 +24,15 @@ double typical_size(const Packing<2> &packing);
 void draw_supports(Drawing &drawing,
                    const Packing<2> &packing,
                    const std::string &views);
+/**
+ * Links as lines between the places where they act.
+ *
+ * @param forces of which the colours and widths are; null for plain lines.
+ */
+void draw_links(Drawing &drawing,
+                const Scene &scene,
+                const InterfaceForces *forces,
+                const std::string &views);
 /** Narrow gaps that were left open. */
 void draw_gaps(Drawing &drawing,
                const Packing<2> &packing,

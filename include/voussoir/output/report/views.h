@@ -23,8 +23,6 @@ struct View
 /** The picture of a run, with all that any view shows. */
 struct Picture
 {
-  /** @param packing what is drawn. */
-  explicit Picture(const Packing<2> &packing) : drawing(packing) {}
   /** @param box of what is drawn. */
   explicit Picture(const dealii::BoundingBox<2> &box) : drawing(box) {}
 

@@ -29,6 +29,20 @@ inline const std::string mechanism_joints_vtu = "mechanism_joints.vtu";
 void write_mechanism_joints_vtu(std::ostream &out,
                                 const Scene &scene,
                                 const Motion &motion);
+
+/** @{ */
+/** The names of the files that the next functions write. */
+inline const std::string links_vtu = "links.vtu";
+inline const std::string mechanism_links_vtu = "mechanism_links.vtu";
+/** @} */
+
+/** One line for each link, from place to place, with link_fields(). */
+void write_links_vtu(std::ostream &out, const Results &results);
+
+/** These lines with mechanism_link_fields() of a motion. */
+void write_mechanism_links_vtu(std::ostream &out,
+                               const Scene &scene,
+                               const Motion &motion);
 } // namespace Voussoir
 
 #endif

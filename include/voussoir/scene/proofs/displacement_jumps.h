@@ -24,7 +24,16 @@ struct InterfaceJumps
 /** The jumps of @p motion. */
 InterfaceJumps jumps_of(const Packing<2> &packing, const Motion &motion);
 
-/** The work of the loads of @p scene along @p motion; S L times its unit. */
+/**
+ * How much further apart @p motion draws the ends of link @p k of a scene along
+ * its direction, in the unit of the motion; the ground under it is at rest.
+ */
+double elongation(const Scene &scene, unsigned int k, const Motion &motion);
+
+/**
+ * The work of the loads of @p scene, and of the forces of rest of its links,
+ * along @p motion; S L times its unit.
+ */
 double work_of_loads(const Scene &scene, const Motion &motion);
 } // namespace Voussoir
 

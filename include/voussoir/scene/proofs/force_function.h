@@ -11,7 +11,7 @@
 
 namespace Voussoir
 {
-/** A linear function of the forces of the interfaces. */
+/** A linear function of the forces of the interfaces and the links. */
 struct ForceFunction
 {
   /** What the forces of an interface are multiplied by. */
@@ -26,6 +26,16 @@ struct ForceFunction
   };
   /** Each interface has at most one. */
   std::vector<Term> terms;
+  /** What the force of a link is multiplied by. */
+  struct LinkTerm
+  {
+    /** Its number. */
+    unsigned int link;
+    /** That. */
+    double factor;
+  };
+  /** Each link has at most one. */
+  std::vector<LinkTerm> links = {};
 
   /** This function times @p factor. */
   ForceFunction times(double factor) const;
@@ -43,6 +53,8 @@ ForceFunction normal_force(unsigned int e);
 ForceFunction couple_about(unsigned int e, double at);
 /** f_e^t of interface @p e. */
 ForceFunction tangential_force(unsigned int e);
+/** The force of link @p k. */
+ForceFunction force_of_link(unsigned int k);
 /**
  * The force of the ground on the packing along a straight support in the
  * direction @p direction; see reactions().

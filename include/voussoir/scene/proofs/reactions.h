@@ -41,15 +41,20 @@ struct GroundBalance
 {
   /** The sum of F_c over all cells; S L. */
   dealii::Tensor<1, 2> load;
-  /** The sum of the forces of all supports on the packing; S L. */
+  /** The sum of the forces of all supports, and of links to the ground, on the
+   * packing; S L. */
   dealii::Tensor<1, 2> reaction;
   /** |load + reaction| over the sum of the sizes of the loads on the cells. */
   double imbalance;
 };
 
-/** Compare the loads of @p scene with its @p reactions. */
+/**
+ * Compare the loads of @p scene with its @p reactions and the forces of its
+ * links, InterfaceForces::in_links, if there are any.
+ */
 GroundBalance balance_on_ground(const Scene &scene,
-                                const std::vector<Reaction> &reactions);
+                                const std::vector<Reaction> &reactions,
+                                const std::vector<double> &in_links = {});
 } // namespace Voussoir
 
 #endif

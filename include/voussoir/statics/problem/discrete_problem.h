@@ -4,6 +4,8 @@
 
 #include <voussoir/algebra/structure.h>
 
+#include <deal.II/base/types.h>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -17,6 +19,20 @@ struct NormalLimits
   double tension;
   /** f_c |e|, the largest compression, possibly infinite. */
   double crushing;
+};
+
+/**
+ * A Link among the joints: a contact without friction, which a tie presses
+ * where its ends draw apart. Nondimensional.
+ */
+struct LinkContact
+{
+  /** Link::rest(), which is one of the loads. */
+  double rest = 0.;
+  /** What the force of the contact is multiplied with beside it; 1 or -1. */
+  double sign = 1.;
+  /** Its joint; invalid_unsigned_int where all of the force is a load. */
+  unsigned int joint = dealii::numbers::invalid_unsigned_int;
 };
 
 /**
@@ -74,6 +90,8 @@ public:
     unsigned int n_cells = 0;
     /** The result of normal_limits(). */
     std::vector<NormalLimits> limits;
+    /** The result of links(). */
+    std::vector<LinkContact> links;
     /** The result of is_loaded(). */
     bool is_loaded = false;
     /** The result of length_scale(). */
@@ -109,6 +127,10 @@ public:
   {
     return limits_of_joints;
   }
+  /** Those of the scene, whose joints come last. */
+  const std::vector<LinkContact> &links() const { return links_of_scene; }
+  /** The number of joints that are interfaces, the first ones. */
+  unsigned int n_interfaces() const;
   /** NormalLimits::tension of joint @p e. */
   double tension(const unsigned int e) const
   {
@@ -202,6 +224,7 @@ private:
   double coordinate_rounding = 0.;
   unsigned int n_moving_cells = 0;
   std::vector<NormalLimits> limits_of_joints;
+  std::vector<LinkContact> links_of_scene;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group_of_body;
   friend const Opening &opening_of(const DiscreteProblem &problem);
