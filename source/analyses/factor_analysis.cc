@@ -171,8 +171,9 @@ AnalysisOutcome FactorAnalysis::answer(SceneData data,
   if (!std::holds_alternative<Carried>(outcome.answer))
     throw SolverError("The state found at the load factor does not carry its "
                       "loads; loosen 'Solver/Tolerance of the load factor'.");
-  AnalysisResult result = {"load_factor", "Load factor", description_of(factor),
-                           json_of(factor), true};
+  AnalysisResult result = {
+      "load_factor",   "Load factor", description_of(factor),
+      json_of(factor), true,          sentence_of(factor, entries.multiplied)};
   if (factor.has_mechanism())
     result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism",
                                  false, std::move(found.live)};

@@ -36,8 +36,10 @@ Json summary_of_links(const Ranges &ranges, const Scene &scene)
 {
   Json json = Json::array();
   for (unsigned int k = 0; k < ranges.links.size(); ++k)
-    json.push_back({{"name", scene.links[k].name},
-                    {"force", json_of_range(ranges.links[k])}});
+    json.push_back(
+        {{"name", scene.links[k].name},
+         {"at", {scene.links[k].on_minus[0], scene.links[k].on_minus[1]}},
+         {"force", json_of_range(ranges.links[k])}});
   return json;
 }
 
@@ -67,17 +69,15 @@ std::string description_of(const Ranges &ranges, const Scene &scene)
                ? text(shown(range.least))
                : text(shown(range.least), " to ", shown(range.greatest));
   };
-  for (unsigned int s = 0; s < std::min<std::size_t>(ranges.reactions.size(),
-                                                     most_in_words);
-       ++s)
+  for (unsigned int s = 0;
+       s < std::min<std::size_t>(ranges.reactions.size(), most_in_words); ++s)
     words += text("; from ", text_of_point(ranges.supports[s].start), " to ",
                   text_of_point(ranges.supports[s].end), " x ",
                   from_to(ranges.reactions[s][0]), ", y ",
                   from_to(ranges.reactions[s][1]));
   for (unsigned int k = 0;
        k < std::min<std::size_t>(ranges.links.size(), most_in_words); ++k)
-    words +=
-        text("; ", scene.links[k].name, ' ', from_to(ranges.links[k]));
+    words += text("; ", scene.links[k].name, ' ', from_to(ranges.links[k]));
   return words;
 }
 

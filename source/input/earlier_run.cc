@@ -251,8 +251,8 @@ void EarlierRun::read_links(const Scene &scene, Carried &found)
   for (const Link &link : scene.links)
   {
     if (!line.next())
-      refuse(text("its ", links_csv, " ends before the link '", link.name,
-                  "'."));
+      refuse(
+          text("its ", links_csv, " ends before the link '", link.name, "'."));
     const Point<2> start(line[0], line[1]), end(line[2], line[3]);
     if (!are_same(start, link.on_minus, rounding) ||
         !are_same(end, link.on_plus, rounding))

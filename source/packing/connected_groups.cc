@@ -31,17 +31,17 @@ unsigned int static_indeterminacy(const Packing<2> &packing,
   unsigned int n_free_groups = 0;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     n_free_groups += (group[c] == c && group[c] != group[packing.ground()]);
-  return n_per_cell * (packing.interfaces().size() + n_free_groups -
-                       packing.n_cells()) +
+  return n_per_cell *
+             (packing.interfaces().size() + n_free_groups - packing.n_cells()) +
          n_links;
 }
 
-template std::vector<unsigned int> connected_groups(
-    const Packing<2> &,
-    Ground,
-    const std::vector<std::pair<unsigned int, unsigned int>> &);
-template std::vector<unsigned int> connected_groups(
-    const Packing<3> &,
-    Ground,
-    const std::vector<std::pair<unsigned int, unsigned int>> &);
+template std::vector<unsigned int>
+connected_groups(const Packing<2> &,
+                 Ground,
+                 const std::vector<std::pair<unsigned int, unsigned int>> &);
+template std::vector<unsigned int>
+connected_groups(const Packing<3> &,
+                 Ground,
+                 const std::vector<std::pair<unsigned int, unsigned int>> &);
 } // namespace Voussoir

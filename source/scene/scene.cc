@@ -157,7 +157,8 @@ Scene::Scene(Packing<2> packing_in,
              const Kinematics &kinematics_in,
              std::vector<Link> links_in)
     : packing(std::move(packing_in)), strength(std::move(strength_in)),
-      kinematics(&kinematics_in), links(std::move(links_in)), traction(std::move(loads.traction)),
+      kinematics(&kinematics_in), links(std::move(links_in)),
+      traction(std::move(loads.traction)),
       traction_moment(std::move(loads.traction_moment)),
       on_cells(std::move(loads.on_cells)), body(std::move(loads.body)),
       has_body_force(!body.empty()), load(packing.n_cells()),
@@ -375,8 +376,7 @@ std::vector<double> residual_torques(const Scene &scene,
   {
     const Link &link = scene.links[k];
     const auto torque = [&](const unsigned int c, const dealii::Point<2> &x) {
-      return forces.in_links[k] *
-             cross(x - packing.centre(c), link.direction);
+      return forces.in_links[k] * cross(x - packing.centre(c), link.direction);
     };
     torques[link.cell_minus] += torque(link.cell_minus, link.on_minus);
     if (link.cell_plus != packing.ground())

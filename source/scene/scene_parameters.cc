@@ -8,7 +8,7 @@ namespace Voussoir
 {
 std::vector<std::string> SceneParameters::sections_of_users()
 {
-  return {load_cases_section, ties_section};
+  return {load_cases_section, ties_section, fill_section};
 }
 
 void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
@@ -32,6 +32,7 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
   friction.add_parameters(prm);
   contact.add_parameters(prm);
   ties.add_parameters(prm, names_in(ties_section));
+  fill.add_parameters(prm, names_in(fill_section));
 }
 
 Packing<2> SceneParameters::read_packing(const std::filesystem::path &directory,
@@ -56,20 +57,30 @@ SceneData SceneParameters::data(Packing<2> blocks,
                                 const bool with_live_loads,
                                 Terminal &terminal) const
 {
-  SceneData data = {std::move(blocks), {}, {}, {}, {}};
+  SceneData data = {std::move(blocks), {}, {}, {}, {}, {}};
   data.strengths = friction.strengths(data.packing);
   contact.add_strengths(data.packing, data.strengths);
   if (load_cases.forgotten())
     terminal.warning("There are 'Load cases', and none of them acts; set "
                      "'Loads/Combination', as in 1.35 dead + 1.5 lorry.");
-  data.loads = loads.loads(data.packing);
-  load_cases.add_combination("Loads", data.packing, data.loads);
+  data.links = ties.links(data.packing);
+  FillOnBlocks soil;
+  if (!fill.empty())
+    soil = fill.on(data.packing);
+  data.loads = loads.loads(data.packing, soil.spreading);
+  load_cases.add_combination("Loads", data.packing, data.loads, soil.spreading);
   if (with_live_loads)
   {
-    data.live_loads = live_loads.loads(data.packing);
-    load_cases.add_combination("Live loads", data.packing, data.live_loads);
+    data.live_loads = live_loads.loads(data.packing, soil.spreading);
+    load_cases.add_combination("Live loads", data.packing, data.live_loads,
+                               soil.spreading);
   }
-  data.links = ties.links(data.packing);
+  if (!fill.empty())
+  {
+    data.loads.add(1., soil.loads);
+    data.links.insert(data.links.end(), soil.links.begin(), soil.links.end());
+    data.fill_columns = std::move(soil.columns);
+  }
   for (const auto &warnings :
        {data.strengths.warnings, data.loads.warnings, data.live_loads.warnings})
     for (const std::string &warning : warnings)
@@ -80,11 +91,11 @@ SceneData SceneParameters::data(Packing<2> blocks,
 Scene SceneParameters::scene_of(SceneData data) const
 {
   Scene scene(std::move(data.packing), std::move(data.strengths.of_interface),
-              std::move(data.loads),
-              blocks_turn ? rotations() : translations(),
+              std::move(data.loads), blocks_turn ? rotations() : translations(),
               std::move(data.links));
   scene.coefficient = std::move(data.strengths.coefficient);
   scene.dilates = data.strengths.dilate;
+  scene.fill_columns = std::move(data.fill_columns);
   scene.friction_law = std::move(data.strengths.law);
   scene.tensile_strength = std::move(data.strengths.tensile);
   scene.compressive_strength = std::move(data.strengths.compressive);

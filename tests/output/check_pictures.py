@@ -38,9 +38,11 @@ SOLVED = STRESSES | {"principal", "chains", "resultants", "loads", "utilisation"
 PURE_SHEAR = SOLVED - {"chains"}
 IN_SPACE = {"blocks", "volume", "joints"}
 # Scenes with Rotations = true.
-TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch"}
+TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch",
+           "tied_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
-FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_lorry", "buttress", "dry_arch",
+FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_fill", "bridge_with_lorry",
+           "buttress", "dry_arch",
            "dry_stone_wall", "ferris_tin_loi_1", "ferris_tin_loi_2", "two_span_bridge"}
 # Those whose supports move: a state and a motion.
 MOVED = {"spreading_arch"}
@@ -149,6 +151,8 @@ def check_scenes():
         views = set(PURE_SHEAR if scene == "shear_wall" else SOLVED)
         if scene in TURNING | FACTORS:
             views |= {"thrust", "eccentricity"}
+        if scene == "tied_arch":
+            views |= {"ranges"}
         if scene in FACTORS | MOVED:
             views |= {"mechanism", "animation"}
         expect_views(run(scene, scene, *few), views)

@@ -27,7 +27,8 @@ void run()
   std::cout << packing.n_cells() << " cells, " << packing.interfaces().size()
             << " interfaces, " << packing.boundary_edges().size()
             << " boundary edges, static indeterminacy "
-            << static_indeterminacy(packing, connected_groups(packing), 2) << std::endl;
+            << static_indeterminacy(packing, connected_groups(packing), 2)
+            << std::endl;
   for (const auto &i : packing.interfaces())
     std::cout << i.cell_minus << " -> " << i.cell_plus << "  n = " << i.normal
               << "  t = " << i.tangent() << "  length " << i.length << "  at "

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Ties and props: a block that one holds, a portal with a stay and an arch whose
-// tie takes its thrust against closed forms; one that is slack carries nothing,
-// and one that is stressed pulls. Certificates see forces that are too large,
-// and the stress has what a tie does to a block.
+// Ties and props: a block that one holds, a portal with a stay and an arch
+// whose tie takes its thrust against closed forms; one that is slack carries
+// nothing, and one that is stressed pulls. Certificates see forces that are too
+// large, and the stress has what a tie does to a block.
 
 #include <voussoir/analyses/factors/load_factor.h>
 #include <voussoir/analyses/ranges/ranges.h>
@@ -60,7 +60,9 @@ Scene linked(const Packing<2> &packing,
   return scene;
 }
 
-Scene dead_of(const Packing<2> &packing, const double mu, std::vector<Link> links)
+Scene dead_of(const Packing<2> &packing,
+              const double mu,
+              std::vector<Link> links)
 {
   return linked(packing, mu, std::move(links));
 }
@@ -101,9 +103,9 @@ InterfaceForces state_of(const Scene &scene)
   dealii::ParameterHandler prm;
   parameters.add_parameters(prm);
   prm.parse_input_from_string("");
-  return dimensional_forces(problem, parameters.formulation_for(scene).solve(
-                                         problem, parameters.controls(),
-                                         Terminal::silent()));
+  return dimensional_forces(
+      problem, parameters.formulation_for(scene).solve(
+                   problem, parameters.controls(), Terminal::silent()));
 }
 
 /** A square of weight 1 with mu = 1/5 on the ground. */
@@ -125,8 +127,8 @@ void block()
                 ties(square, {ends + "set Compressive strength = 0.25"}),
                 pushed(-1.)),
       0.45);
-  const auto stressed = ties(
-      square, {ends + "set Yield force = 0.25\nset Prestress = 0.05"});
+  const auto stressed =
+      ties(square, {ends + "set Yield force = 0.25\nset Prestress = 0.05"});
   check_factor("a stressed rod pulls",
                factor_of(square, 0.2, stressed, pushed(-1.)), 0.15);
   check_factor("and holds", factor_of(square, 0.2, stressed, pushed(1.)), 0.45);
@@ -204,8 +206,8 @@ std::pair<double, double> thrusts(const Packing<2> &arch)
     if (c >= n / 2)
     {
       W += arch.area(c);
-      Ww += arch.area(c) *
-            (arch.centre(c) + area_moments(arch, c).centroid())[0];
+      Ww +=
+          arch.area(c) * (arch.centre(c) + area_moments(arch, c).centroid())[0];
     }
     for (const auto &i : arch.interfaces())
       if (i.cell_minus == c && i.cell_plus == c + 1)
@@ -255,11 +257,10 @@ void arch()
     for (const RangeMethod method :
          {RangeMethod::simplex, RangeMethod::interior_point})
     {
-      const Ranges ranges =
-          find_ranges(scene,
-                      {std::vector<bool>(interfaces.size(), false), false,
-                       method, true},
-                      Terminal::silent());
+      const Ranges ranges = find_ranges(
+          scene,
+          {std::vector<bool>(interfaces.size(), false), false, method, true},
+          Terminal::silent());
       check_error(name + ": the least thrust",
                   std::abs(ranges.links[0].least / least - 1.), 1e-8);
       check_error(name + ": the greatest",
@@ -307,7 +308,8 @@ void stress()
       square, 1.,
       ties(square,
            {given + "set From = cell 0 at 0.1, 0.5\nset To = ground at -1, 0.5",
-            given + "set From = cell 0 at 0.9, 0.5\nset To = ground at 2, 0.5"}));
+            given +
+                "set From = cell 0 at 0.9, 0.5\nset To = ground at 2, 0.5"}));
   const InterfaceForces of_both = state_of(stretched);
   check_error("two ties stretch what is between them",
               std::abs(cell_mean_stresses(stretched, of_both)[0][0][0] - 0.24),
@@ -317,22 +319,24 @@ void stress()
 void refused()
 {
   const Packing<2> pair = on_ground(wall(2, 1));
-  for (const char *const entries :
-       {"set From = 0.5, 0.5\nset To = ground at 3, 0\nset Yield force = 1",
-        "set From = 7, 0.2\nset To = ground at 3, 0\nset Yield force = 1",
-        "set From = cell 0\nset To = cell 0 at 0.1, 0.1\nset Yield force = 1",
-        "set From = ground at 0, 0\nset To = ground at 1, 0\nset Yield force = "
-        "1",
-        "set From = cell 0\nset To = cell 1", "set From = cell 0\nset To = ground",
-        "set From = cell 0 at 0\nset To = cell 1\nset Yield force = 1",
-        "set From = cell 0 at 0.1, 0.5\nset To = cell 1 at 0.1, 0.5\nset Yield "
-        "force = 1",
-        "set From = block\nset To = ground at 3, 0\nset Yield force = 1",
-        "set From = cell 9\nset To = cell 1\nset Yield force = 1",
-        "set From = cell 0\nset To = cell 1\nset Yield force = 1\nset Prestress "
-        "= 2",
-        "set From = cell 0\nset To = cell 1\nset Yield force = 1\nset Prestress "
-        "= 1\nset Compressive strength = 1"})
+  for (
+      const char *const entries :
+      {"set From = 0.5, 0.5\nset To = ground at 3, 0\nset Yield force = 1",
+       "set From = 7, 0.2\nset To = ground at 3, 0\nset Yield force = 1",
+       "set From = cell 0\nset To = cell 0 at 0.1, 0.1\nset Yield force = 1",
+       "set From = ground at 0, 0\nset To = ground at 1, 0\nset Yield force = "
+       "1",
+       "set From = cell 0\nset To = cell 1",
+       "set From = cell 0\nset To = ground",
+       "set From = cell 0 at 0\nset To = cell 1\nset Yield force = 1",
+       "set From = cell 0 at 0.1, 0.5\nset To = cell 1 at 0.1, 0.5\nset Yield "
+       "force = 1",
+       "set From = block\nset To = ground at 3, 0\nset Yield force = 1",
+       "set From = cell 9\nset To = cell 1\nset Yield force = 1",
+       "set From = cell 0\nset To = cell 1\nset Yield force = 1\nset Prestress "
+       "= 2",
+       "set From = cell 0\nset To = cell 1\nset Yield force = 1\nset Prestress "
+       "= 1\nset Compressive strength = 1"})
     show_refusal([&] { ties(pair, {entries}); });
 }
 

@@ -48,6 +48,8 @@ struct AnalysisResult
   nlohmann::ordered_json summary;
   /** True if it answers `Analysis` itself, and stands above all else. */
   bool is_verdict = false;
+  /** The verdict as one sentence with few digits; empty: the description. */
+  std::string sentence = {};
   /** Sentences on what is doubtful about it. */
   std::vector<std::string> doubts = {};
   /** Its motion, if it has one. */

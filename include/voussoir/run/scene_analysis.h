@@ -53,8 +53,7 @@ public:
   /** @{ */
   /** Declare the entries outside all sections, and the sections. */
   void add_entries(dealii::ParameterHandler &prm);
-  void add_sections(dealii::ParameterHandler &prm,
-                    const NamedSections &names);
+  void add_sections(dealii::ParameterHandler &prm, const NamedSections &names);
   /** @} */
 
   /** Files that the scene is read from; paths start at @p directory. */

@@ -72,6 +72,8 @@ struct Scene
   std::vector<Link> links;
   /** The names of these. */
   std::vector<std::string> link_names;
+  /** The soil that stands on edges, for pictures; lengths. */
+  std::vector<std::array<dealii::Point<2>, 4>> fill_columns;
   /** The forces that interface @p e admits. */
   JointLimits limits(const unsigned int e) const
   {
@@ -100,9 +102,8 @@ struct Scene
   {
     return std::any_of(load_size.begin(), load_size.end(),
                        [](const double size) { return size > 0.; }) ||
-           std::any_of(links.begin(), links.end(), [](const Link &link) {
-             return link.rest() != 0.;
-           });
+           std::any_of(links.begin(), links.end(),
+                       [](const Link &link) { return link.rest() != 0.; });
   }
   /** True if they turn, so that moments are balanced. */
   bool turns() const { return kinematics->turns(); }

@@ -6,6 +6,7 @@
 #include <voussoir/contact/contact_parameters.h>
 #include <voussoir/contact/friction_parameters.h>
 #include <voussoir/packing/packing_parameters.h>
+#include <voussoir/scene/links/fill.h>
 #include <voussoir/scene/links/ties.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/loads/loads.h>
@@ -17,6 +18,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -36,6 +38,8 @@ struct SceneData
   Loads live_loads;
   /** Between its blocks, and to the ground. */
   std::vector<Link> links;
+  /** Scene::fill_columns. */
+  std::vector<std::array<dealii::Point<2>, 4>> fill_columns;
 };
 
 /** The entry `Rotations` and the sections that describe a scene. */
@@ -102,6 +106,7 @@ private:
   LoadParameters live_loads = LoadParameters("Live loads");
   LoadCases load_cases;
   Ties ties;
+  Fill fill;
   FrictionParameters friction;
   ContactParameters contact;
 };

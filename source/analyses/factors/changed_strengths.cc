@@ -47,8 +47,7 @@ Scene with_strengths_up_to(Scene scene, const double most)
   lower(scene.strength, most);
   lower(scene.tensile_strength, most);
   lower(scene.compressive_strength, most);
-  const double side =
-      std::sqrt(scene.packing.area() / scene.packing.n_cells());
+  const double side = std::sqrt(scene.packing.area() / scene.packing.n_cells());
   for (Link &link : scene.links)
   {
     link.most = std::min(link.most, link.rest() + most * side);

@@ -139,6 +139,31 @@ std::string description_of(const FactorOf<SceneOf> &factor)
 }
 
 template <typename SceneOf>
+std::string sentence_of(const FactorOf<SceneOf> &factor,
+                        const FactorEntries::Factor multiplied)
+{
+  if (factor.is_unbounded || !std::isfinite(factor.bound) ||
+      !factor.trials.empty())
+    return {};
+  using Factor = FactorEntries::Factor;
+  std::ostringstream words;
+  words.precision(4);
+  if (multiplied == Factor::strength)
+    words << "The loads are carried with all strengths divided by "
+          << factor.carried;
+  else
+    words << factor.carried << " times "
+          << (multiplied == Factor::all_loads ? "all loads" : "the live loads")
+          << " are carried";
+  words.precision(2);
+  words << (factor.bound < factor.carried ? " and no less" : " and no more")
+        << ", proven within " << factor.width() << " of that.";
+  if (factor.collapses_without)
+    words << " The dead loads are not carried without the live ones.";
+  return words.str();
+}
+
+template <typename SceneOf>
 nlohmann::ordered_json json_of(const FactorOf<SceneOf> &factor)
 {
   nlohmann::ordered_json json = json_of_proofs(factor);
@@ -155,6 +180,10 @@ nlohmann::ordered_json json_of(const FactorOf<SceneOf> &factor)
 
 template std::string description_of(const FactorOf<Scene> &);
 template std::string description_of(const FactorOf<SpaceScene> &);
+template std::string sentence_of(const FactorOf<Scene> &,
+                                 FactorEntries::Factor);
+template std::string sentence_of(const FactorOf<SpaceScene> &,
+                                 FactorEntries::Factor);
 template nlohmann::ordered_json json_of(const FactorOf<Scene> &);
 template nlohmann::ordered_json json_of(const FactorOf<SpaceScene> &);
 } // namespace Voussoir

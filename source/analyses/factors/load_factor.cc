@@ -214,8 +214,8 @@ void LoadFactorSearch<SceneOf>::keep(const ProvenFactor &factor)
     found.carried = factor.carried()->alpha * found.unit;
     found.forces = forces_of(factor.carried()->x);
   }
-  if (!dead.is_loaded() && !(program.sense * found.carried >
-                             rounding_of_load_factor * found.unit))
+  if (!dead.is_loaded() &&
+      !(program.sense * found.carried > rounding_of_load_factor * found.unit))
   {
     // Without loads there is nothing to be carried.
     found.carried = 0.;

@@ -32,8 +32,9 @@ const Formulation &SolverParameters::formulation_for(const Scene &scene) const
 {
   if (!scene.dilates)
     return coulomb_state;
-  return scene.coefficient.empty() && !scene.has_more_than_friction() ? formulation()
-                                                                 : any_state;
+  return scene.coefficient.empty() && !scene.has_more_than_friction()
+             ? formulation()
+             : any_state;
 }
 
 void SolverParameters::add_parameters(dealii::ParameterHandler &prm)

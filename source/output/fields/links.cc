@@ -9,13 +9,11 @@ Fields<Scene> link_ends()
   const auto member = [](const auto of) {
     return [of](const Scene &s) { return Stored(s.links, of); };
   };
-  return {Field<Scene>("link", "", "its name",
-                       [](const Scene & /*s*/, const unsigned int k) {
-                         return int(k);
-                       })
-              .numbering([](const Scene &s) -> const auto & {
-                return s.link_names;
-              })
+  return {Field<Scene>(
+              "link", "", "its name",
+              [](const Scene & /*s*/, const unsigned int k) { return int(k); })
+              .numbering(
+                  [](const Scene &s) -> const auto & { return s.link_names; })
               .only_in_table()
               .with_attribute("link_names"),
           Field<Scene>("cell_minus", "", cells,
@@ -57,20 +55,18 @@ Fields<Scene> link_ends()
 
 Fields<Results> link_forces()
 {
-  return {Field<Results>("link_force", "S L", "its force, positive in tension",
-                         [](const Results &r) {
-                           return Stored(r.forces.in_links);
-                         })
-              .with_columns({"force"})
-              .with_attribute("link_forces"),
-          Field<Results>("link_utilisation", "",
-                         "the force over the bound in its direction",
-                         [](const Results &r, const unsigned int k) {
-                           return r.scene.links[k].utilisation(
-                               r.forces.in_links[k]);
-                         })
-              .with_columns({"utilisation"})
-              .with_attribute("link_utilisations")};
+  return {
+      Field<Results>("link_force", "S L", "its force, positive in tension",
+                     [](const Results &r) { return Stored(r.forces.in_links); })
+          .with_columns({"force"})
+          .with_attribute("link_forces"),
+      Field<Results>(
+          "link_utilisation", "", "the force over the bound in its direction",
+          [](const Results &r, const unsigned int k) {
+            return r.scene.links[k].utilisation(r.forces.in_links[k]);
+          })
+          .with_columns({"utilisation"})
+          .with_attribute("link_utilisations")};
 }
 
 Fields<MovingScene> link_elongations()

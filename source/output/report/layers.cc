@@ -96,13 +96,19 @@ Point<2> moved(const Packing<2> &packing,
 dealii::BoundingBox<2> box_of(const Scene &scene)
 {
   auto corners = scene.packing.box().get_boundary_points();
+  const auto add = [&](const Point<2> &x) {
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      corners.first[d] = std::min(corners.first[d], x[d]);
+      corners.second[d] = std::max(corners.second[d], x[d]);
+    }
+  };
   for (const Link &link : scene.links)
     for (const Point<2> &x : {link.on_minus, link.on_plus})
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        corners.first[d] = std::min(corners.first[d], x[d]);
-        corners.second[d] = std::max(corners.second[d], x[d]);
-      }
+      add(x);
+  for (const auto &column : scene.fill_columns)
+    for (const Point<2> &x : column)
+      add(x);
   return {corners};
 }
 
@@ -148,9 +154,19 @@ void draw_links(Drawing &drawing,
         kind += " yields";
     }
     drawing.line(link.on_minus, link.on_plus, kind);
-    for (const Point<2> &x : {link.on_minus, link.on_plus})
-      drawing.dot(x, "anchor");
+    if (!link.is_of_fill)
+      for (const Point<2> &x : {link.on_minus, link.on_plus})
+        drawing.dot(x, "anchor");
   }
+}
+
+void draw_fill(Drawing &drawing, const Scene &scene, const std::string &views)
+{
+  if (scene.fill_columns.empty())
+    return;
+  const Layer layer(drawing, "fill", views);
+  for (const auto &column : scene.fill_columns)
+    drawing.polygon({column.begin(), column.end()}, "fill");
 }
 
 void draw_gaps(Drawing &drawing,

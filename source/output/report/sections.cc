@@ -89,12 +89,11 @@ std::string table_of_most_used(const Results &results, const UnitNames &names)
 std::string table_of_links(const Results &results, const UnitNames &names)
 {
   HtmlTable table("links", "Ties, props and fill",
-                  {"name", UnitNames::labelled("force, tension positive",
-                                               names.force),
+                  {"name",
+                   UnitNames::labelled("force, tension positive", names.force),
                    "least", "most", "share of the bound"});
   for (const Json &link : links_summary(results))
-    table.row({html_text(link.at("name")),
-               text(link.at("force").get<double>()),
+    table.row({html_text(link.at("name")), text(link.at("force").get<double>()),
                text(link.at("least").get<double>()),
                text(link.at("most").get<double>()),
                text(link.at("utilisation").get<double>())});
@@ -162,7 +161,9 @@ std::string verdict_of(const Results &results)
 {
   for (const AnalysisResult &analysis : results.analyses)
     if (analysis.is_verdict)
-      return analysis.title + ": " + analysis.description + ".";
+      return analysis.sentence.empty()
+                 ? analysis.title + ": " + analysis.description + "."
+                 : analysis.sentence;
   if (results.status.kind == Status::Kind::carried_within)
     return text("The loads are carried to within ", results.status.within,
                 " of the largest: whether they are carried exactly is open.");
@@ -185,7 +186,7 @@ std::string sections_of(const Results &results, const ReportDetails &details)
   if (!results.scene.coefficient.empty())
     run.row({"Friction", html_text(description_of_law(results.scene))});
   for (const AnalysisResult &analysis : results.analyses)
-    if (!analysis.is_verdict)
+    if (!analysis.is_verdict || !analysis.sentence.empty())
       run.row({analysis.title, html_text(analysis.description)});
   return run.close() +
          (results.reactions.empty()

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace Voussoir
@@ -134,14 +135,21 @@ Picture PictureMaker::finish(const bool in_full)
 /** The swatches of the groups, if there are several. */
 std::string legend_of_groups(const Packing<2> &packing)
 {
-  const std::size_t n = packing.group_names().size() - 1; // without the ground
+  std::set<unsigned int> groups;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    groups.insert(packing.group(c));
   std::string html;
-  for (std::size_t g = 0; n > 1 && g < std::min(n, group_colours.size()); ++g)
-    html +=
-        text("<p><span class=\"swatch\" style=\"background:", group_colours[g],
-             "\"></span> ", html_text(packing.group_names()[g]), "</p>");
-  if (n > group_colours.size())
-    html += text("<p>and ", n - group_colours.size(),
+  std::size_t n_shown = 0;
+  for (const unsigned int g : groups)
+    if (groups.size() > 1 && n_shown < group_colours.size())
+    {
+      html += text("<p><span class=\"swatch\" style=\"background:",
+                   group_colours[g % group_colours.size()], "\"></span> ",
+                   html_text(packing.group_names()[g]), "</p>");
+      ++n_shown;
+    }
+  if (groups.size() > group_colours.size())
+    html += text("<p>and ", groups.size() - n_shown,
                  " more groups in the same colours</p>");
   return html;
 }
@@ -169,9 +177,12 @@ void add_structure(PictureMaker &maker)
                                        html_text(UnitNames::labelled(
                                            text(largest), maker.names.force))))
                          : "<p>no loads</p>";
+  draw_fill(drawing, maker.scene, "in-structure");
   draw_links(drawing, maker.scene, nullptr, "in-structure in-motion");
+  if (!maker.scene.fill_columns.empty())
+    legend += swatch("of-fill", "fill");
   if (!maker.scene.links.empty())
-    legend += swatch("of-link", "tie, prop or fill");
+    legend += swatch("of-link", "tie, prop, or side of fill");
   if (!maker.packing.gaps().empty())
     legend += swatch("of-gap", "narrow gap that was left open");
   maker.add_view("structure", "Structure", legend);

@@ -124,8 +124,7 @@ Json ground_summary(const Results &results)
          {"reaction", pair(force)},
          {"at", force.norm() > 0. ? pair(reaction.place) : Json(nullptr)}});
   }
-  const GroundBalance balance =
-      balance_of(results);
+  const GroundBalance balance = balance_of(results);
   return {{"load", pair(balance.load)},
           {"reaction", pair(balance.reaction)},
           {"imbalance", balance.imbalance},
@@ -177,11 +176,10 @@ void show_reactions(Terminal &terminal, const Results &results)
     return text_of_force(reaction, largest);
   };
   const std::size_t n = results.reactions.size();
-  terminal.summary(
-      "Reaction",
-      text(words(balance_of(results).reaction),
-           " on ", counted(n, "straight support"), ", mean normal stress ",
-           mean_normal_stress(results)));
+  terminal.summary("Reaction",
+                   text(words(balance_of(results).reaction), " on ",
+                        counted(n, "straight support"), ", mean normal stress ",
+                        mean_normal_stress(results)));
   for (std::size_t k = 0; k < std::min(n, n_shown_reactions); ++k)
   {
     const Reaction &of = results.reactions[k];

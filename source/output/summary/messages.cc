@@ -156,6 +156,7 @@ std::string message_of(const Collapse &collapse, const std::string &files)
   std::ostringstream message;
   message.precision(10); // close to the limit the ratio is hardly above one
   const bool crushes = !collapse.scene.compressive_strength.empty();
+  const bool has_links = !collapse.scene.links.empty();
   const bool of_dead = collapse.loads != NotCarried::Loads::all;
   if (collapse.loads == NotCarried::Loads::dead_beside_any)
     message << "The dead loads are not carried with any factor of 'Live "
@@ -175,11 +176,12 @@ std::string message_of(const Collapse &collapse, const std::string &files)
                "closes no joint it does ";
   if (std::isfinite(collapse.proof.work_over_dissipation))
     message << collapse.proof.work_over_dissipation << " times the work that "
-            << (crushes ? "joints" : "friction") << " can dissipate";
+            << (crushes ? "joints" : "friction")
+            << (has_links ? " and links" : "") << " can dissipate";
   else
     message << "work that friction does not resist";
   message << ", so that no forces within the strengths of the interfaces "
-             "balance "
+          << (has_links ? "and links " : "") << "balance "
           << (of_dead ? "them" : "it");
   if (std::isfinite(collapse.proof.work_over_dissipation))
     message
@@ -201,7 +203,7 @@ std::string message_of(const Collapse &collapse, const std::string &files)
             << (files.empty() ? "Change" : "See " + files + "; change")
             << " 'Loads' or raise 'Friction/"
             << (collapse.scene.coefficient.empty() ? "Strength" : "Coefficient")
-            << "'.";
+            << '\'' << (has_links ? ", or change 'Ties' or 'Fill'." : ".");
   if (collapse.loads == NotCarried::Loads::dead)
     message << " Whether they are carried beside some factor of 'Live loads' "
                "is not known.";

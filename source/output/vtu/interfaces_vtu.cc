@@ -31,8 +31,8 @@ VtuFile lines_of(const std::vector<Element> &list,
     for (; e < end; ++e)
       *place++ = 2 * (e + 1);
   };
-  return VtuFile::separate(VtuFile::Shape::line,
-                           {2 * list.size(), points}, {list.size(), ends});
+  return VtuFile::separate(VtuFile::Shape::line, {2 * list.size(), points},
+                           {list.size(), ends});
 }
 
 VtuFile interfaces_of(const Scene &scene)

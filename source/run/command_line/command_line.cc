@@ -157,7 +157,9 @@ ExitStatus run(const Arguments &arguments,
   // Sections and variables by any name.
   const bool is_plane = dimension_of(sources) == 2;
   if (is_plane && (arguments.print_schema || arguments.print_reference))
-    sources.assignments.push_back(ties_section + "/NAME/Prestress=0");
+    sources.assignments.insert(
+        sources.assignments.end(),
+        {ties_section + "/NAME/Prestress=0", fill_section + "/NAME/Top=0"});
   if (is_plane && arguments.print_schema)
     sources.assignments.push_back(load_cases_section +
                                   "/NAME/Boundary load=traction");

@@ -56,12 +56,13 @@ End end_at(const Packing<2> &packing,
   return {cells.there.front(), x};
 }
 
-/** "x, y", "name", "name at x, y". */
+/** "x, y", "at x, y", "name", "name at x, y". */
 End end_of_text(const Packing<2> &packing,
                 const std::string &end,
                 const std::string &parameter)
 {
-  if (const std::optional<Point<2>> x = pair_of_text(end))
+  const bool has_at = end.compare(0, 3, "at ") == 0;
+  if (const auto x = pair_of_text(has_at ? end.substr(3) : end))
     return end_at(packing, *x, parameter);
   const std::size_t at = end.rfind(" at ");
   const std::string name = boost::algorithm::trim_copy(end.substr(0, at));
@@ -82,8 +83,7 @@ End end_of_text(const Packing<2> &packing,
                           " cells of that name; name one cell, as in cell ",
                           cells.front(), "."));
   const unsigned int c = cells.front();
-  return {c, x ? *x
-               : packing.centre(c) + area_moments(packing, c).centroid()};
+  return {c, x ? *x : packing.centre(c) + area_moments(packing, c).centroid()};
 }
 } // namespace
 
@@ -96,6 +96,7 @@ void Ties::add_parameters(dealii::ParameterHandler &prm,
   prm.enter_subsection(ties_section);
   for (const std::string &name : names)
   {
+    check_link_name(ties_section, name);
     Entries &tie = of_name[name];
     prm.enter_subsection(name);
     const std::string end =
@@ -155,11 +156,11 @@ std::vector<Link> Ties::links(const Packing<2> &packing) const
              "compressive strength; set one of the two to 0.");
     if (from.cell > to.cell)
       std::swap(from, to);
-    links.push_back({name, from.cell, to.cell, from.place, to.place,
-                     (to.place - from.place) / length,
-                     tie.prestress > 0. ? tie.prestress
-                                        : 0. - tie.compressive_strength,
-                     tie.yield_force});
+    links.push_back(
+        {name, from.cell, to.cell, from.place, to.place,
+         (to.place - from.place) / length,
+         tie.prestress > 0. ? tie.prestress : 0. - tie.compressive_strength,
+         tie.yield_force, false});
   }
   return links;
 }

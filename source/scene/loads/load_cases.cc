@@ -83,7 +83,8 @@ void LoadCases::add_parameters(dealii::ParameterHandler &prm,
 
 void LoadCases::add_combination(const std::string &section,
                                 const Packing<2> &packing,
-                                Loads &loads) const
+                                Loads &loads,
+                                const std::vector<Spreading> &soil) const
 {
   const std::string parameter = section + "/Combination";
   for (const CombinedCase &term :
@@ -102,7 +103,7 @@ void LoadCases::add_combination(const std::string &section,
                                       : boost::algorithm::join(known, ", ")) +
                        ".");
     }
-    loads.add(term.factor, found->second.loads(packing));
+    loads.add(term.factor, found->second.loads(packing, soil));
   }
 }
 

@@ -2,11 +2,8 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
-#include <voussoir/formula/integrals/edge_integral.h>
-#include <voussoir/formula/integrals/inaccuracies.h>
-#include <voussoir/formula/place_variables.h>
-#include <voussoir/formula/vector_expression.h>
 #include <voussoir/scene/loads/body_force_formulas.h>
+#include <voussoir/scene/loads/expressed_tractions.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/supports.h>
 
@@ -17,7 +14,6 @@
 
 namespace Voussoir
 {
-using dealii::Point;
 using dealii::Tensor;
 
 Loads no_loads(const Packing<2> &packing)
@@ -103,7 +99,8 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.leave_subsection();
 }
 
-Loads LoadParameters::loads(const Packing<2> &packing) const
+Loads LoadParameters::loads(const Packing<2> &packing,
+                            const std::vector<Spreading> &soil) const
 {
   Loads loads;
   loads.requested.emplace(reference_point(packing));
@@ -114,7 +111,7 @@ Loads LoadParameters::loads(const Packing<2> &packing) const
                              loads.warnings, *loads.requested);
   loads.on_cells =
       cell_forces_of_text(packing, cell_forces, section + "/Cell forces");
-  for (CellForce &axle : vehicle.forces(packing, section, loads.warnings))
+  for (CellForce &axle : vehicle.forces(packing, soil, section, loads.warnings))
     loads.on_cells.push_back(std::move(axle));
   for (const CellForce &f : loads.on_cells)
     for (const unsigned int c : f.cells)
@@ -132,7 +129,8 @@ void LoadParameters::add_tractions(const Packing<2> &packing,
           : boundary_edges_where(packing, loaded_where, section + "/Where");
   EdgeTractions tractions(n_edges);
   if (kind == Kind::traction)
-    add_traction_of_expression(packing, chosen, tractions, loads);
+    set_expressed_tractions(packing, traction, section + "/Traction", chosen,
+                            tractions, *loads.requested, loads.warnings);
   else
     add_uniform_stress(packing, chosen, tractions, loads);
   const std::string parameter = section + "/Segment tractions";
@@ -145,47 +143,6 @@ void LoadParameters::add_tractions(const Packing<2> &packing,
   }
   loads.traction = std::move(tractions.mean);
   loads.traction_moment = std::move(tractions.first_moment);
-}
-
-void LoadParameters::add_traction_of_expression(const Packing<2> &packing,
-                                                const std::vector<bool> &chosen,
-                                                EdgeTractions &tractions,
-                                                Loads &loads) const
-{
-  const std::string parameter = section + "/Traction";
-  const VectorExpression g(traction, variables_on_sides<2>(), parameter);
-  Discontinuities jumps[2] = {{{g.formula(0)}, {0., 0.}},
-                              {{g.formula(1)}, {0., 0.}}};
-  Inaccuracies inaccuracies(parameter);
-  for (unsigned int b = 0; b < chosen.size(); ++b)
-  {
-    if (!chosen[b])
-      continue;
-    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
-    const auto where = [&] {
-      return text(", on the boundary of cell ", edge.cell,
-                  "; a traction must be finite.");
-    };
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      jumps[i].set_constants({edge.normal[0], edge.normal[1]});
-      const EdgeIntegral integral = edge_integral(
-          edge.start, edge.end,
-          [&](const Point<2> &p) {
-            return g.component(i, {p[0], p[1], edge.normal[0], edge.normal[1]},
-                               where);
-          },
-          jumps[i]);
-      tractions.mean[b][i] = integral.mean;
-      tractions.first_moment[b][i] =
-          edge.length * edge.length * integral.moment;
-      inaccuracies.look_at(integral.error, integral.size, integral.uncertain,
-                           [&] { return along_edge(edge.start, edge.end); });
-    }
-    loads.requested->add(edge, tractions.mean[b], tractions.first_moment[b]);
-  }
-  for (std::string &warning : inaccuracies.warnings())
-    loads.warnings.push_back(std::move(warning));
 }
 
 void LoadParameters::add_uniform_stress(const Packing<2> &packing,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace Voussoir
@@ -117,6 +118,7 @@ void VehicleParameters::add_parameters(dealii::ParameterHandler &prm)
 
 std::vector<CellForce>
 VehicleParameters::forces(const Packing<2> &packing,
+                          const std::vector<Spreading> &soil,
                           const std::string &section,
                           std::vector<std::string> &warnings) const
 {
@@ -150,6 +152,15 @@ VehicleParameters::forces(const Packing<2> &packing,
                        axle +
                        "', whose force must be positive: it acts downwards.");
     const double x = position + (is_reversed ? -behind : behind);
+    std::vector<CellForce> spread;
+    for (const Spreading &body : soil)
+      if (spread.empty())
+        spread = body.forces(packing, x, force / width);
+    if (!spread.empty())
+    {
+      std::move(spread.begin(), spread.end(), std::back_inserter(forces));
+      continue;
+    }
     const std::vector<unsigned int> below = highest_edges(packing, x);
     is_beside = is_beside || below.empty();
     for (const unsigned int b : below)

@@ -295,8 +295,7 @@ WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
     of.all_closings += joint.closing;
   }
   for (unsigned int k = 0; k < scene.links.size(); ++k)
-    of.dissipation +=
-        scene.links[k].dissipation(elongation(scene, k, motion));
+    of.dissipation += scene.links[k].dissipation(elongation(scene, k, motion));
   return of;
 }
 } // namespace

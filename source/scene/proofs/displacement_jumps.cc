@@ -44,7 +44,8 @@ InterfaceJumps jumps_of(const Packing<2> &packing, const Motion &motion)
   return jumps;
 }
 
-double elongation(const Scene &scene, const unsigned int k, const Motion &motion)
+double
+elongation(const Scene &scene, const unsigned int k, const Motion &motion)
 {
   const Link &link = scene.links[k];
   const auto along = [&](const unsigned int c, const dealii::Point<2> &x) {

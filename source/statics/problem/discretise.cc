@@ -109,8 +109,7 @@ void add_rest(const Scene &scene,
     for (unsigned int i = 0; i < 2; ++i)
       load[i] += force[i];
     if (scene.turns())
-      load[2] +=
-          cross((x - scene.packing.centre(cell)) / length_unit, force);
+      load[2] += cross((x - scene.packing.centre(cell)) / length_unit, force);
   };
   add(link.cell_minus, link.on_minus, 1.);
   add(link.cell_plus, link.on_plus, -1.);
@@ -243,13 +242,13 @@ void Discretisation::add_link(const Link &link)
     direction *= -1.;
   }
   Structure::Part &part = data.part;
-  add_rest(scene, link, data.length_unit, data.stress_unit,
-           [&](const unsigned int cell) {
-             return body[cell] == data.n_cells
-                        ? nullptr
-                        : &part.loads[part.kinematics.n_unknowns() *
-                                      body[cell]];
-           });
+  add_rest(
+      scene, link, data.length_unit, data.stress_unit,
+      [&](const unsigned int cell) {
+        return body[cell] == data.n_cells
+                   ? nullptr
+                   : &part.loads[part.kinematics.n_unknowns() * body[cell]];
+      });
   if (!(most > least))
     return;
   data.links.back().joint = part.joints.list.size();
@@ -260,12 +259,10 @@ void Discretisation::add_link(const Link &link)
     rows.push_back({{{d[0], d[1], 0.}},
                     {{cross(from_minus, d)}},
                     {{cross(from_plus, d)}}});
-  const double length =
-      link.on_minus.distance(link.on_plus) / data.length_unit;
+  const double length = link.on_minus.distance(link.on_plus) / data.length_unit;
   part.joints.add({minus, plus, 1., length > 0. ? length : 1., 0.}, rows,
                   part.kinematics);
-  data.limits.push_back(
-      {std::min(most, -least), std::max(most, -least)});
+  data.limits.push_back({std::min(most, -least), std::max(most, -least)});
 }
 
 void Discretisation::choose_scales(const std::vector<bool> &moves)
@@ -386,8 +383,8 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
         unit *
         (link.joint == dealii::numbers::invalid_unsigned_int
              ? link.rest
-             : link.rest + link.sign *
-                               solution.forces[problem.first_row(link.joint)]));
+             : link.rest +
+                   link.sign * solution.forces[problem.first_row(link.joint)]));
   return forces;
 }
 

@@ -51,6 +51,16 @@ struct FactorEntries
 template <typename SceneOf>
 std::string description_of(const FactorOf<SceneOf> &factor);
 
+/**
+ * The factor between its proofs as a sentence with four digits; empty if there
+ * are not both.
+ *
+ * @param multiplied what by it.
+ */
+template <typename SceneOf>
+std::string sentence_of(const FactorOf<SceneOf> &factor,
+                        FactorEntries::Factor multiplied);
+
 /** The same for summary.json. */
 template <typename SceneOf>
 nlohmann::ordered_json json_of(const FactorOf<SceneOf> &factor);

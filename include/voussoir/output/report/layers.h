@@ -33,6 +33,8 @@ void draw_links(Drawing &drawing,
                 const Scene &scene,
                 const InterfaceForces *forces,
                 const std::string &views);
+/** The soil that stands on blocks. */
+void draw_fill(Drawing &drawing, const Scene &scene, const std::string &views);
 /** Narrow gaps that were left open. */
 void draw_gaps(Drawing &drawing,
                const Packing<2> &packing,

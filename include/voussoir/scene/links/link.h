@@ -40,6 +40,8 @@ struct Link
   /** The bounds of the force; S L. */
   double least, most;
   /** @} */
+  /** True of the pressure of soil, which is no bar between two places. */
+  bool is_of_fill = false;
 
   /**
    * The force nearest to zero, which a link that is stressed has at least; S L.
@@ -65,6 +67,12 @@ struct Link
     return bound != 0. ? force / bound : 0.;
   }
 };
+
+/**
+ * @throws InputError if the section @p name in @p section cannot be named so,
+ *   since links are named in files.
+ */
+void check_link_name(const std::string &section, const std::string &name);
 
 /** connected_groups() of a packing with links between its cells. */
 std::vector<unsigned int> linked_groups(const Packing<2> &packing,

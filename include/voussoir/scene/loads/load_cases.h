@@ -51,14 +51,16 @@ public:
                       const std::set<std::string> &names);
 
   /**
-   * Add the combination of the @p section to @p loads on a packing.
+   * Add the combination of the @p section to @p loads on a packing with
+   * @p soil.
    *
    * @throws InputError as LoadParameters::loads() does, or if the combination
    *   cannot be read or names a case that is not there.
    */
   void add_combination(const std::string &section,
                        const Packing<2> &packing,
-                       Loads &loads) const;
+                       Loads &loads,
+                       const std::vector<Spreading> &soil = {}) const;
 
   /** True if there are cases, and no combination has any. */
   bool forgotten() const;

@@ -70,12 +70,14 @@ public:
    * The loads on @p packing, whose supports must have been chosen. The traction
    * g_e is the mean of g over an edge.
    *
+   * @param soil on it that spreads the loads of vehicles.
    * @throws InputError naming the place if a value is not a finite number or
    *   varies too fast for its mean; if a formula cannot be parsed, the uniform
    *   stress is not symmetric, a place is on no edge, a line on no boundary, or
    *   a name is that of no cell; as VehicleParameters::forces().
    */
-  Loads loads(const Packing<2> &packing) const;
+  Loads loads(const Packing<2> &packing,
+              const std::vector<Spreading> &soil = {}) const;
 
 private:
   enum class Kind
@@ -85,10 +87,6 @@ private:
   };
 
   void add_tractions(const Packing<2> &packing, Loads &loads) const;
-  void add_traction_of_expression(const Packing<2> &packing,
-                                  const std::vector<bool> &chosen,
-                                  EdgeTractions &tractions,
-                                  Loads &loads) const;
   void add_uniform_stress(const Packing<2> &packing,
                           const std::vector<bool> &chosen,
                           EdgeTractions &tractions,

@@ -4,6 +4,7 @@
 
 #include <voussoir/packing/packing.h>
 #include <voussoir/scene/loads/cell_forces.h>
+#include <voussoir/scene/loads/spreading.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -25,14 +26,17 @@ public:
   /**
    * The forces of the axles on the blocks below them; none without axles. Where
    * two blocks are equally high each takes the same share, and what stands
-   * beside the blocks loads none.
+   * beside the blocks loads none. On soil that spreads loads an axle stands on
+   * the surface of that.
    *
+   * @param soil the bodies of it; the first that brings a force to blocks does.
    * @param section the path of the one around, for messages.
    * @param warnings to add to if an axle stands beside the blocks.
    * @throws InputError if an axle is not "distance: force" of finite numbers,
    *   the force positive, or the width is not positive.
    */
   std::vector<CellForce> forces(const Packing<2> &packing,
+                                const std::vector<Spreading> &soil,
                                 const std::string &section,
                                 std::vector<std::string> &warnings) const;
 
