@@ -41,6 +41,12 @@ void write_mechanism_joints_csv(std::ostream &out,
               scene.packing.interfaces().size());
 }
 
+void write_capacity_csv(std::ostream &out, const Results &results)
+{
+  const CapacityCurve &curve = *results.data<CapacityCurve>();
+  write_table(out, capacity_fields().columns(curve), curve.points.size());
+}
+
 void write_links_csv(std::ostream &out, const Results &results)
 {
   write_table(out, link_fields().columns(results), results.scene.links.size());

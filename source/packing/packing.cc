@@ -265,6 +265,47 @@ void Packing<2>::support(const std::vector<bool> &is_support)
   boundary_list = std::move(free);
 }
 
+Packing<2> Packing<2>::moved(
+    const std::function<Point<2>(unsigned int, const Point<2> &)> &place) const
+{
+  Packing other = *this;
+  // Cells that move apart share no vertices.
+  other.mesh.vertices.clear();
+  other.mesh.facing.clear();
+  for (unsigned int c = 0; c < n_cells(); ++c)
+  {
+    for (unsigned int i = 0; i < n_sides(c); ++i)
+    {
+      other.mesh.loops[mesh.first[c] + i] = other.mesh.vertices.size();
+      other.mesh.vertices.push_back(place(c, vertex(c, i)));
+    }
+    other.mesh.centres[c] = place(c, centre(c));
+  }
+  const auto lay = [](auto &edge, const Point<2> &start, const Point<2> &end) {
+    edge.start = start;
+    edge.end = end;
+    const Tensor<1, 2> along = end - start;
+    edge.length = along.norm();
+    edge.normal = Tensor<1, 2>({along[1], 0. - along[0]}) / edge.length;
+  };
+  for (unsigned int e = 0; e < interface_list.size(); ++e)
+  {
+    const Interface &i = interface_list[e];
+    const auto between = [&](const Point<2> &x) {
+      const Point<2> one = place(i.cell_minus, x), two = place(i.cell_plus, x);
+      return one + 0.5 * (two - one);
+    };
+    lay(other.interface_list[e], between(i.start), between(i.end));
+  }
+  for (unsigned int b = 0; b < boundary_list.size(); ++b)
+  {
+    const BoundaryEdge &edge = boundary_list[b];
+    lay(other.boundary_list[b], place(edge.cell, edge.start),
+        place(edge.cell, edge.end));
+  }
+  return other;
+}
+
 void Packing<2>::refuse(const unsigned int cell,
                         const Point<2> &place,
                         const std::string &fault) const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/capacity/capacity_curve.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
@@ -182,6 +183,8 @@ std::string ResultWriter::write(ResultDirectory &files,
     add(boundary_csv, write_boundary_csv);
     if (!results.scene.links.empty())
       add(links_csv, write_links_csv);
+    if (results.data<CapacityCurve>() != nullptr)
+      add(capacity_csv, write_capacity_csv);
   }
   if (writes(ResultFiles::vtu))
   {

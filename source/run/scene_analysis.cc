@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/capacity_analysis.h>
 #include <voussoir/analyses/factor_analysis.h>
 #include <voussoir/analyses/range_analysis.h>
 #include <voussoir/analyses/sample_analysis.h>
@@ -35,6 +36,7 @@ all_analyses(const FurtherAnalyses &further)
   std::vector<std::unique_ptr<Analysis>> analyses;
   analyses.push_back(std::make_unique<StateAnalysis>(further));
   analyses.push_back(std::make_unique<FactorAnalysis>());
+  analyses.push_back(std::make_unique<CapacityAnalysis>());
   return analyses;
 }
 } // namespace

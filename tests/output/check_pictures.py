@@ -42,7 +42,7 @@ TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch",
            "tied_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
 FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_fill", "bridge_with_lorry",
-           "buttress", "dry_arch",
+           "buttress", "dry_arch", "rocking_wall",
            "dry_stone_wall", "ferris_tin_loi_1", "ferris_tin_loi_2", "two_span_bridge"}
 # Those whose supports move: a state and a motion.
 MOVED = {"spreading_arch"}

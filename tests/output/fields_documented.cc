@@ -138,6 +138,7 @@ void run()
       {mechanism_csv, columns_of(all_of(mechanism_fields()))},
       {mechanism_joints_csv, columns_of(all_of(mechanism_joint_fields()))},
       {links_csv, columns_of(all_of(link_fields()))},
+      {capacity_csv, columns_of(all_of(capacity_fields()))},
       {mechanism_links_csv, columns_of(all_of(mechanism_link_fields()))},
       {links_vtu, arrays_of(in_grid_of(link_fields()), links_csv)},
       {mechanism_links_vtu,

@@ -18,6 +18,7 @@ inline const std::string interfaces_csv = "interfaces.csv";
 inline const std::string cells_csv = "cells.csv";
 inline const std::string boundary_csv = "boundary.csv";
 inline const std::string links_csv = "links.csv";
+inline const std::string capacity_csv = "capacity.csv";
 inline const std::string mechanism_csv = "mechanism.csv";
 inline const std::string mechanism_joints_csv = "mechanism_joints.csv";
 inline const std::string mechanism_links_csv = "mechanism_links.csv";
@@ -50,6 +51,9 @@ void write_mechanism_csv(std::ostream &out,
 void write_mechanism_joints_csv(std::ostream &out,
                                 const Scene &scene,
                                 const Motion &motion);
+
+/** One line per position of the CapacityCurve, with capacity_fields(). */
+void write_capacity_csv(std::ostream &out, const Results &results);
 
 /** One line per link, with link_fields(). */
 void write_links_csv(std::ostream &out, const Results &results);

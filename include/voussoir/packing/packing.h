@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,18 @@ public:
    * behind all others and in their order.
    */
   void support(const std::vector<bool> &is_support);
+
+  /**
+   * The packing with its cells in other places, as rigid bodies: interfaces and
+   * boundary edges keep their numbers, and an interface lies midway between
+   * where the two cells have its ends.
+   *
+   * @param place gives where a point of a cell is, at rest as a place of this
+   *   packing; of the ground it is asked, too.
+   */
+  Packing
+  moved(const std::function<dealii::Point<2>(
+            unsigned int cell, const dealii::Point<2> &at_rest)> &place) const;
 
   /** The number F of cells, without the ground. */
   unsigned int n_cells() const { return mesh.n_cells(); }

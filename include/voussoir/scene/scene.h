@@ -72,15 +72,25 @@ struct Scene
   std::vector<Link> links;
   /** The names of these. */
   std::vector<std::string> link_names;
+  /**
+   * Whether the start and the end of each interface is open, and bears nothing;
+   * empty if none is. An interface with an open end has no strength but by
+   * friction.
+   */
+  std::vector<std::array<bool, 2>> open_ends;
   /** The soil that stands on edges, for pictures; lengths. */
   std::vector<std::array<dealii::Point<2>, 4>> fill_columns;
   /** The forces that interface @p e admits. */
   JointLimits limits(const unsigned int e) const
   {
     const double length = packing.interfaces()[e].length;
-    JointLimits of = {strength[e] * length};
+    const bool is_whole =
+        open_ends.empty() || !(open_ends[e][0] || open_ends[e][1]);
+    JointLimits of = {is_whole ? strength[e] * length : 0.};
     if (!coefficient.empty())
       of.coefficient = coefficient[e];
+    if (!is_whole)
+      return of;
     if (!tensile_strength.empty())
       of.tension = tensile_strength[e] * length;
     if (!compressive_strength.empty())

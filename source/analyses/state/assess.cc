@@ -268,6 +268,8 @@ std::optional<double> carried_by_centre(const Scene &scene, Terminal &terminal)
           std::max(force, std::hypot(forces.normal[e], forces.tangential[e]));
     for (const Tensor<1, 2> &F : scene.load)
       load = std::max(load, F.norm());
+    if (!(load > 0.))
+      return {}; // there is nothing to compare with
     return force / load;
   }
   catch (const InputError &)

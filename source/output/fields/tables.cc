@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/output/fields/capacity.h>
 #include <voussoir/output/fields/cells.h>
 #include <voussoir/output/fields/edges.h>
 #include <voussoir/output/fields/forces.h>
@@ -66,6 +67,12 @@ const FieldTable<MovingScene> &mechanism_link_fields()
 {
   static const FieldTable<MovingScene> table("elongation", link_ends(),
                                              link_elongations());
+  return table;
+}
+
+const FieldTable<CapacityCurve> &capacity_fields()
+{
+  static const FieldTable<CapacityCurve> table("", capacity_points());
   return table;
 }
 

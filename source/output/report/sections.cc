@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/capacity/capacity_curve.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/html_table.h>
+#include <voussoir/output/report/plot.h>
 #include <voussoir/output/report/sections.h>
 #include <voussoir/output/summary/ground_summary.h>
 #include <voussoir/output/summary/link_summary.h>
@@ -100,6 +102,19 @@ std::string table_of_links(const Results &results, const UnitNames &names)
   return table.close();
 }
 
+/** The plot of a capacity curve. */
+std::string plot_of(const CapacityCurve &curve, const UnitNames &names)
+{
+  std::vector<PlotPoint> points;
+  for (const CapacityPoint &point : curve.points)
+    points.push_back({point.displacement, point.carried, "carried"});
+  return "<section id=\"capacity\">\n<h2>Capacity curve</h2>\n" +
+         plot_svg(UnitNames::labelled("displacement", names.length),
+                  "factor of the live loads", points, false) +
+         "<p>" + html_text("It ends where " + curve.end + ".") +
+         "</p>\n</section>\n";
+}
+
 std::string certificate_of(const Results &results)
 {
   const Certificate &of = results.certificate;
@@ -188,7 +203,9 @@ std::string sections_of(const Results &results, const ReportDetails &details)
   for (const AnalysisResult &analysis : results.analyses)
     if (!analysis.is_verdict || !analysis.sentence.empty())
       run.row({analysis.title, html_text(analysis.description)});
-  return run.close() +
+  const auto *const curve = results.data<CapacityCurve>();
+  return (curve != nullptr ? plot_of(*curve, details.units) : "") +
+         run.close() +
          (results.reactions.empty()
               ? ""
               : table_of_reactions(results, details.units)) +

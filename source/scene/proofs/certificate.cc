@@ -66,9 +66,14 @@ double violation(const Scene &scene,
                  const unsigned int e)
 {
   const JointLimits limits = scene.limits(e);
-  return std::max(limits.excess(forces.ends(e)),
-                  std::abs(forces.tangential[e]) -
-                      limits.shear_strength(forces.normal[e]));
+  const std::array<double, 2> ends = forces.ends(e);
+  double excess = std::max(limits.excess(ends),
+                           std::abs(forces.tangential[e]) -
+                               limits.shear_strength(forces.normal[e]));
+  for (unsigned int k = 0; k < 2 && !scene.open_ends.empty(); ++k)
+    if (scene.open_ends[e][k])
+      excess = std::max(excess, std::abs(ends[k]));
+  return excess;
 }
 
 /**
@@ -283,11 +288,20 @@ double largest_load(const Scene &scene)
 
 WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
 {
-  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
+  InterfaceJumps jumps = jumps_of(scene.packing, motion);
   WorkOfMotion of;
   of.largest = jumps.largest_displacement;
   for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
   {
+    if (!scene.open_ends.empty())
+    {
+      // Open ends resist nothing.
+      const auto [start, end] = scene.open_ends[e];
+      if (start && end)
+        continue;
+      if (start || end)
+        jumps.openings[e][end] = jumps.openings[e][start];
+    }
     const JointLimits::Resistance joint =
         scene.limits(e).resistance(jumps.openings[e], jumps.sliding[e]);
     of.dissipation += joint.dissipation;

@@ -16,7 +16,8 @@ DiscreteProblem::DiscreteProblem(Data data)
       length_unit(data.length_unit), stress_unit(data.stress_unit),
       has_load(data.is_loaded), coordinate_rounding(data.coordinate_rounding),
       n_moving_cells(data.n_cells), limits_of_joints(std::move(data.limits)),
-      links_of_scene(std::move(data.links))
+      links_of_scene(std::move(data.links)),
+      ends_that_are_open(std::move(data.open_ends))
 {
   // Formulations in the plane count one coefficient a row.
   Assert(!has_blocks() || !is_plane(), dealii::ExcInternalError());

@@ -63,6 +63,16 @@ private:
   void choose_scales(const std::vector<bool> &moves);
   void add_interface(unsigned int interface);
   void add_link(const Link &link);
+  /** True if contact @p k of an interface is at an open end. */
+  bool is_open(const unsigned int interface, const unsigned int k) const
+  {
+    return !scene.open_ends.empty() && scene.open_ends[interface][k];
+  }
+
+  bool is_whole(const unsigned int interface) const
+  {
+    return !is_open(interface, 0) && !is_open(interface, 1);
+  }
 
   const Scene &scene;
   dealii::Point<2> centroid;
@@ -194,15 +204,20 @@ void Discretisation::add_interface(const unsigned int interface)
   }
   const ContactPoints &points = contact_points(scene.turns());
   rows.clear();
-  for (const ContactPoint &point : points.pressure)
-    rows.push_back(frame.row(point, frame.normal));
+  for (unsigned int k = 0; k < points.pressure.size(); ++k)
+    if (!is_open(interface, k))
+      rows.push_back(frame.row(points.pressure[k], frame.normal));
   rows.push_back(frame.row(points.friction, frame.tangent));
   const double length = i.length / data.length_unit;
   data.part.joints.add(
       {minus, plus, length, scene.packing.distance(i) / data.length_unit,
-       scene.strength[interface] / data.stress_unit * length,
+       is_whole(interface)
+           ? scene.strength[interface] / data.stress_unit * length
+           : 0.,
        scene.coefficient.empty() ? 0. : scene.coefficient[interface]},
       rows, data.part.kinematics);
+  if (!scene.open_ends.empty())
+    data.open_ends.push_back(scene.open_ends[interface]);
   if (!scene.has_normal_limits() && scene.links.empty())
     return;
   const JointLimits limits = scene.limits(interface);
@@ -375,7 +390,13 @@ InterfaceForces dimensional_forces(const DiscreteProblem &problem,
     const double *f = &solution.forces[problem.first_row(e)];
     forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
     forces.tangential.push_back(unit * f[n]);
-    if (n == 2)
+    if (!problem.open_ends().empty())
+    {
+      const auto [start, end] = problem.open_ends()[e];
+      forces.at_ends.push_back(
+          {{start ? 0. : unit * f[0], end ? 0. : unit * f[start ? 0 : 1]}});
+    }
+    else if (n == 2)
       forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
   }
   for (const LinkContact &link : problem.links())
@@ -398,8 +419,9 @@ std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
     if (forces.at_ends.empty())
       result.push_back(factor * forces.normal[e]);
     else
-      for (const double f : forces.at_ends[e])
-        result.push_back(factor * f);
+      for (unsigned int k = 0; k < 2; ++k)
+        if (problem.open_ends().empty() || !problem.open_ends()[e][k])
+          result.push_back(factor * forces.at_ends[e][k]);
     result.push_back(factor * forces.tangential[e]);
   }
   for (unsigned int k = 0; k < problem.links().size(); ++k)

@@ -2,6 +2,7 @@
 #ifndef voussoir_output_fields_tables_h
 #define voussoir_output_fields_tables_h
 
+#include <voussoir/analyses/capacity/capacity_curve.h>
 #include <voussoir/output/fields/field_table.h>
 #include <voussoir/output/results.h>
 
@@ -21,6 +22,8 @@ const FieldTable<MovingScene> &mechanism_joint_fields();
 const FieldTable<Results> &link_fields();
 /** The quantities of mechanism_links.csv and mechanism_links.vtu. */
 const FieldTable<MovingScene> &mechanism_link_fields();
+/** The quantities of capacity.csv. */
+const FieldTable<CapacityCurve> &capacity_fields();
 /** The quantities of mechanism.csv and mechanism.vtu. */
 const FieldTable<MovingScene> &mechanism_fields();
 /** The quantities of interfaces that a packing alone has. */

@@ -92,6 +92,8 @@ public:
     std::vector<NormalLimits> limits;
     /** The result of links(). */
     std::vector<LinkContact> links;
+    /** The result of open_ends(). */
+    std::vector<std::array<bool, 2>> open_ends;
     /** The result of is_loaded(). */
     bool is_loaded = false;
     /** The result of length_scale(). */
@@ -126,6 +128,11 @@ public:
   const std::vector<NormalLimits> &normal_limits() const
   {
     return limits_of_joints;
+  }
+  /** Scene::open_ends of the interfaces here: an open end has no contact. */
+  const std::vector<std::array<bool, 2>> &open_ends() const
+  {
+    return ends_that_are_open;
   }
   /** Those of the scene, whose joints come last. */
   const std::vector<LinkContact> &links() const { return links_of_scene; }
@@ -225,6 +232,7 @@ private:
   unsigned int n_moving_cells = 0;
   std::vector<NormalLimits> limits_of_joints;
   std::vector<LinkContact> links_of_scene;
+  std::vector<std::array<bool, 2>> ends_that_are_open;
   /** For each body the lowest body of its connected group. */
   std::vector<unsigned int> group_of_body;
   friend const Opening &opening_of(const DiscreteProblem &problem);

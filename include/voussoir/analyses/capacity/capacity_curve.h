@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_analyses_capacity_capacity_curve_h
+#define voussoir_analyses_capacity_capacity_curve_h
+
+#include <voussoir/analyses/factors/load_factor.h>
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/** What is asked of a capacity curve. */
+struct CapacityWanted
+{
+  unsigned int cell;              /**< that has the point */
+  dealii::Point<2> place;         /**< of the point at rest */
+  dealii::Tensor<1, 2> direction; /**< of its displacement, a unit vector */
+  unsigned int n_points;          /**< about so many */
+  double largest;                 /**< displacement; L, zero for no limit */
+};
+
+/** A point of the curve. */
+struct CapacityPoint
+{
+  /** Of the point that is followed, in its direction; L. */
+  double displacement;
+  /** @{ */
+  /** The factor there, between its proofs; see LoadFactor. */
+  double carried, bound;
+  /** @} */
+  /** The largest Certificate::error() of the forces that carry it. */
+  double error_of_state;
+};
+
+/**
+ * The factor of the live loads while the blocks go along their mechanism, at
+ * displacements of any size.
+ */
+struct CapacityCurve
+{
+  /** From rest on, by ascending displacement. */
+  std::vector<CapacityPoint> points;
+  /** Where the factor is zero; not a number if the curve does not get there. */
+  double ultimate;
+  /** Why the curve ends, as the end of a sentence. */
+  std::string end;
+  /**
+   * The share of the mass that takes part in the first mechanism,
+   * (sum P_c d_c)^2 / (sum P_c sum P_c d_c^2), with the dead loads P_c and the
+   * displacements d_c in the direction of the point.
+   */
+  double participation;
+};
+
+/** The curve with what was found at rest. */
+struct CapacityAnswer
+{
+  /** At rest; without a factor there is no curve. */
+  LoadFactorAnswer at_rest;
+  CapacityCurve curve; /**< from there */
+};
+
+/**
+ * Follow the mechanism of the greatest factor of the loads of @p live beside
+ * those of @p dead. At each position the ends of joints that the mechanism has
+ * opened are open, those that it turns about and those that it leaves at rest
+ * touch exactly, and the factor is found anew, with both proofs.
+ *
+ * @throws InputError if the point does not move in its direction.
+ * @throws SolverError as find_load_factor().
+ */
+CapacityAnswer find_capacity(const Scene &dead,
+                             const Scene &live,
+                             const CapacityWanted &wanted,
+                             const LoadFactorControls &controls,
+                             Terminal &terminal);
+} // namespace Voussoir
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/capacity_analysis.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
+#include <voussoir/packing/cells_at.h>
+#include <voussoir/scene/loads/segment_tractions.h>
+#include <voussoir/scene/proofs/certificate.h>
+
+#include <cmath>
+#include <utility>
+
+namespace Voussoir
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json summary_of(const CapacityCurve &curve)
+{
+  Json points = Json::array();
+  for (const CapacityPoint &point : curve.points)
+    points.push_back({{"displacement", point.displacement},
+                      {"carried", point.carried},
+                      {"bound", point.bound},
+                      {"error_of_state", point.error_of_state}});
+  return {{"ultimate_displacement", curve.ultimate},
+          {"end", curve.end},
+          {"participation", curve.participation},
+          {"points", points}};
+}
+
+std::string description_of(const CapacityCurve &curve)
+{
+  return text(
+      "from the factor ", curve.points.front().carried, " at rest over ",
+      counted(curve.points.size(), "position"),
+      std::isfinite(curve.ultimate)
+          ? text(" to zero at the displacement ", curve.ultimate)
+          : text(" to ", curve.points.back().carried, " at the displacement ",
+                 curve.points.back().displacement, ", where ", curve.end),
+      "; ", 100. * curve.participation, " per cent of the mass take part");
+}
+} // namespace
+
+void CapacityAnalysis::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Capacity");
+  prm.add_parameter("Point", point,
+                    "The place \"x, y\" in a block whose displacement is "
+                    "followed.",
+                    Anything());
+  prm.add_parameter("Direction", direction,
+                    "The direction \"x, y\" of that displacement, of any "
+                    "size.",
+                    Anything());
+  prm.add_parameter("Points", n_points,
+                    "About so many positions from rest to where the factor is "
+                    "zero.",
+                    Integer(2, 10000));
+  prm.add_parameter("Largest displacement", largest,
+                    "Where the curve ends if the factor is not zero before; a "
+                    "length. 0: nowhere.",
+                    Double(0.));
+  prm.leave_subsection();
+}
+
+CapacityWanted CapacityAnalysis::wanted(const Packing<2> &packing) const
+{
+  const auto place = pair_of_text(point);
+  if (!place)
+    throw InputError("The parameter 'Capacity/Point' is '" + point +
+                     "'; two finite numbers \"x, y\" are expected, a place in "
+                     "a block.");
+  const CellsAt cells(packing, *place);
+  if (cells.there.empty())
+    throw InputError(text("The parameter 'Capacity/Point' is at ",
+                          text_of_point(*place), ", which is in no block; ",
+                          cells.describe_nearest(packing),
+                          ". Correct the place."));
+  const auto along = pair_of_text(direction);
+  if (!along || !(along->norm() > 0.))
+    throw InputError("The parameter 'Capacity/Direction' is '" + direction +
+                     "'; two finite numbers \"x, y\" are expected, not both "
+                     "zero.");
+  return {cells.there.front(), *place,
+          static_cast<const dealii::Tensor<1, 2> &>(*along) / along->norm(),
+          n_points, largest};
+}
+
+void CapacityAnalysis::check(const Scene &scene) const
+{
+  wanted(scene.packing);
+  if (!scene.turns())
+    throw InputError("'Analysis' is 'capacity', which follows blocks that "
+                     "turn; set 'Rotations = true'.");
+  if (scene.has_normal_limits())
+    throw InputError("'Analysis' is 'capacity', and joints crush or bear "
+                     "tension, so that hinges have no place; leave out their "
+                     "strengths in 'Contact'.");
+  if (!scene.dilates)
+    throw InputError("'Analysis' is 'capacity', whose proofs need friction "
+                     "that is associated; set 'Friction/Law' to 'associated "
+                     "Coulomb' or 'Tresca'.");
+}
+
+AnalysisOutcome CapacityAnalysis::answer(SceneData data,
+                                         const AnalysisContext &context) const
+{
+  const Scene dead = context.parameters.scene_of(data);
+  const Scene live = context.parameters.live_scene_of(data);
+  check(dead);
+  context.timer.enter_subsection("statics");
+  context.terminal.begin("Statics");
+  const SolverControls &common = context.solver.controls();
+  const LoadFactorControls controls = {true, common.tolerance_of_factor,
+                                       common.n_max_iterations};
+  CapacityAnswer found = find_capacity(dead, live, wanted(dead.packing),
+                                       controls, context.terminal);
+  context.timer.leave_subsection();
+  AnalysisOutcome outcome;
+  if (!found.at_rest.factor)
+  {
+    outcome.scene = std::make_unique<const Scene>(dead);
+    context.show_loads(dead);
+    NotCarried collapse = prove(dead, std::move(found.at_rest.collapse));
+    collapse.loads = found.at_rest.collapses_with_any
+                         ? NotCarried::Loads::dead_beside_any
+                         : NotCarried::Loads::dead;
+    outcome.answer = std::move(collapse);
+    return outcome;
+  }
+  LoadFactor &factor = *found.at_rest.factor;
+  outcome.scene = std::make_unique<const Scene>(
+      context.parameters.scene_at(std::move(data), factor.carried));
+  const Scene &scene = *outcome.scene;
+  context.show_loads(scene);
+  outcome.record.formulation = "capacity";
+  outcome.record.selection =
+      "one of the states that carry the loads at the factor at rest";
+  outcome.record.outcome = factor.stop.words();
+  outcome.record.n_iterations = outcome.record.n_evaluations =
+      factor.n_iterations;
+  context.terminal.stage(
+      "Statics",
+      text("capacity: ", counted(found.curve.points.size(), "position")));
+  Carried state;
+  state.forces = std::move(factor.forces);
+  state.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
+  outcome.answer = judge(scene, std::move(state), outcome.record,
+                         context.solver.controls().tolerance, context.timer,
+                         context.terminal);
+  if (!std::holds_alternative<Carried>(outcome.answer))
+    throw SolverError("The state found at the load factor does not carry its "
+                      "loads; loosen 'Solver/Tolerance of the load factor'.");
+  AnalysisResult result = {"capacity", "Capacity", description_of(found.curve),
+                           summary_of(found.curve), true};
+  result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism", false,
+                               LiveLoads{live.load, live.load_torque}};
+  result.data = std::move(found.curve);
+  outcome.results.push_back(std::move(result));
+  return outcome;
+}
+} // namespace Voussoir

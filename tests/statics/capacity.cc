@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Capacity curves: a block, a column of ten and a parapet that rock about an
+// edge of their foot against tan(b - theta), at any displacement; an arch whose
+// hinges go from joint to joint against itself with steps of other sizes. At
+// each position forces carry the factor and a mechanism bounds it. Moved scenes
+// have the loads of the scene at rest.
+
+#include <voussoir/analyses/capacity/capacity_curve.h>
+#include <voussoir/scene/positions.h>
+
+#include "tests.h"
+
+namespace test_capacity
+{
+using namespace Voussoir;
+using dealii::Point;
+using dealii::Tensor;
+
+CapacityCurve curve_of(const Packing<2> &packing,
+                       const unsigned int cell,
+                       const Point<2> &place,
+                       const unsigned int n_points)
+{
+  const Scene dead = under_weight(packing, 0., 3., rotations());
+  const Scene live =
+      under_weight(packing, 0., 3., rotations(), Tensor<1, 2>({1., 0.}));
+  CapacityWanted wanted = {cell, place, Tensor<1, 2>({1., 0.}), n_points, 0.};
+  return find_capacity(dead, live, wanted, {}, Terminal::silent()).curve;
+}
+
+/** Both proofs, at each point but the first, whose tolerance is the usual. */
+void check_proofs(const std::string &what, const CapacityCurve &curve)
+{
+  double states = 0., width = 0.;
+  for (const CapacityPoint &point : curve.points)
+  {
+    states = std::max(states, point.error_of_state);
+    width = std::max(width, std::abs(point.bound - point.carried));
+  }
+  check_error(what + ": states", states, 1e-12);
+  check_error(what + ": width", width, 1e-9);
+}
+
+/** Blocks of width b and height h in all turn as one about a corner. */
+void rocks(const std::string &what,
+           const Packing<2> &packing,
+           const double b,
+           const double h)
+{
+  const unsigned int top = packing.n_cells() - 1;
+  const Point<2> place(0., h);
+  const CapacityCurve curve = curve_of(packing, top, place, 15);
+  const double slope = std::atan2(b, h);
+  double error = 0.;
+  for (const CapacityPoint &point : curve.points)
+  {
+    // b + displacement = sqrt(b^2 + h^2) sin(theta + the angle of -b / h)
+    const double turn =
+        std::asin((point.displacement - b) / std::hypot(b, h)) + slope;
+    error = std::max(error, std::abs(point.carried - std::tan(slope - turn)));
+  }
+  check(what + ": there are many positions", curve.points.size() > 10);
+  check_error(what + ": the factor at each", error, 1e-9);
+  check_error(what + ": it ends where the top has gone by the thickness",
+              std::abs(curve.ultimate / b - 1.), 1e-8);
+  check_proofs(what, curve);
+}
+
+void arch()
+{
+  Packing<2> ring = on_ground(semicircle(25, 0.2));
+  const CapacityCurve few = curve_of(ring, 12, Point<2>(0., 1.), 10);
+  const CapacityCurve many = curve_of(ring, 12, Point<2>(0., 1.), 40);
+  check_error("an arch: the end with few and many steps",
+              std::abs(few.ultimate / many.ultimate - 1.), 1e-6);
+  check_proofs("an arch", many);
+  bool falls = true;
+  for (std::size_t k = 1; k < many.points.size(); ++k)
+    falls &= many.points[k].carried < many.points[k - 1].carried;
+  check("an arch: the factor only falls", falls);
+}
+
+/** Loads of all kinds on random cells, anywhere. */
+void moved()
+{
+  const Packing<2> packing = random_packing(30, 4);
+  Loads loads;
+  for (const auto &edge : packing.boundary_edges())
+    loads.traction.push_back(
+        Point<2>(edge.midpoint()[1] - 0.3, edge.normal[0]));
+  Tensor<1, 2> sum;
+  for (unsigned int b = 0; b < loads.traction.size(); ++b)
+    sum += packing.boundary_edges()[b].length * loads.traction[b];
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    loads.body.add(packing, c, -packing.area(c) * sum);
+  const Scene at_rest(packing,
+                      std::vector<double>(packing.interfaces().size(), 1.),
+                      loads, translations());
+  Positions positions(packing.n_cells());
+  Motion motion(packing.n_cells(), rotations());
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    motion.displacement[c] = Point<2>(0.3, -2.);
+    motion.rotation[c] = 0.7;
+  }
+  // All as one about the origin.
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+  {
+    const Point<2> &x = packing.centre(c);
+    const double s = std::sin(0.7), k = std::cos(0.7);
+    motion.displacement[c] =
+        Point<2>(k * x[0] - s * x[1] - x[0], s * x[0] + k * x[1] - x[1]);
+  }
+  positions = positions.advanced(motion, 1.);
+  double apart = 0.;
+  for (const MovedJoint &joint : moved_joints(packing, positions))
+    apart = std::max({apart, std::abs(joint.openings[0]),
+                      std::abs(joint.openings[1]), std::abs(joint.sliding)});
+  check_error("cells that move as one body do not part", apart, 1e-14);
+  const Scene there =
+      moved_scene(at_rest, positions,
+                  std::vector<std::array<bool, 2>>(packing.interfaces().size(),
+                                                   {{false, false}}));
+  double of_loads = 0.;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    of_loads = std::max(of_loads, (there.load[c] - at_rest.load[c]).norm());
+  check_error("loads stay as they are", of_loads, 1e-14);
+  // The moment about the origin of loads that keep their directions.
+  Resultant before({0., 0.}), after({0., 0.});
+  for (unsigned int b = 0; b < loads.traction.size(); ++b)
+  {
+    const auto turn = [](const Point<2> &x) {
+      return Point<2>(std::cos(0.7) * x[0] - std::sin(0.7) * x[1],
+                      std::sin(0.7) * x[0] + std::cos(0.7) * x[1]);
+    };
+    const auto &edge = packing.boundary_edges()[b];
+    before.add(turn(edge.midpoint()), edge.length * loads.traction[b]);
+    const auto &moved = there.packing.boundary_edges()[b];
+    after.add(moved.midpoint(), moved.length * there.traction[b]);
+  }
+  check_error("at the same points", std::abs(before.moment() - after.moment()),
+              1e-13);
+}
+
+void run()
+{
+  rocks("a block", on_ground(wall(1, 1, 1., 3.)), 1., 3.);
+  rocks("a column of ten", on_ground(stack_of_squares(10)), 1., 10.);
+  arch();
+  moved();
+  const Packing<2> block = on_ground(wall(1, 1));
+  show_refusal([&] {
+    const Scene dead = under_weight(block, 0., 3., rotations());
+    const Scene live =
+        under_weight(block, 0., 3., rotations(), Tensor<1, 2>({-1., 0.}));
+    find_capacity(dead, live,
+                  {0, Point<2>(0.5, 0.5), Tensor<1, 2>({1., 0.}), 5, 0.}, {},
+                  Terminal::silent());
+  });
+  show_refusal([&] {
+    const Scene dead = under_weight(block, 0., 0.2, rotations());
+    const Scene live =
+        under_weight(block, 0., 0.2, rotations(), Tensor<1, 2>({1., 0.}));
+    find_capacity(dead, live,
+                  {0, Point<2>(0.5, 0.5), Tensor<1, 2>({1., 0.}), 5, 0.}, {},
+                  Terminal::silent());
+  });
+}
+
+const RoomTest test("capacity", run);
+} // namespace test_capacity
