@@ -139,4 +139,22 @@ Scene moved_scene(const Scene &at_rest,
   scene.open_ends = std::move(open_ends);
   return scene;
 }
+
+Scene with_live_loads(Scene scene, const Scene &live, const double factor)
+{
+  for (unsigned int b = 0; b < scene.traction.size(); ++b)
+  {
+    scene.traction[b] += factor * live.traction[b];
+    scene.traction_moment[b] += factor * live.traction_moment[b];
+  }
+  scene.body.add(factor, live.body);
+  for (unsigned int c = 0; c < scene.load.size(); ++c)
+  {
+    scene.load[c] += factor * live.load[c];
+    scene.load_size[c] += std::abs(factor) * live.load_size[c];
+  }
+  for (unsigned int c = 0; c < scene.load_torque.size(); ++c)
+    scene.load_torque[c] += factor * live.load_torque[c];
+  return scene;
+}
 } // namespace Voussoir

@@ -145,6 +145,12 @@ COLLAPSE = [everywhere("mechanism.csv", "load_x", lambda value: 0.5 * value),
             everywhere("mechanism.csv", "ux", lambda value: -value),
             in_table("mechanism.csv", "uy", lambda value: value - 0.1),
             everywhere("mechanism_joints.csv", "strength", lambda value: 2. * value)]
+LINKS = [in_table("links.csv", "force", lambda value: 1.5 * value),
+         everywhere("links.csv", "least", lambda value: 0.2 * value),
+         in_table("links.csv", "y0", moved), in_table("links.csv", "dx", less),
+         without_line("links.csv", "force"),
+         everywhere("mechanism_links.csv", "least", lambda value: 0.9 * value),
+         without_line("mechanism_links.csv", "elongation")]
 SPACE = [in_table("interface_points.csv", "force_z", more),
          in_table("interface_points.csv", "x", moved),
          without_line("interface_points.csv", "force_z"),
@@ -187,6 +193,7 @@ def main():
         fail("no collapse")
     check_errors("prm_arch_bridge", PLANE)
     check_errors("collapse", COLLAPSE)
+    check_errors("prm_bridge_with_fill", LINKS)
     check_errors("space_building", SPACE)
     check_unreadable()
 

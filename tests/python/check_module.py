@@ -217,6 +217,24 @@ def check_warnings():
            and factor["bound"] is None and factor["forces_at"] == 1)
 
 
+def check_links():
+    """A tie, in a state and in the mechanism that bounds a factor."""
+    scene = voussoir.Scene(settings={
+        "Packing/Generator": "wall", "Packing/wall/Courses": 1,
+        "Packing/wall/Bricks per course": 1, "Rotations": True, "Supports/Where": "y < 1e-9",
+        "Analysis": "load factor", "Friction/Law": "associated Coulomb",
+        "Friction/Coefficient": 0.2, "Loads/Body force": "0; -1",
+        "Live loads/Body force": "1; 0", "Ties/rod/From": "cell 0",
+        "Ties/rod/To": "ground at -1, 0.5", "Ties/rod/Yield force": 0.3})
+    found = scene.solve()
+    expect("the factor of a block with a tie",
+           abs(found.summary["load_factor"]["carried"] - 0.5) < 1e-8)
+    expect("the force of the tie", abs(found.link_forces[0] - 0.3) < 1e-8)
+    expect("its names and places", list(found.link_names) == ["rod"] and
+           np.allclose(found.link_ends, [[-1., 0.5]]))
+    expect("it is drawn out", found.link_elongations[0] > 0.)
+
+
 def check_variables():
     """The variables of a scene may change, and all that has them follows."""
     text = ("subsection Variables\n set h = 2\n set b = h / 2\nend\n"
@@ -298,6 +316,7 @@ check_polygons()
 check_packing()
 check_warnings()
 check_variables()
+check_links()
 check_errors()
 check_views()
 check_memory()

@@ -241,7 +241,8 @@ std::pair<double, double> thrusts(const Packing<2> &arch)
 
 void arch()
 {
-  for (const auto &[n, thickness] : {std::pair(20U, 0.15), {40U, 0.2}})
+  for (const auto &[n, thickness] :
+       {std::pair(20U, 0.15), {40U, 0.2}, {40U, 0.1075}})
   {
     Packing<2> ring = on_ground(semicircle(n, thickness));
     const auto tie =
@@ -252,7 +253,7 @@ void arch()
     for (unsigned int e = 0; e < interfaces.size(); ++e)
       if (interfaces[e].cell_plus == scene.packing.ground())
         scene.coefficient[e] = 0.;
-    const std::string name = std::to_string(n) + " voussoirs";
+    const std::string name = text(n, " voussoirs, ", thickness, " thick");
     const auto [least, greatest] = thrusts(ring);
     for (const RangeMethod method :
          {RangeMethod::simplex, RangeMethod::interior_point})

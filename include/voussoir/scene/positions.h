@@ -52,6 +52,9 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
 Scene moved_scene(const Scene &at_rest,
                   const Positions &positions,
                   std::vector<std::array<bool, 2>> open_ends);
+
+/** A scene with @p factor times the loads of another of the same packing. */
+Scene with_live_loads(Scene scene, const Scene &live, double factor);
 } // namespace Voussoir
 
 #endif

@@ -56,25 +56,6 @@ struct Stop
   Motion mechanism;
 };
 
-/** A scene with @p factor times the loads of another of the same packing. */
-Scene with_live_loads(Scene scene, const Scene &live, const double factor)
-{
-  for (unsigned int b = 0; b < scene.traction.size(); ++b)
-  {
-    scene.traction[b] += factor * live.traction[b];
-    scene.traction_moment[b] += factor * live.traction_moment[b];
-  }
-  scene.body.add(factor, live.body);
-  for (unsigned int c = 0; c < scene.load.size(); ++c)
-  {
-    scene.load[c] += factor * live.load[c];
-    scene.load_size[c] += std::abs(factor) * live.load_size[c];
-  }
-  for (unsigned int c = 0; c < scene.load_torque.size(); ++c)
-    scene.load_torque[c] += factor * live.load_torque[c];
-  return scene;
-}
-
 /** One search; an object is used once. */
 class CapacitySearch
 {
@@ -276,11 +257,19 @@ CapacitySearch::go(const Stop &from, const double step, Stop &to) const
         return text("blocks meet again, at ",
                     text_of_point(dead.packing.interfaces()[e].midpoint()),
                     " at rest");
-  LoadFactorAnswer answer = factor_at(to);
-  for (unsigned int k = 0;
-       k < n_switches && !answer.factor && switch_hinges(answer.collapse, to);
-       ++k)
+  LoadFactorAnswer answer;
+  try
+  {
     answer = factor_at(to);
+    for (unsigned int k = 0;
+         k < n_switches && !answer.factor && switch_hinges(answer.collapse, to);
+         ++k)
+      answer = factor_at(to);
+  }
+  catch (const SolverError &)
+  {
+    return "no factor is found any more";
+  }
   if (!answer.factor)
     return "no factor is carried any more";
   const Scene carries = with_live_loads(
@@ -305,6 +294,8 @@ void CapacitySearch::find_ultimate(const Stop &before,
         low + (high - low) * factor_low / (factor_low - factor_high);
     Stop stop = before;
     go(before, at, stop);
+    if (!(stop.point.displacement > before.point.displacement))
+      break; // what was found before stands
     curve.points.back() = stop.point;
     const double factor = stop.point.carried;
     if (std::abs(factor) <=
