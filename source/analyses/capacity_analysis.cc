@@ -29,6 +29,20 @@ Json summary_of(const CapacityCurve &curve)
           {"points", points}};
 }
 
+std::string sentence_of(const CapacityCurve &curve)
+{
+  std::ostringstream words;
+  words.precision(4);
+  words << "At rest " << curve.points.front().carried
+        << " times the live loads are carried, and ";
+  if (std::isfinite(curve.ultimate))
+    words << "none where the point has gone by " << curve.ultimate << '.';
+  else
+    words << curve.points.back().carried << " where it has gone by "
+          << curve.points.back().displacement << ": there " << curve.end << '.';
+  return words.str();
+}
+
 std::string description_of(const CapacityCurve &curve)
 {
   return text(
@@ -153,8 +167,12 @@ AnalysisOutcome CapacityAnalysis::answer(SceneData data,
   if (!std::holds_alternative<Carried>(outcome.answer))
     throw SolverError("The state found at the load factor does not carry its "
                       "loads; loosen 'Solver/Tolerance of the load factor'.");
-  AnalysisResult result = {"capacity", "Capacity", description_of(found.curve),
-                           summary_of(found.curve), true};
+  AnalysisResult result = {"capacity",
+                           "Capacity",
+                           description_of(found.curve),
+                           summary_of(found.curve),
+                           true,
+                           sentence_of(found.curve)};
   result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism", false,
                                LiveLoads{live.load, live.load_torque}};
   result.data = std::move(found.curve);
