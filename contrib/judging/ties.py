@@ -100,6 +100,10 @@ class TiedProgramme(IntervalProgramme):
             numpy.concatenate([inner.upper, self.most]),
             scipy.sparse.hstack([inner.rows, nothing]).tocsr(), inner.limits)
 
+    def force_at(self, factor):
+        """What stresses a tie is a load, too."""
+        return max(super().force_at(factor), self.further_load)
+
     def further_forces(self, run):
         """The forces in links.csv."""
         return numpy.array([float(row["force"]) for row in
