@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/capacity_analysis.h>
+#include <voussoir/analyses/factor_outcome.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/packing/cells_at.h>
 #include <voussoir/scene/loads/segment_tractions.h>
-#include <voussoir/scene/proofs/certificate.h>
 
 #include <cmath>
 #include <utility>
@@ -124,58 +124,40 @@ AnalysisOutcome CapacityAnalysis::answer(SceneData data,
   const Scene dead = context.parameters.scene_of(data);
   const Scene live = context.parameters.live_scene_of(data);
   check(dead);
+  warn_of_moving_supports(data, context);
   context.timer.enter_subsection("statics");
   context.terminal.begin("Statics");
   const SolverControls &common = context.solver.controls();
   const LoadFactorControls controls = {true, common.tolerance_of_factor,
                                        common.n_max_iterations};
-  CapacityAnswer found = find_capacity(dead, live, wanted(dead.packing),
-                                       controls, context.terminal);
+  CapacityAnswer capacity = find_capacity(dead, live, wanted(dead.packing),
+                                          controls, context.terminal);
   context.timer.leave_subsection();
-  AnalysisOutcome outcome;
-  if (!found.at_rest.factor)
+  SolverRecord record;
+  double at_rest = 0.;
+  if (const auto &factor = capacity.at_rest.factor)
   {
-    outcome.scene = std::make_unique<const Scene>(dead);
-    context.show_loads(dead);
-    NotCarried collapse = prove(dead, std::move(found.at_rest.collapse));
-    collapse.loads = found.at_rest.collapses_with_any
-                         ? NotCarried::Loads::dead_beside_any
-                         : NotCarried::Loads::dead;
-    outcome.answer = std::move(collapse);
-    return outcome;
+    at_rest = factor->carried;
+    record.formulation = "capacity";
+    record.selection =
+        "one of the states that carry the loads at the factor at rest";
+    record.outcome = factor->stop.words();
+    record.n_iterations = record.n_evaluations = factor->n_iterations;
   }
-  LoadFactor &factor = *found.at_rest.factor;
-  outcome.scene = std::make_unique<const Scene>(
-      context.parameters.scene_at(std::move(data), factor.carried));
-  const Scene &scene = *outcome.scene;
-  context.show_loads(scene);
-  outcome.record.formulation = "capacity";
-  outcome.record.selection =
-      "one of the states that carry the loads at the factor at rest";
-  outcome.record.outcome = factor.stop.words();
-  outcome.record.n_iterations = outcome.record.n_evaluations =
-      factor.n_iterations;
-  context.terminal.stage(
-      "Statics",
-      text("capacity: ", counted(found.curve.points.size(), "position")));
-  Carried state;
-  state.forces = std::move(factor.forces);
-  state.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
-  outcome.answer = judge(scene, std::move(state), outcome.record,
-                         context.solver.controls().tolerance, context.timer,
-                         context.terminal);
-  if (!std::holds_alternative<Carried>(outcome.answer))
-    throw SolverError("The state found at the load factor does not carry its "
-                      "loads; loosen 'Solver/Tolerance of the load factor'.");
-  AnalysisResult result = {"capacity",
-                           "Capacity",
-                           description_of(found.curve),
-                           summary_of(found.curve),
-                           true,
-                           sentence_of(found.curve)};
-  result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism", false,
-                               LiveLoads{live.load, live.load_torque}};
-  result.data = std::move(found.curve);
+  CapacityCurve &curve = capacity.curve;
+  FactorSearch found = {std::move(capacity.at_rest),
+                        context.parameters.scene_at(std::move(data), at_rest),
+                        LiveLoads{live.load, live.load_torque}};
+  AnalysisOutcome outcome =
+      outcome_of(found, record,
+                 text("capacity: ", counted(curve.points.size(), "position")),
+                 true, context);
+  if (!found.answer.factor)
+    return outcome;
+  AnalysisResult result = {"capacity",        "Capacity", description_of(curve),
+                           summary_of(curve), true,       sentence_of(curve)};
+  result.motion = mechanism_of(found);
+  result.data = std::move(curve);
   outcome.results.push_back(std::move(result));
   return outcome;
 }

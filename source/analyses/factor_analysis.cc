@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/factor_analysis.h>
+#include <voussoir/analyses/factor_outcome.h>
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/base/exceptions.h>
@@ -14,17 +15,6 @@ namespace Voussoir
 {
 namespace
 {
-/** What was found, and the scene that its forces are in equilibrium in. */
-struct FactorSearch
-{
-  /** The factor, or the collapse. */
-  LoadFactorAnswer answer;
-  /** The scene at the factor; or the one that collapses. */
-  Scene scene;
-  /** What the factor multiplies; none of strengths. */
-  std::optional<LiveLoads> live = {};
-};
-
 /** All loads as live ones. */
 SceneData with_all_live(SceneData data)
 {
@@ -116,67 +106,37 @@ SolverRecord record_of(const LoadFactor &factor, const CoulombState &coulomb)
   record.n_iterations = record.n_evaluations = factor.n_iterations;
   return record;
 }
-
-/** The forces at the factor, which cells do not move under. */
-Carried state_at(LoadFactor &factor, const Scene &scene)
-{
-  Carried state;
-  state.forces = std::move(factor.forces);
-  state.motion = Motion(scene.packing.n_cells(), *scene.kinematics);
-  return state;
-}
 } // namespace
 
 AnalysisOutcome FactorAnalysis::answer(SceneData data,
                                        const AnalysisContext &context) const
 {
-  if (!context.parameters.motion_of_supports(data.packing).empty())
-    context.terminal.warning(
-        "'Supports/Displacement' has no effect on a load factor; leave it "
-        "empty, or set 'Analysis = state'.");
+  warn_of_moving_supports(data, context);
   context.timer.enter_subsection("statics");
   context.terminal.begin("Statics");
   using Factor = FactorEntries::Factor;
-  const SolverControls &common = context.solver.controls();
-  const LoadFactorControls controls = entries.controls(common);
+  const LoadFactorControls controls =
+      entries.controls(context.solver.controls());
   if (entries.multiplied == Factor::all_loads)
     data = with_all_live(std::move(data));
   FactorSearch found = entries.multiplied == Factor::strength
                            ? search_strength(data, controls, context)
                            : search_loads(std::move(data), controls, context);
   context.timer.leave_subsection();
-  AnalysisOutcome outcome;
-  outcome.scene = std::make_unique<const Scene>(std::move(found.scene));
-  const Scene &scene = *outcome.scene;
-  context.show_loads(scene);
+  SolverRecord record;
+  if (found.answer.factor)
+    record = record_of(*found.answer.factor, context.solver.coulomb());
+  const std::string stage = text("load factor: ", record.outcome, " after ",
+                                 counted(record.n_iterations, "iteration"));
+  AnalysisOutcome outcome = outcome_of(
+      found, record, stage, entries.multiplied == Factor::live_loads, context);
   if (!found.answer.factor)
-  {
-    NotCarried collapse = prove(scene, std::move(found.answer.collapse));
-    if (entries.multiplied == Factor::live_loads)
-      collapse.loads = found.answer.collapses_with_any
-                           ? NotCarried::Loads::dead_beside_any
-                           : NotCarried::Loads::dead;
-    outcome.answer = std::move(collapse);
     return outcome;
-  }
-
-  LoadFactor &factor = *found.answer.factor;
-  SolverRecord &record = outcome.record;
-  record = record_of(factor, context.solver.coulomb());
-  context.terminal.stage("Statics",
-                         text("load factor: ", record.outcome, " after ",
-                              counted(record.n_iterations, "iteration")));
-  outcome.answer = judge(scene, state_at(factor, scene), record,
-                         common.tolerance, context.timer, context.terminal);
-  if (!std::holds_alternative<Carried>(outcome.answer))
-    throw SolverError("The state found at the load factor does not carry its "
-                      "loads; loosen 'Solver/Tolerance of the load factor'.");
+  const LoadFactor &factor = *found.answer.factor;
   AnalysisResult result = {
       "load_factor",   "Load factor", description_of(factor),
       json_of(factor), true,          sentence_of(factor, entries.multiplied)};
-  if (factor.has_mechanism())
-    result.motion = MotionBeside{std::move(factor.mechanism), "Mechanism",
-                                 false, std::move(found.live)};
+  result.motion = mechanism_of(found);
   outcome.results.push_back(std::move(result));
   return outcome;
 }

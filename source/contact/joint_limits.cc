@@ -45,8 +45,11 @@ JointLimits::crushing_utilisation(const std::array<double, 2> &at_ends) const
 
 double JointLimits::excess(const std::array<double, 2> &at_ends) const
 {
-  const double most_tension =
+  double most_tension =
       std::max({at_ends[0] - 0.5 * tension, at_ends[1] - 0.5 * tension, 0.});
+  for (unsigned int k = 0; k < 2; ++k)
+    if (open[k])
+      most_tension = std::max(most_tension, std::abs(at_ends[k]));
   if (!std::isfinite(crushing))
     return most_tension;
   const double p[] = {0.5 * tension - at_ends[0], 0.5 * tension - at_ends[1]};
@@ -64,7 +67,9 @@ JointLimits::resistance(const std::array<double, 2> &openings,
 {
   // Joints with a coefficient open as they slide.
   const double lift = coefficient * std::abs(sliding);
-  const double start = openings[0] - lift, end = openings[1] - lift;
+  // An open end resists neither.
+  const double start = open[0] ? 0. : openings[0] - lift,
+               end = open[1] ? 0. : openings[1] - lift;
   Resistance of = {(strength - coefficient * tension) * std::abs(sliding), 0.};
   if (tension > 0.)
     of.dissipation += 0.5 * tension * (openings[0] + openings[1]);

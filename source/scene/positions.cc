@@ -2,8 +2,6 @@
 #include <voussoir/base/geometry.h>
 #include <voussoir/scene/positions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace Voussoir
@@ -13,44 +11,28 @@ using dealii::Tensor;
 
 namespace
 {
-Tensor<1, 2> turned(const Tensor<1, 2> &arm, const double angle)
+/** The loads of a scene whose cells have turned. */
+Loads moved_loads(const Scene &at_rest, const Positions &positions)
 {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return Tensor<1, 2>({c * arm[0] - s * arm[1], s * arm[0] + c * arm[1]});
-}
-
-/**
- * The arm of a single force that has the torque of others about a point and
- * their virial, the sum of arm . force: these others turn with the cell as it
- * does.
- */
-Tensor<1, 2>
-arm_of(const Tensor<1, 2> &force, const double torque, const double virial)
-{
-  const double square = force.norm_square();
-  if (!(square > 0.))
-    return {};
-  return (virial * force - torque * Tensor<1, 2>({-force[1], force[0]})) /
-         square;
-}
-
-/** The loads inside the cells, where these have turned. */
-BodyForce moved_body(const Scene &at_rest,
-                     const Packing<2> &moved,
-                     const Positions &positions)
-{
-  BodyForce body;
-  if (at_rest.body.empty())
-    return body;
-  for (unsigned int c = 0; c < moved.n_cells(); ++c)
-  {
-    const Tensor<1, 2> force = at_rest.body.force(at_rest.packing, c);
-    const Tensor<1, 2> arm =
-        arm_of(force, at_rest.body.torque(c), trace(at_rest.body.moment(c)));
-    body.add(moved, c, force,
-             moved.centre(c) + turned(arm, positions.angle[c]));
-  }
-  return body;
+  Loads loads;
+  loads.traction = at_rest.traction;
+  loads.traction_moment = at_rest.traction_moment;
+  // Forces at places are spread in the body force, and are put there anew.
+  const Packing<2> &packing = at_rest.packing;
+  BodyForce spread = at_rest.body;
+  loads.on_cells = at_rest.on_cells;
+  for (CellForce &of : loads.on_cells)
+    if (of.place)
+    {
+      const unsigned int c = of.cells.front();
+      spread.add(packing, c, -of.force, *of.place);
+      of.place = positions.of(packing, c, *of.place);
+    }
+    else
+      for (const unsigned int c : of.cells)
+        spread.add(packing, c, -of.force);
+  loads.body = spread.turned(positions.angle);
+  return loads;
 }
 
 std::vector<Link> moved_links(const Scene &at_rest, const Positions &positions)
@@ -78,7 +60,7 @@ Point<2> Positions::of(const Packing<2> &packing,
   if (cell == packing.ground())
     return x;
   const Point<2> &centre = packing.centre(cell);
-  return centre + displacement[cell] + turned(x - centre, angle[cell]);
+  return centre + displacement[cell] + rotation_by(angle[cell]) * (x - centre);
 }
 
 Positions Positions::advanced(const Motion &motion, const double step) const
@@ -116,45 +98,31 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
   return joints;
 }
 
+Packing<2> moved_packing(const Packing<2> &at_rest, const Positions &positions)
+{
+  return at_rest.moved([&](const unsigned int c, const Point<2> &x) {
+    return positions.of(at_rest, c, x);
+  });
+}
+
 Scene moved_scene(const Scene &at_rest,
                   const Positions &positions,
-                  std::vector<std::array<bool, 2>> open_ends)
+                  std::vector<std::array<bool, 2>> open_ends,
+                  const Scene *const live,
+                  const double factor)
 {
-  const Packing<2> &packing = at_rest.packing;
-  Packing<2> moved =
-      packing.moved([&](const unsigned int c, const Point<2> &x) {
-        return positions.of(packing, c, x);
-      });
-  Loads loads;
-  loads.traction = at_rest.traction;
-  loads.traction_moment = at_rest.traction_moment;
-  loads.body = moved_body(at_rest, moved, positions);
-  Scene scene(std::move(moved), at_rest.strength, std::move(loads),
-              *at_rest.kinematics, moved_links(at_rest, positions));
+  Loads loads = moved_loads(at_rest, positions);
+  if (live != nullptr)
+    loads.add(factor, moved_loads(*live, positions));
+  Scene scene(moved_packing(at_rest.packing, positions), at_rest.strength,
+              std::move(loads), *at_rest.kinematics,
+              moved_links(at_rest, positions));
   scene.coefficient = at_rest.coefficient;
   scene.dilates = at_rest.dilates;
   scene.friction_law = at_rest.friction_law;
   scene.tensile_strength = at_rest.tensile_strength;
   scene.compressive_strength = at_rest.compressive_strength;
   scene.open_ends = std::move(open_ends);
-  return scene;
-}
-
-Scene with_live_loads(Scene scene, const Scene &live, const double factor)
-{
-  for (unsigned int b = 0; b < scene.traction.size(); ++b)
-  {
-    scene.traction[b] += factor * live.traction[b];
-    scene.traction_moment[b] += factor * live.traction_moment[b];
-  }
-  scene.body.add(factor, live.body);
-  for (unsigned int c = 0; c < scene.load.size(); ++c)
-  {
-    scene.load[c] += factor * live.load[c];
-    scene.load_size[c] += std::abs(factor) * live.load_size[c];
-  }
-  for (unsigned int c = 0; c < scene.load_torque.size(); ++c)
-    scene.load_torque[c] += factor * live.load_torque[c];
   return scene;
 }
 } // namespace Voussoir

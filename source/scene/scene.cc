@@ -306,26 +306,6 @@ double Scene::residual_of_loads(const Resultant &requested) const
          size;
 }
 
-Tensor<1, 2>
-InterfaceForces::on_cell_minus(const Packing<2>::Interface &interface,
-                               const unsigned int e) const
-{
-  return normal[e] * interface.normal + tangential[e] * interface.tangent();
-}
-
-double
-InterfaceForces::torque_on_cell_minus(const Packing<2>::Interface &interface,
-                                      const unsigned int e,
-                                      const dealii::Point<2> &centre) const
-{
-  if (at_ends.empty())
-    return cross(interface.midpoint() - centre, on_cell_minus(interface, e));
-  return cross(interface.midpoint() - centre,
-               tangential[e] * interface.tangent()) +
-         cross(interface.start - centre, at_ends[e][0] * interface.normal) +
-         cross(interface.end - centre, at_ends[e][1] * interface.normal);
-}
-
 Scene loaded_by_links(Scene scene, const InterfaceForces &forces)
 {
   const auto add = [&](const unsigned int c, const dealii::Point<2> &x,
@@ -347,6 +327,19 @@ Scene loaded_by_links(Scene scene, const InterfaceForces &forces)
   }
   scene.links.clear();
   return scene;
+}
+
+std::vector<double> largest_loads(const Scene &scene)
+{
+  std::vector<double> largest;
+  largest.reserve(scene.load.size());
+  for (const Tensor<1, 2> &force : scene.load)
+    largest.push_back(force.norm());
+  for (const Link &link : scene.links)
+    for (const unsigned int c : {link.cell_minus, link.cell_plus})
+      if (c != scene.packing.ground())
+        largest[c] = std::max(largest[c], std::abs(link.rest()));
+  return largest;
 }
 
 InterfaceForces no_forces(const Scene &scene)

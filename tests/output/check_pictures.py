@@ -151,8 +151,6 @@ def check_scenes():
         views = set(PURE_SHEAR if scene == "shear_wall" else SOLVED)
         if scene in TURNING | FACTORS:
             views |= {"thrust", "eccentricity"}
-        if scene == "tied_arch":
-            views |= {"ranges"}
         if scene in FACTORS | MOVED:
             views |= {"mechanism", "animation"}
         expect_views(run(scene, scene, *few), views)

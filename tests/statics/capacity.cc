@@ -7,6 +7,7 @@
 // have the loads of the scene at rest.
 
 #include <voussoir/analyses/capacity/capacity_curve.h>
+#include <voussoir/base/geometry.h>
 #include <voussoir/scene/positions.h>
 
 #include "tests.h"
@@ -143,8 +144,68 @@ void moved()
               1e-13);
 }
 
+/** Forces in a block, a couple among them, and the weight, on one that turns.
+ */
+void turned_loads()
+{
+  const Packing<2> packing = on_ground(wall(1, 1, 1., 2.));
+  Loads loads;
+  loads.traction.resize(packing.boundary_edges().size());
+  const Point<2> centre(0.5, 1.);
+  const std::vector<std::pair<Point<2>, Tensor<1, 2>>> forces = {
+      {Point<2>(0.1, 1.8), Point<2>(2., -1.)},
+      {Point<2>(0.7, 0.3), Point<2>(-2., 1.)}};
+  for (const auto &[place, force] : forces)
+    loads.on_cells.push_back({"cell 0", {0}, force, place});
+  const Scene at_rest(packing, {1.}, loads, rotations());
+  Positions positions(1);
+  positions.angle[0] = 0.4;
+  double torque = 0.;
+  for (const auto &[place, force] : forces)
+    torque += cross(rotation_by(0.4) * (place - centre), force);
+  const Scene there = moved_scene(at_rest, positions, {{{false, false}}});
+  check_error("a couple of forces that keep their directions",
+              std::abs(there.load_torque[0] - torque), 1e-14);
+  check_error(
+      "with other loads beside",
+      std::abs(moved_scene(at_rest, positions, {{{false, false}}}, &at_rest, 2.)
+                   .load_torque[0] -
+               3. * torque),
+      1e-14);
+}
+
+/** An open end bears nothing, and resists nothing. */
+void open_ends()
+{
+  Scene scene = under_weight(on_ground(wall(1, 1)), 1., 0.5, rotations());
+  scene.open_ends = {{{true, false}}};
+  InterfaceForces forces = no_forces(scene);
+  forces.normal[0] = -1.;
+  forces.at_ends = {{{0., -1.}}};
+  check_error("a force at the other end",
+              certify(scene, forces).admissibility_violation, 1e-15);
+  forces.at_ends = {{{-0.25, -0.75}}};
+  check_error("is seen at the open one",
+              std::abs(certify(scene, forces).admissibility_violation - 0.25),
+              1e-15);
+  forces.at_ends = {{{0., -1.}}};
+  forces.tangential[0] = 0.6;
+  check_error("and friction without cohesion",
+              std::abs(certify(scene, forces).admissibility_violation - 0.1),
+              1e-15);
+  // It turns about its right edge, into the open end, for the work of nothing.
+  Motion closes(1, rotations());
+  closes.rotation[0] = 1.;
+  closes.displacement[0] = Point<2>(-0.5, -0.5);
+  const MechanismCertificate proof = certify_mechanism(scene, closes);
+  check("an open end may close",
+        proof.closing_violation < 1e-15 && proves_collapse(proof));
+}
+
 void run()
 {
+  turned_loads();
+  open_ends();
   rocks("a block", on_ground(wall(1, 1, 1., 3.)), 1., 3.);
   rocks("a column of ten", on_ground(stack_of_squares(10)), 1., 10.);
   arch();

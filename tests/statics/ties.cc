@@ -6,6 +6,7 @@
 // large, and the stress has what a tie does to a block.
 
 #include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/analyses/ranges/ranges.h>
 #include <voussoir/analyses/samples/state_samples.h>
 #include <voussoir/base/geometry.h>
@@ -88,12 +89,13 @@ LoadFactor factor_of(const Packing<2> &packing,
 
 void check_factor(const std::string &what,
                   const LoadFactor &found,
-                  const double expected)
+                  const double expected,
+                  const double error = 1e-9)
 {
   check_error(what + ": carried", std::abs(found.carried / expected - 1.),
-              1e-9);
+              error);
   check_error(what + ": collapses", std::abs(found.bound / expected - 1.),
-              1e-9);
+              error);
 }
 
 InterfaceForces state_of(const Scene &scene)
@@ -140,6 +142,12 @@ void block()
   check_error("a slack rod carries nothing at the limit",
               factor_of(square, 0.2, held, pushed(-1.)).forces.in_links[0],
               1e-9);
+  // The push P = mu / f + T.
+  LoadFactorControls controls;
+  const FactorAnswerOf<Scene> strength = find_strength_factor(
+      linked(square, 0.2, held, pushed(0.35)), controls, Terminal::silent());
+  check_factor("strengths may be divided, but not that of the rod",
+               *strength.factor, 0.2 / (0.35 - 0.25), 1e-8);
   const Scene pulled = linked(square, 0.2, held, pushed(0.44));
   InterfaceForces taut = state_of(pulled);
   check_error("a taut one balances", certify(pulled, taut).error(), 1e-12);

@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
 #include <vector>
 
 namespace Voussoir
@@ -17,6 +18,16 @@ inline double cross(const dealii::Tensor<1, 2> &a,
                     const dealii::Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
+}
+
+/** The rotation by an angle, counterclockwise. */
+inline dealii::Tensor<2, 2> rotation_by(const double angle)
+{
+  dealii::Tensor<2, 2> rotation;
+  rotation[0][0] = rotation[1][1] = std::cos(angle);
+  rotation[1][0] = std::sin(angle);
+  rotation[0][1] = -rotation[1][0];
+  return rotation;
 }
 
 /**

@@ -29,6 +29,11 @@ struct JointLimits
   double tension = 0.;
   /** f_c |e|; S L. */
   double crushing = std::numeric_limits<double>::infinity();
+  /**
+   * Whether its start and its end are open, and bear nothing; then it has
+   * friction by its coefficient alone.
+   */
+  std::array<bool, 2> open = {{false, false}};
 
   /** The largest |f_e^t| under the normal force f_e^n; S L. */
   double shear_strength(const double normal) const
@@ -46,7 +51,8 @@ struct JointLimits
    */
   double crushing_utilisation(const std::array<double, 2> &at_ends) const;
   /**
-   * The excess of normal forces over their limits; not negative.
+   * The excess of normal forces over their limits; not negative. At an end that
+   * is open all of it is too much.
    *
    * @param at_ends as above.
    */

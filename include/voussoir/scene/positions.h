@@ -43,18 +43,22 @@ struct MovedJoint
 std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
                                      const Positions &positions);
 
+/** A packing with its cells at @p positions; see Packing<2>::moved(). */
+Packing<2> moved_packing(const Packing<2> &at_rest, const Positions &positions);
+
 /**
  * A scene where its cells are at @p positions: loads keep their directions and
  * act at the same points of the blocks, and ties go on between theirs.
  *
  * @param open_ends Scene::open_ends.
+ * @param live a scene of the same packing, whose loads are added times
+ *   @p factor; null for none.
  */
 Scene moved_scene(const Scene &at_rest,
                   const Positions &positions,
-                  std::vector<std::array<bool, 2>> open_ends);
-
-/** A scene with @p factor times the loads of another of the same packing. */
-Scene with_live_loads(Scene scene, const Scene &live, double factor);
+                  std::vector<std::array<bool, 2>> open_ends,
+                  const Scene *live = nullptr,
+                  double factor = 0.);
 } // namespace Voussoir
 
 #endif

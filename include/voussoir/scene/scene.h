@@ -5,6 +5,7 @@
 #include <voussoir/algebra/kinematics.h>
 #include <voussoir/contact/joint_limits.h>
 #include <voussoir/packing/packing.h>
+#include <voussoir/scene/interface_forces.h>
 #include <voussoir/scene/links/link.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/motion.h>
@@ -17,7 +18,6 @@
 namespace Voussoir
 {
 struct ForceFunction;
-struct InterfaceForces;
 
 /**
  * A packing, what its interfaces can carry and what it has to carry, in the
@@ -84,13 +84,15 @@ struct Scene
   JointLimits limits(const unsigned int e) const
   {
     const double length = packing.interfaces()[e].length;
-    const bool is_whole =
-        open_ends.empty() || !(open_ends[e][0] || open_ends[e][1]);
-    JointLimits of = {is_whole ? strength[e] * length : 0.};
+    JointLimits of = {strength[e] * length};
     if (!coefficient.empty())
       of.coefficient = coefficient[e];
-    if (!is_whole)
+    if (!open_ends.empty() && (open_ends[e][0] || open_ends[e][1]))
+    {
+      of.strength = 0.;
+      of.open = open_ends[e];
       return of;
+    }
     if (!tensile_strength.empty())
       of.tension = tensile_strength[e] * length;
     if (!compressive_strength.empty())
@@ -153,70 +155,6 @@ private:
 };
 
 /**
- * The forces of the interfaces, in the order of Packing::interfaces(): f_e^n,
- * negative in compression, and f_e^t. Per unit thickness, S L, unless they are
- * said to be nondimensional, as those of a Solution are. The force on cell c+
- * is minus that on cell c-, which is f_e^n n_e + f_e^t t_e.
- */
-struct InterfaceForces
-{
-  /** f_e^n of each interface, <= 0 in compression. */
-  std::vector<double> normal;
-  /**
-   * What of it acts at the start and at the end of each interface, <= 0; empty
-   * where blocks do not turn, and it acts at the midpoint.
-   */
-  std::vector<std::array<double, 2>> at_ends;
-  /** f_e^t of each interface, |f_e^t| <= s_e |e|. */
-  std::vector<double> tangential;
-  /** The force of each of Scene::links, positive in tension. */
-  std::vector<double> in_links = {};
-
-  /** True if there are none. */
-  bool empty() const { return normal.empty(); }
-  /** The normal force at the ends of interface @p e; halves without at_ends. */
-  std::array<double, 2> ends(const unsigned int e) const
-  {
-    return at_ends.empty()
-               ? std::array<double, 2>{{0.5 * normal[e], 0.5 * normal[e]}}
-               : at_ends[e];
-  }
-
-  /**
-   * The force on cell c- of interface @p e, f_e^n n_e + f_e^t t_e.
-   *
-   * @param interface that of the number @p e.
-   */
-  dealii::Tensor<1, 2> on_cell_minus(const Packing<2>::Interface &interface,
-                                     unsigned int e) const;
-  /**
-   * The torque about @p centre of the force on cell c- of interface @p e,
-   * positive counterclockwise.
-   */
-  double torque_on_cell_minus(const Packing<2>::Interface &interface,
-                              unsigned int e,
-                              const dealii::Point<2> &centre) const;
-  /**
-   * The place of the resultant on an interface, over its length: -1/2 at its
-   * start, 0 at its midpoint, 1/2 at its end; zero without normal force.
-   */
-  double eccentricity(const Packing<2>::Interface &interface,
-                      const unsigned int e) const
-  {
-    return normal[e] < 0.
-               ? -couple(interface, e) / (interface.length * normal[e])
-               : 0.;
-  }
-  /** The moment about the midpoint: the couple of the forces at the ends. */
-  double couple(const Packing<2>::Interface &interface, unsigned int e) const
-  {
-    return at_ends.empty()
-               ? 0.
-               : 0.5 * interface.length * (at_ends[e][0] - at_ends[e][1]);
-  }
-};
-
-/**
  * A scene with the forces of its links as loads inside the cells, spread over
  * these, in the place of the links: what the stress is found of.
  */
@@ -224,6 +162,12 @@ Scene loaded_by_links(Scene scene, const InterfaceForces &forces);
 
 /** The forces zero in all interfaces and links of @p scene. */
 InterfaceForces no_forces(const Scene &scene);
+
+/**
+ * The size of F_c of each cell, or of what stresses a link on it if that is
+ * more; S L.
+ */
+std::vector<double> largest_loads(const Scene &scene);
 
 /**
  * The torque about x_c of all forces on each cell, positive counterclockwise;

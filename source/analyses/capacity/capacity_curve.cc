@@ -38,7 +38,7 @@ constexpr unsigned int n_rounds_of_contact = 12;
 constexpr double shift_of_contact = 1e-9;
 /** The overlap of open ends, over the size of a cell, that ends a curve. */
 constexpr double largest_overlap = 1e-9;
-/** A share of the displacement to which the end is found; rounds for it. */
+/** A factor, over that at rest, that is next to none; rounds to find it. */
 constexpr double error_of_ultimate = 1e-9;
 constexpr unsigned int n_rounds_of_ultimate = 12;
 /** The most joints that a hinge goes over to in a step. */
@@ -110,7 +110,7 @@ LoadFactorAnswer CapacitySearch::factor_at(const Stop &stop) const
  */
 std::string CapacitySearch::take(Stop &stop, const LoadFactor &factor) const
 {
-  const Scene here = moved_scene(dead, stop.positions, stop.open);
+  const Packing<2> here = moved_packing(dead.packing, stop.positions);
   stop.point = {displacement_at(stop.positions), factor.carried, factor.bound,
                 0.};
   if (factor.is_unbounded || !factor.has_mechanism())
@@ -119,9 +119,9 @@ std::string CapacitySearch::take(Stop &stop, const LoadFactor &factor) const
   const dealii::Point<2> place =
       stop.positions.of(dead.packing, wanted.cell, wanted.place);
   const double speed =
-      mechanism.at(wanted.cell, place - here.packing.centre(wanted.cell)) *
+      mechanism.at(wanted.cell, place - here.centre(wanted.cell)) *
       wanted.direction;
-  const InterfaceJumps jumps = jumps_of(here.packing, mechanism);
+  const InterfaceJumps jumps = jumps_of(here, mechanism);
   const double least = least_jump_of_mechanism * jumps.largest_displacement;
   if (!(std::abs(speed) > least))
     return "the point does not move in the mechanism";
@@ -134,7 +134,7 @@ std::string CapacitySearch::take(Stop &stop, const LoadFactor &factor) const
       continue;
     if (std::abs(jumps.sliding[e]) > least)
       return text("blocks slide, at ",
-                  text_of_point(here.packing.interfaces()[e].midpoint()));
+                  text_of_point(here.interfaces()[e].midpoint()));
     for (unsigned int k = 0; k < 2; ++k)
       open[k] = open[k] || jumps.openings[e][k] > least;
   }
@@ -204,8 +204,8 @@ double CapacitySearch::step_of(const Stop &stop, const double wanted_step) const
  */
 bool CapacitySearch::switch_hinges(const Motion &motion, Stop &stop) const
 {
-  const Scene here = moved_scene(dead, stop.positions, stop.open);
-  const InterfaceJumps rates = jumps_of(here.packing, motion);
+  const InterfaceJumps rates =
+      jumps_of(moved_packing(dead.packing, stop.positions), motion);
   double largest = 0.;
   for (const auto &of_joint : rates.openings)
     for (const double rate : of_joint)
@@ -272,37 +272,40 @@ CapacitySearch::go(const Stop &from, const double step, Stop &to) const
   }
   if (!answer.factor)
     return "no factor is carried any more";
-  const Scene carries = with_live_loads(
-      moved_scene(dead, to.positions, to.open),
-      moved_scene(live, to.positions, to.open), answer.factor->carried);
-  const double error = certify(carries, answer.factor->forces).error();
+  const double error = certify(moved_scene(dead, to.positions, to.open, &live,
+                                           answer.factor->carried),
+                               answer.factor->forces)
+                           .error();
   const std::string end = take(to, *answer.factor);
   to.point.error_of_state = error;
   return end;
 }
 
-/** Where the factor is zero, behind a position where it is not yet. */
+/**
+ * Where the factor is next to zero, behind a position where it is not yet, and
+ * before one where it is less: something is still carried there.
+ */
 void CapacitySearch::find_ultimate(const Stop &before,
                                    const double step,
                                    CapacityCurve &curve) const
 {
-  double low = 0., factor_low = before.point.carried;
-  double high = step, factor_high = curve.points.back().carried;
+  const double most = error_of_ultimate * curve.points.front().carried;
+  const auto above = [&](const double factor) { return factor - 0.5 * most; };
+  double low = 0., above_low = above(before.point.carried);
+  double high = step, above_high = above(curve.points.back().carried);
   for (unsigned int round = 0; round < n_rounds_of_ultimate; ++round)
   {
-    const double at =
-        low + (high - low) * factor_low / (factor_low - factor_high);
+    const double at = low + (high - low) * above_low / (above_low - above_high);
     Stop stop = before;
     go(before, at, stop);
     if (!(stop.point.displacement > before.point.displacement))
       break; // what was found before stands
     curve.points.back() = stop.point;
     const double factor = stop.point.carried;
-    if (std::abs(factor) <=
-        error_of_ultimate * std::abs(curve.points.front().carried))
+    if (factor > 0. && factor <= most)
       break;
-    (factor > 0. ? low : high) = at;
-    (factor > 0. ? factor_low : factor_high) = factor;
+    (above(factor) > 0. ? low : high) = at;
+    (above(factor) > 0. ? above_low : above_high) = above(factor);
   }
   curve.ultimate = curve.points.back().displacement;
 }

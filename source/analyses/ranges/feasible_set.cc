@@ -53,14 +53,17 @@ double largest_displacement(const MotionOfBlocks &motion)
 }
 
 /** @{ */
-/** The loads on the cells. */
-const std::vector<dealii::Tensor<1, 2>> &loads_of(const Scene &scene)
+/** The sizes of the loads on the cells. */
+std::vector<double> sizes_of_loads(const Scene &scene)
 {
-  return scene.load;
+  return largest_loads(scene);
 }
-const std::vector<dealii::Tensor<1, 3>> &loads_of(const SpaceScene &scene)
+std::vector<double> sizes_of_loads(const SpaceScene &scene)
 {
-  return scene.loads.force;
+  std::vector<double> sizes;
+  for (const auto &force : scene.loads.force)
+    sizes.push_back(force.norm());
+  return sizes;
 }
 /** @} */
 
@@ -105,8 +108,7 @@ std::vector<double> coefficients_of(const Scene & /*scene*/,
     rows.add_force(term.interface, n, term.tangential, c);
   }
   for (const ForceFunction::LinkTerm &term : function.links)
-    if (const LinkContact &link = problem.links()[term.link];
-        link.joint != dealii::numbers::invalid_unsigned_int)
+    if (const LinkContact &link = problem.links()[term.link]; link.has_joint())
       rows.add_force(link.joint, 0, link.sign * term.factor, c);
   return c;
 }
@@ -124,8 +126,8 @@ template <typename SceneOf>
 FeasibleSetOf<SceneOf>::FeasibleSetOf(const SceneOf &scene)
     : scene(scene), problem(discretise(scene)), by_rows(problem), force(0.)
 {
-  for (const auto &load : loads_of(scene))
-    force = std::max(force, load.norm());
+  for (const double size : sizes_of_loads(scene))
+    force = std::max(force, size);
   if (force == 0.)
     force = problem.stress_scale() * problem.length_scale() *
             (problem.is_plane() ? 1. : problem.length_scale());

@@ -266,8 +266,8 @@ std::optional<double> carried_by_centre(const Scene &scene, Terminal &terminal)
     for (unsigned int e = 0; e < forces.normal.size(); ++e)
       force =
           std::max(force, std::hypot(forces.normal[e], forces.tangential[e]));
-    for (const Tensor<1, 2> &F : scene.load)
-      load = std::max(load, F.norm());
+    for (const double size : largest_loads(scene))
+      load = std::max(load, size);
     if (!(load > 0.))
       return {}; // there is nothing to compare with
     return force / load;

@@ -98,11 +98,11 @@ Fields<Results> state_ranges()
       of_e = "the least and the greatest eccentricity over the states that "
              "press the interface; empty where none does";
   const auto asked = [](const Results &r) {
-    return r.data<Ranges>() != nullptr;
+    return r.data<Ranges>() != nullptr && ranges_of(r).has_interfaces();
   };
   return together<Results>(
       {when<Results>(
-           {"with `Ranges`", asked},
+           {"with `Ranges` of interfaces", asked},
            {end_of_range("p_min", "S L", of_p, &Ranges::normal,
                          &Range::greatest),
             end_of_range("p_max", "S L", of_p, &Ranges::normal, &Range::least),
@@ -117,7 +117,7 @@ Fields<Results> state_ranges()
             mark_of_range("unbounded", "1 where some of the four has no bound",
                           &Ranges::is_unbounded)
                 .only_in_grid()}),
-       when<Results>({"with `Ranges` and `Rotations = true`",
+       when<Results>({"with `Ranges` of interfaces and `Rotations = true`",
                       [asked](const Results &r) {
                         return asked(r) && !ranges_of(r).eccentricity.empty();
                       }},

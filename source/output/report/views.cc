@@ -242,7 +242,7 @@ void add_joint_views(PictureMaker &maker, const Results &results)
                  "share of the strength that is used, 1 at the limit",
                  {ColourScale("u", 1.), of_joints("utilisation", results)});
   const auto *const ranges = results.data<Ranges>();
-  if (ranges == nullptr)
+  if (ranges == nullptr || !ranges->has_interfaces())
     return;
   std::vector<double> widths = of_joints("p_max", results);
   const std::vector<double> least = of_joints("p_min", results);

@@ -46,39 +46,37 @@ VtuFile links_of(const Scene &scene)
 {
   return lines_of(scene.links, &Link::on_minus, &Link::on_plus);
 }
+
+void write(std::ostream &out, VtuFile file, const BoundFields &arrays)
+{
+  add_fields(file, arrays);
+  file.write(out);
+}
 } // namespace
 
 void write_interfaces_vtu(std::ostream &out, const Results &results)
 {
-  VtuFile file = interfaces_of(results.scene);
-  add_fields(file, interface_fields().arrays(results));
-  file.write(out);
+  write(out, interfaces_of(results.scene), interface_fields().arrays(results));
 }
 
 void write_mechanism_joints_vtu(std::ostream &out,
                                 const Scene &scene,
                                 const Motion &motion)
 {
-  const MovingScene moving(scene, motion);
-  VtuFile file = interfaces_of(scene);
-  add_fields(file, mechanism_joint_fields().arrays(moving));
-  file.write(out);
+  write(out, interfaces_of(scene),
+        mechanism_joint_fields().arrays(MovingScene(scene, motion)));
 }
 
 void write_links_vtu(std::ostream &out, const Results &results)
 {
-  VtuFile file = links_of(results.scene);
-  add_fields(file, link_fields().arrays(results));
-  file.write(out);
+  write(out, links_of(results.scene), link_fields().arrays(results));
 }
 
 void write_mechanism_links_vtu(std::ostream &out,
                                const Scene &scene,
                                const Motion &motion)
 {
-  const MovingScene moving(scene, motion);
-  VtuFile file = links_of(scene);
-  add_fields(file, mechanism_link_fields().arrays(moving));
-  file.write(out);
+  write(out, links_of(scene),
+        mechanism_link_fields().arrays(MovingScene(scene, motion)));
 }
 } // namespace Voussoir

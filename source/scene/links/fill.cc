@@ -15,6 +15,7 @@
 
 namespace Voussoir
 {
+using dealii::Point;
 using dealii::Tensor;
 
 namespace
@@ -26,6 +27,39 @@ std::string digits_of(const double x)
   out.precision(17);
   out << x;
   return '(' + out.str() + ')';
+}
+
+/** The tractions of an expression of the fill @p path on edges. */
+Loads tractions_of(const std::string &expression,
+                   const std::string &path,
+                   const Packing<2> &packing,
+                   const std::vector<bool> &chosen)
+{
+  EdgeTractions tractions(chosen.size());
+  Loads loads = no_loads(packing);
+  set_expressed_tractions(packing, expression, path + "/Top", chosen, tractions,
+                          *loads.requested, loads.warnings);
+  loads.traction = std::move(tractions.mean);
+  loads.traction_moment = std::move(tractions.first_moment);
+  return loads;
+}
+
+/** Add what stands on edges that face upwards. */
+void add_columns(const Packing<2> &packing,
+                 const std::vector<bool> &chosen,
+                 const Spreading::Height &top,
+                 std::vector<std::array<Point<2>, 4>> &columns)
+{
+  for (unsigned int b = 0; b < chosen.size(); ++b)
+  {
+    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
+    if (!chosen[b] || !(edge.normal[1] > 0.))
+      continue;
+    const Point<2> start(edge.start[0], top(edge.start[0]));
+    const Point<2> end(edge.end[0], top(edge.end[0]));
+    if (start[1] >= edge.start[1] && end[1] >= edge.end[1])
+      columns.push_back({{edge.start, start, end, edge.end}});
+  }
 }
 } // namespace
 
@@ -114,49 +148,44 @@ void Fill::add(const std::string &name,
   // For its own message, before it stands in others.
   const auto surface = std::make_shared<const Expression>(
       soil.top, std::vector<std::string>{"x"}, path + "/Top");
+  const Spreading::Height top = [surface](const double x) {
+    return (*surface)({x});
+  };
   const std::vector<bool> chosen =
       boundary_edges_where(packing, soil.where, path + "/Where");
   const std::string sigma = soil.vertical_stress();
-  const auto tractions_of = [&](const std::string &expression) {
-    EdgeTractions tractions(chosen.size());
-    Loads loads = no_loads(packing);
-    set_expressed_tractions(packing, expression, path + "/Top", chosen,
-                            tractions, *loads.requested, loads.warnings);
-    loads.traction = std::move(tractions.mean);
-    loads.traction_moment = std::move(tractions.first_moment);
-    return loads;
-  };
-  all.loads.add(1., tractions_of("0; -max(ny, 0) * " + sigma));
-  for (unsigned int b = 0; b < chosen.size(); ++b)
-  {
-    const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
-    const dealii::Point<2> start(edge.start[0], (*surface)({edge.start[0]}));
-    const dealii::Point<2> end(edge.end[0], (*surface)({edge.end[0]}));
-    if (chosen[b] && edge.normal[1] > 0. && start[1] >= edge.start[1] &&
-        end[1] >= edge.end[1])
-      all.columns.push_back({{edge.start, start, end, edge.end}});
-  }
+  all.loads.add(
+      1., tractions_of("0; -max(ny, 0) * " + sigma, path, packing, chosen));
+  add_columns(packing, chosen, top, all.columns);
   if (soil.law != Spreading::Law::none)
     all.spreading.push_back(
-        {soil.law, soil.angle * dealii::numbers::PI / 180., chosen,
-         [surface](const double x) { return (*surface)({x}); }});
-  if (!(soil.passive > 0.))
-    return;
-  const Loads sidewards = tractions_of("abs(nx) * " + sigma + "; 0");
-  for (unsigned int b = 0; b < chosen.size(); ++b)
+        {soil.law, soil.angle * dealii::numbers::PI / 180., chosen, top});
+  if (soil.passive > 0.)
+    add_sides(name, soil,
+              tractions_of("abs(nx) * " + sigma + "; 0", path, packing, chosen),
+              packing, all.links);
+}
+
+/** @param sidewards has the integrals of sigma |n_x| on edges. */
+void Fill::add_sides(const std::string &name,
+                     const Entries &soil,
+                     const Loads &sidewards,
+                     const Packing<2> &packing,
+                     std::vector<Link> &links)
+{
+  for (unsigned int b = 0; b < sidewards.traction.size(); ++b)
   {
     const Packing<2>::BoundaryEdge &edge = packing.boundary_edges()[b];
     const double force = edge.length * sidewards.traction[b][0];
     if (!(force > 0.))
       continue;
     const Tensor<1, 2> along = (edge.end - edge.start) / edge.length;
-    const dealii::Point<2> place =
+    const Point<2> place =
         edge.midpoint() + sidewards.traction_moment[b][0] / force * along;
     const Tensor<1, 2> outwards({std::copysign(1., edge.normal[0]), 0.});
-    all.links.push_back({name, edge.cell, packing.ground(), place,
-                         place + edge.length * outwards, outwards,
-                         -soil.passive * force, 0. - soil.active * force,
-                         true});
+    links.push_back({name, edge.cell, packing.ground(), place,
+                     place + edge.length * outwards, outwards,
+                     -soil.passive * force, 0. - soil.active * force, true});
   }
 }
 } // namespace Voussoir

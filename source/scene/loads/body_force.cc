@@ -259,4 +259,14 @@ double BodyForce::torque(const unsigned int cell) const
   const Tensor<2, 2> of = moment(cell);
   return of[1][0] - of[0][1];
 }
+
+BodyForce BodyForce::turned(const std::vector<double> &angles) const
+{
+  BodyForce other = *this;
+  for (unsigned int c = 0; c < moment_of_cell.size(); ++c)
+    // Of b and R (x - x_c).
+    other.moment_of_cell[c] =
+        moment_of_cell[c] * transpose(rotation_by(angles[c]));
+  return other;
+}
 } // namespace Voussoir

@@ -27,14 +27,6 @@ constexpr double rounding_of_imbalance = 1e-14, noise_of_imbalance = 1e-12,
 std::vector<double> reference_forces(const Scene &scene,
                                      const InterfaceForces &forces)
 {
-  std::vector<double> load;
-  for (const Tensor<1, 2> &force : scene.load)
-    load.push_back(force.norm());
-  // What stresses a link is a load.
-  for (const Link &link : scene.links)
-    for (const unsigned int c : {link.cell_minus, link.cell_plus})
-      if (c != scene.packing.ground())
-        load[c] = std::max(load[c], std::abs(link.rest()));
   double largest_force = 0.;
   for (unsigned int e = 0; e < forces.normal.size(); ++e)
     largest_force = std::max({largest_force, std::abs(forces.normal[e]),
@@ -42,8 +34,8 @@ std::vector<double> reference_forces(const Scene &scene,
   for (const double force : forces.in_links)
     largest_force = std::max(largest_force, std::abs(force));
   return Voussoir::reference_forces(
-      linked_groups(scene.packing, scene.links, Ground::separates), load,
-      largest_force);
+      linked_groups(scene.packing, scene.links, Ground::separates),
+      largest_loads(scene), largest_force);
 }
 
 bool are_finite(const InterfaceForces &forces)
@@ -66,14 +58,9 @@ double violation(const Scene &scene,
                  const unsigned int e)
 {
   const JointLimits limits = scene.limits(e);
-  const std::array<double, 2> ends = forces.ends(e);
-  double excess = std::max(limits.excess(ends),
-                           std::abs(forces.tangential[e]) -
-                               limits.shear_strength(forces.normal[e]));
-  for (unsigned int k = 0; k < 2 && !scene.open_ends.empty(); ++k)
-    if (scene.open_ends[e][k])
-      excess = std::max(excess, std::abs(ends[k]));
-  return excess;
+  return std::max(limits.excess(forces.ends(e)),
+                  std::abs(forces.tangential[e]) -
+                      limits.shear_strength(forces.normal[e]));
 }
 
 /**
@@ -278,30 +265,18 @@ namespace
 {
 double largest_load(const Scene &scene)
 {
-  double largest = 0.;
-  for (const Tensor<1, 2> &load : scene.load)
-    largest = std::max(largest, load.norm());
-  for (const Link &link : scene.links)
-    largest = std::max(largest, std::abs(link.rest()));
-  return largest;
+  const std::vector<double> of_cells = largest_loads(scene);
+  return of_cells.empty() ? 0.
+                          : *std::max_element(of_cells.begin(), of_cells.end());
 }
 
 WorkOfMotion work_in_joints(const Scene &scene, const Motion &motion)
 {
-  InterfaceJumps jumps = jumps_of(scene.packing, motion);
+  const InterfaceJumps jumps = jumps_of(scene.packing, motion);
   WorkOfMotion of;
   of.largest = jumps.largest_displacement;
   for (unsigned int e = 0; e < jumps.sliding.size(); ++e)
   {
-    if (!scene.open_ends.empty())
-    {
-      // Open ends resist nothing.
-      const auto [start, end] = scene.open_ends[e];
-      if (start && end)
-        continue;
-      if (start || end)
-        jumps.openings[e][end] = jumps.openings[e][start];
-    }
     const JointLimits::Resistance joint =
         scene.limits(e).resistance(jumps.openings[e], jumps.sliding[e]);
     of.dissipation += joint.dissipation;

@@ -21,6 +21,9 @@ DiscreteProblem::DiscreteProblem(Data data)
 {
   // Formulations in the plane count one coefficient a row.
   Assert(!has_blocks() || !is_plane(), dealii::ExcInternalError());
+  interface_count = joints().size();
+  for (const LinkContact &link : links_of_scene)
+    interface_count -= link.has_joint() ? 1 : 0;
   boost::disjoint_sets_with_storage<> groups(n_bodies());
   for (const Joint &joint : joints())
     groups.union_set(joint.cell_minus, joint.cell_plus);
@@ -204,16 +207,6 @@ DiscreteProblem DiscreteProblem::in_units_of(const double factor) const
   for (LinkContact &link : problem.links_of_scene)
     link.rest /= factor;
   return problem;
-}
-
-unsigned int DiscreteProblem::n_interfaces() const
-{
-  return joints().size() -
-         std::count_if(links_of_scene.begin(), links_of_scene.end(),
-                       [](const LinkContact &link) {
-                         return link.joint !=
-                                dealii::numbers::invalid_unsigned_int;
-                       });
 }
 
 double DiscreteProblem::largest_limit() const

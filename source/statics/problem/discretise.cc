@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace Voussoir
@@ -247,14 +246,18 @@ void Discretisation::add_link(const Link &link)
     return (x - (b == data.n_cells ? centroid : scene.packing.centre(cell))) /
            data.length_unit;
   };
-  Tensor<1, 2> from_minus = arm(link.cell_minus, minus, link.on_minus);
-  Tensor<1, 2> from_plus = arm(link.cell_plus, plus, link.on_plus);
-  Tensor<1, 2> direction = link.direction;
+  const Tensor<1, 2> from_minus = arm(link.cell_minus, minus, link.on_minus),
+                     from_plus = arm(link.cell_plus, plus, link.on_plus);
+  const Tensor<1, 2> normal = is_tie ? -link.direction : link.direction;
+  // All of it is at one place of each body.
+  JointFrame frame = {normal,
+                      Tensor<1, 2>({-normal[1], normal[0]}),
+                      {{from_minus, from_minus}},
+                      {{from_plus, from_plus}}};
   if (minus == data.n_cells)
   {
     std::swap(minus, plus);
-    std::swap(from_minus, from_plus);
-    direction *= -1.;
+    frame.exchange_bodies();
   }
   Structure::Part &part = data.part;
   add_rest(
@@ -267,13 +270,8 @@ void Discretisation::add_link(const Link &link)
   if (!(most > least))
     return;
   data.links.back().joint = part.joints.list.size();
-  const Tensor<1, 2> normal = is_tie ? -direction : direction;
-  const Tensor<1, 2> tangent({-normal[1], normal[0]});
-  rows.clear();
-  for (const Tensor<1, 2> &d : {normal, tangent})
-    rows.push_back({{{d[0], d[1], 0.}},
-                    {{cross(from_minus, d)}},
-                    {{cross(from_plus, d)}}});
+  const ContactPoint &place = contact_points(false).friction;
+  rows = {frame.row(place, frame.normal), frame.row(place, frame.tangent)};
   const double length = link.on_minus.distance(link.on_plus) / data.length_unit;
   part.joints.add({minus, plus, 1., length > 0. ? length : 1., 0.}, rows,
                   part.kinematics);
@@ -306,12 +304,6 @@ void Discretisation::choose_scales(const std::vector<bool> &moves)
   if (data.is_loaded)
     data.stress_unit = total / std::sqrt(area);
 }
-
-/** The unit of a force per unit thickness. */
-double force_scale(const DiscreteProblem &problem)
-{
-  return problem.stress_scale() * problem.length_scale();
-}
 } // namespace
 
 DiscreteProblem discretise(const Scene &scene)
@@ -335,102 +327,5 @@ std::vector<double> discretise_loads(const DiscreteProblem &problem,
     add_rest(scene, link, problem.length_scale(), problem.stress_scale(),
              [&](const unsigned int c) { return &loads[problem.dof(c, 0)]; });
   return loads;
-}
-
-Motion dimensional_motion(const DiscreteProblem &problem,
-                          const std::vector<double> &u,
-                          const double unit)
-{
-  Motion motion(problem.n_cells(), problem.kinematics());
-  if (u.empty())
-    return motion;
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      motion.displacement[c][i] = unit * u[problem.dof(c, i)];
-  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
-    motion.rotation[c] = unit * u[problem.dof(c, 2)] / problem.length_scale();
-  return motion;
-}
-
-Motion dimensional_motion(const DiscreteProblem &problem,
-                          const Mechanism &mechanism)
-{
-  return dimensional_motion(problem, mechanism.u, 1.);
-}
-
-Motion dimensional_motion(const DiscreteProblem &problem,
-                          const Solution &solution)
-{
-  return dimensional_motion(problem, solution.u, solution.displacement_unit);
-}
-
-std::vector<double> nondimensional_motion(const DiscreteProblem &problem,
-                                          const Motion &motion,
-                                          const double unit)
-{
-  std::vector<double> u(problem.n_dofs(), 0.);
-  for (unsigned int c = 0; c < problem.n_cells(); ++c)
-    for (unsigned int i = 0; i < 2; ++i)
-      u[problem.dof(c, i)] = motion.displacement[c][i] / unit;
-  for (unsigned int c = 0; c < motion.rotation.size(); ++c)
-    u[problem.dof(c, 2)] = motion.rotation[c] * problem.length_scale() / unit;
-  return u;
-}
-
-InterfaceForces dimensional_forces(const DiscreteProblem &problem,
-                                   const Solution &solution)
-{
-  const double unit = force_scale(problem);
-  InterfaceForces forces;
-  if (solution.forces.empty())
-    return forces;
-  for (unsigned int e = 0; e < problem.n_interfaces(); ++e)
-  {
-    const unsigned int n = problem.n_contacts(e);
-    const double *f = &solution.forces[problem.first_row(e)];
-    forces.normal.push_back(unit * std::accumulate(f, f + n, 0.));
-    forces.tangential.push_back(unit * f[n]);
-    if (!problem.open_ends().empty())
-    {
-      const auto [start, end] = problem.open_ends()[e];
-      forces.at_ends.push_back(
-          {{start ? 0. : unit * f[0], end ? 0. : unit * f[start ? 0 : 1]}});
-    }
-    else if (n == 2)
-      forces.at_ends.push_back({{unit * f[0], unit * f[1]}});
-  }
-  for (const LinkContact &link : problem.links())
-    forces.in_links.push_back(
-        unit *
-        (link.joint == dealii::numbers::invalid_unsigned_int
-             ? link.rest
-             : link.rest +
-                   link.sign * solution.forces[problem.first_row(link.joint)]));
-  return forces;
-}
-
-std::vector<double> nondimensional_forces(const DiscreteProblem &problem,
-                                          const InterfaceForces &forces)
-{
-  const double factor = 1. / force_scale(problem);
-  std::vector<double> result;
-  for (unsigned int e = 0; e < forces.normal.size(); ++e)
-  {
-    if (forces.at_ends.empty())
-      result.push_back(factor * forces.normal[e]);
-    else
-      for (unsigned int k = 0; k < 2; ++k)
-        if (problem.open_ends().empty() || !problem.open_ends()[e][k])
-          result.push_back(factor * forces.at_ends[e][k]);
-    result.push_back(factor * forces.tangential[e]);
-  }
-  for (unsigned int k = 0; k < problem.links().size(); ++k)
-    if (const LinkContact &link = problem.links()[k];
-        link.joint != dealii::numbers::invalid_unsigned_int)
-    {
-      result.push_back(link.sign * (factor * forces.in_links[k] - link.rest));
-      result.push_back(0.);
-    }
-  return result;
 }
 } // namespace Voussoir

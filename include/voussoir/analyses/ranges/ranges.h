@@ -7,6 +7,7 @@
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -56,6 +57,12 @@ struct Ranges
   double reference = 0.;
   /** What proves them. */
   RangeProofs proofs;
+
+  /** True if those of any interface are wanted. */
+  bool has_interfaces() const
+  {
+    return std::find(wanted.begin(), wanted.end(), true) != wanted.end();
+  }
 
   /** The least range, over the reference, that is one. */
   static constexpr double least_range = 1e-8;

@@ -76,6 +76,11 @@ private:
            const Entries &soil,
            const Packing<2> &packing,
            FillOnBlocks &all) const;
+  static void add_sides(const std::string &name,
+                        const Entries &soil,
+                        const Loads &sidewards,
+                        const Packing<2> &packing,
+                        std::vector<Link> &links);
 
   std::map<std::string, Entries> of_name;
 };

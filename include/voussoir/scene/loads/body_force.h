@@ -65,6 +65,12 @@ public:
   /** Add @p factor times another body force on the same packing. */
   void add(double factor, const BodyForce &other);
 
+  /**
+   * The body force of cells that have turned by these angles about their
+   * centres: it keeps its directions, and acts at the same points of them.
+   */
+  BodyForce turned(const std::vector<double> &angles) const;
+
   /** True if there is none, and none was added. */
   bool empty() const { return on_sub_cell.empty(); }
 

@@ -34,8 +34,9 @@ struct Spreading
   Law law = Law::none;     /**< this */
   double limit = 0.;       /**< the largest angle, radians */
   std::vector<bool> edges; /**< of the boundary, on which the soil lies */
-  /** The height of the surface at x; a length. */
-  std::function<double(double)> top;
+  /** The height of the surface at x; lengths. */
+  using Height = std::function<double(double)>;
+  Height top; /**< this */
 
   /**
    * The forces on the blocks below.

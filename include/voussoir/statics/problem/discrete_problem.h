@@ -33,6 +33,12 @@ struct LinkContact
   double sign = 1.;
   /** Its joint; invalid_unsigned_int where all of the force is a load. */
   unsigned int joint = dealii::numbers::invalid_unsigned_int;
+
+  /** True if it has one. */
+  bool has_joint() const
+  {
+    return joint != dealii::numbers::invalid_unsigned_int;
+  }
 };
 
 /**
@@ -137,7 +143,7 @@ public:
   /** Those of the scene, whose joints come last. */
   const std::vector<LinkContact> &links() const { return links_of_scene; }
   /** The number of joints that are interfaces, the first ones. */
-  unsigned int n_interfaces() const;
+  unsigned int n_interfaces() const { return interface_count; }
   /** NormalLimits::tension of joint @p e. */
   double tension(const unsigned int e) const
   {
@@ -230,6 +236,7 @@ private:
   bool has_load = false;
   double coordinate_rounding = 0.;
   unsigned int n_moving_cells = 0;
+  unsigned int interface_count = 0;
   std::vector<NormalLimits> limits_of_joints;
   std::vector<LinkContact> links_of_scene;
   std::vector<std::array<bool, 2>> ends_that_are_open;
