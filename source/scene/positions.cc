@@ -63,6 +63,18 @@ Point<2> Positions::of(const Packing<2> &packing,
   return centre + displacement[cell] + rotation_by(angle[cell]) * (x - centre);
 }
 
+Point<2> Positions::of_ground(const Packing<2> &packing,
+                              const unsigned int interface,
+                              const Point<2> &x) const
+{
+  if (of_supports.empty())
+    return x;
+  const unsigned int first = packing.interfaces().size() - packing.n_supports();
+  const SupportMotion &of = of_supports[interface - first];
+  const Point<2> middle = packing.interfaces()[interface].midpoint();
+  return middle + of.displacement + rotation_by(of.rotation) * (x - middle);
+}
+
 Positions Positions::advanced(const Motion &motion, const double step) const
 {
   Positions further = *this;
@@ -72,6 +84,14 @@ Positions Positions::advanced(const Motion &motion, const double step) const
     if (!motion.rotation.empty())
       further.angle[c] += step * motion.rotation[c];
   }
+  if (further.of_supports.empty())
+    further.of_supports.resize(motion.of_supports.size());
+  for (std::size_t k = 0; k < motion.of_supports.size(); ++k)
+  {
+    further.of_supports[k].displacement +=
+        step * motion.of_supports[k].displacement;
+    further.of_supports[k].rotation += step * motion.of_supports[k].rotation;
+  }
   return further;
 }
 
@@ -79,15 +99,19 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
                                      const Positions &positions)
 {
   std::vector<MovedJoint> joints;
-  for (const Packing<2>::Interface &i : packing.interfaces())
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     std::array<Tensor<1, 2>, 2> apart;
     Tensor<1, 2> along;
     for (unsigned int k = 0; k < 2; ++k)
     {
       const Point<2> &x = k == 0 ? i.start : i.end;
       const Point<2> minus = positions.of(packing, i.cell_minus, x);
-      apart[k] = positions.of(packing, i.cell_plus, x) - minus;
+      const Point<2> plus = i.cell_plus == packing.ground()
+                                ? positions.of_ground(packing, e, x)
+                                : positions.of(packing, i.cell_plus, x);
+      apart[k] = plus - minus;
       along += (k == 0 ? -1. : 1.) * (minus + 0.5 * apart[k]);
     }
     along /= along.norm();
@@ -100,9 +124,13 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
 
 Packing<2> moved_packing(const Packing<2> &at_rest, const Positions &positions)
 {
-  return at_rest.moved([&](const unsigned int c, const Point<2> &x) {
-    return positions.of(at_rest, c, x);
-  });
+  return at_rest.moved(
+      [&](const unsigned int c, const Point<2> &x) {
+        return positions.of(at_rest, c, x);
+      },
+      [&](const unsigned int e, const Point<2> &x) {
+        return positions.of_ground(at_rest, e, x);
+      });
 }
 
 Scene moved_scene(const Scene &at_rest,

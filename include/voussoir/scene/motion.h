@@ -54,6 +54,22 @@ struct Motion
     return u;
   }
 
+  /** The motion that is @p factor times as large, of the supports, too. */
+  Motion times(const double factor) const
+  {
+    Motion other = *this;
+    for (dealii::Tensor<1, 2> &u : other.displacement)
+      u *= factor;
+    for (double &angle : other.rotation)
+      angle *= factor;
+    for (SupportMotion &of : other.of_supports)
+    {
+      of.displacement *= factor;
+      of.rotation *= factor;
+    }
+    return other;
+  }
+
   /** u_c of each cell, at its centre x_c. */
   std::vector<dealii::Tensor<1, 2>> displacement;
   /**

@@ -202,6 +202,8 @@ FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
     return answer;
   }
   check_found(factor);
+  if (at_rest.collapse)
+    answer.collapse = std::move(*at_rest.collapse);
   answer.factor = std::move(found);
   return answer;
 }

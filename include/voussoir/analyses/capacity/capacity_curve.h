@@ -17,6 +17,12 @@ struct CapacityWanted
   dealii::Tensor<1, 2> direction; /**< of its displacement, a unit vector */
   unsigned int n_points;          /**< about so many */
   double largest;                 /**< displacement; L, zero for no limit */
+  /**
+   * How each support moves until the end of the curve, and the blocks with
+   * them; empty where the ground is at rest, and blocks go along the mechanism
+   * of the factor.
+   */
+  std::vector<SupportMotion> of_supports = {};
 };
 
 /** A point of the curve. */
@@ -30,24 +36,40 @@ struct CapacityPoint
   /** @} */
   /** The largest Certificate::error() of the forces that carry it. */
   double error_of_state;
+  /** Of the support that has gone farthest; L. */
+  double of_supports = 0.;
+  /** @{ */
+  /**
+   * The least force of the dead loads against the further displacement of the
+   * supports, Settlement::work over the largest of it and negative, as a thrust
+   * is; and what the motion proves to be the least. S L.
+   */
+  double support_force = 0., least_support_force = 0.;
+  /** @} */
 };
 
 /**
- * The factor of the live loads while the blocks go along their mechanism, at
- * displacements of any size.
+ * The factor of the live loads while the blocks go along their mechanism, or
+ * with supports that move, at displacements of any size.
  */
 struct CapacityCurve
 {
   /** From rest on, by ascending displacement. */
   std::vector<CapacityPoint> points;
-  /** Where the factor is zero; not a number if the curve does not get there. */
+  /** True if supports move. */
+  bool has_moving_supports;
+  /**
+   * Where the factor is zero, or with supports that move where the dead loads
+   * are carried last; not a number if the curve does not get there.
+   */
   double ultimate;
   /** Why the curve ends, as the end of a sentence. */
   std::string end;
   /**
    * The share of the mass that takes part in the first mechanism,
    * (sum P_c d_c)^2 / (sum P_c sum P_c d_c^2), with the dead loads P_c and the
-   * displacements d_c in the direction of the point.
+   * displacements d_c in the direction of the point; not a number with supports
+   * that move.
    */
   double participation;
 };
@@ -62,12 +84,14 @@ struct CapacityAnswer
 
 /**
  * Follow the mechanism of the greatest factor of the loads of @p live beside
- * those of @p dead. At each position the ends of joints that the mechanism has
- * opened are open, those that it turns about and those that it leaves at rest
- * touch exactly, and the factor is found anew, with both proofs.
+ * those of @p dead, or the settlement of the dead loads where supports move. At
+ * each position the ends of joints that the motion has opened are open, those
+ * that it turns about and those that it leaves at rest touch exactly, and the
+ * factor is found anew, with both proofs.
  *
- * @throws InputError if the point does not move in its direction.
- * @throws SolverError as find_load_factor().
+ * @throws InputError if the point does not move in its direction, and as
+ *   find_settlement().
+ * @throws SolverError as find_load_factor() and find_settlement().
  */
 CapacityAnswer find_capacity(const Scene &dead,
                              const Scene &live,
