@@ -141,18 +141,38 @@ def hinges_at_rest():
     return best[1]
 
 
+def largest(name, differences, most):
+    worst = max(differences)
+    print(f"{name}: largest difference {worst:.1e}")
+    if not worst <= most:
+        sys.exit(f"more than {most}")
+
+
 def main():
     subprocess.run([PROGRAM, SCENE, "--quiet", "--set", "Output directory=arch", "--set",
-                    "Output/Files=csv", *sys.argv[3:]], check=True)
+                    "Output/Files=csv", "--set", "Output/Report=false"], check=True)
     with Path("arch/capacity.csv").open(encoding="utf-8") as lines:
         points = [{k: float(v) for k, v in line.items()} for line in csv.DictReader(lines)]
     hinges = hinges_at_rest()
     print("hinges at the joints", *(joint for joint, _ in hinges))
-    worst = 0.
-    for point in points:
-        arch = Arch(hinges, point["of_supports"])
-        factor, thrust = arch.extreme("factor"), arch.extreme("thrust")
-        print(point, factor, thrust, arch.at(20, numpy.array((0.05, 2.)))[1])
+    # At rest none of them is open yet.
+    arches = [Arch()] + [Arch(hinges, point["of_supports"]) for point in points[1:]]
+    if len(points) < 21:
+        sys.exit("there are fewer than 20 positions behind that at rest")
+    factors = [arch.extreme("factor") for arch in arches]
+    thrusts = [arch.extreme("thrust") for arch in arches]
+    for name in ("carried", "bound"):
+        largest(name, [abs(point[name] - factor)
+                       for point, factor in zip(points, factors)], 1e-8)
+    for name in ("support_force", "least_support_force"):
+        largest(name, [abs(point[name] / thrust - 1.)
+                       for point, thrust in zip(points, thrusts)], 1e-10)
+    crown = numpy.array((0.05, 2.))
+    largest("displacement", [abs(2. - arch.at(N // 2, crown)[1] - point["displacement"])
+                             for point, arch in zip(points, arches)], 1e-12)
+    if Arch(hinges, points[-1]["of_supports"] + 1e-6).extreme("thrust") is not None:
+        sys.exit("the arch stands beyond the end")
+    print("beyond the end the arch falls")
 
 
 main()

@@ -62,8 +62,8 @@ std::string MechanismPath::take(CapacityStop &stop,
       stop.motion.at(wanted.cell,
                      place_of_point(stop) - here.centre(wanted.cell)) *
       wanted.direction;
-  const double least = least_jump_of_mechanism *
-                       jumps_of(here, stop.motion).largest_displacement;
+  const double least =
+      least_speed * jumps_of(here, stop.motion).largest_displacement;
   if (!(std::abs(speed) > least))
     return "the point does not move in the mechanism";
   if (speed < 0.)
