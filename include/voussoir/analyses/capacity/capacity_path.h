@@ -2,8 +2,9 @@
 #ifndef voussoir_analyses_capacity_capacity_path_h
 #define voussoir_analyses_capacity_capacity_path_h
 
-#include <voussoir/analyses/capacity/capacity_curve.h>
+#include <voussoir/analyses/capacity/capacity_points.h>
 #include <voussoir/analyses/capacity/placement.h>
+#include <voussoir/analyses/factors/load_factor.h>
 
 #include <memory>
 #include <string>
