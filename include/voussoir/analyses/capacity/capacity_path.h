@@ -14,8 +14,8 @@ namespace Voussoir
 /** One position on a capacity curve, and what is known of it. */
 struct CapacityStop
 {
-  Placement place;
-  CapacityPoint point;
+  Placement place;     /**< where the blocks are */
+  CapacityPoint point; /**< of the curve */
   /** The motion from here, with its supports; a step is a length. */
   Motion motion;
 };
