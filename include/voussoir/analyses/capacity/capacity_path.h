@@ -24,6 +24,7 @@ struct CapacityStop
 class CapacityPath
 {
 public:
+  /** Of the scene with the dead loads at rest; both outlive it. */
   CapacityPath(const Scene &dead, const CapacityWanted &wanted)
       : dead(dead), wanted(wanted)
   {}
@@ -62,8 +63,8 @@ protected:
     return stop.place.positions().of(dead.packing, wanted.cell, wanted.place);
   }
 
-  const Scene &dead;
-  const CapacityWanted &wanted;
+  const Scene &dead;            /**< at rest */
+  const CapacityWanted &wanted; /**< of the curve */
 };
 
 /**
