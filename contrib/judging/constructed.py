@@ -12,6 +12,7 @@ import numpy
 from judging.joints import resistance
 from judging.packing import number
 from judging.programme import IntervalProgramme
+from judging.sections import Sections
 from judging.verdicts import FORMULATIONS, Judgement, settings_of
 
 # Decades between the smallest and the largest pressure of a state, and of all of them.
@@ -65,6 +66,8 @@ class ConstructedJudgement(Judgement):
         if not self.has_packing():
             return
         self.kind = "constructed"
+        self.matrix = self.joints.equilibrium(self.packing.centroid, 1.)
+        self.sections = Sections(self.joints)
         self.forces = self.admissible_forces()
         self.state_of(self.loads_of(self.forces), "carried")
         if not self.scene.is_floating:
@@ -95,7 +98,7 @@ class ConstructedJudgement(Judgement):
     def loads_of(self, forces):
         """What balances forces."""
         rotations = self.joints.rotations
-        sums = -(self.joints.equilibrium(self.packing.centroid, 1.) @ forces)
+        sums = -(self.matrix @ forces)
         sums = sums.reshape(len(self.packing), 3 if rotations else 2)
         return CellLoads(self.packing, sums[:, :2],
                          sums[:, 2] if rotations else numpy.zeros(len(sums)))
@@ -131,10 +134,8 @@ class ConstructedJudgement(Judgement):
     def resistance_to(self, u):
         """What joints take out of a motion, and by how much they close."""
         rows = u if self.joints.rotations else u[:, :2]
-        matrix = self.joints.equilibrium(self.packing.centroid, 1.)
-        jumps = (matrix.T @ rows.ravel()).reshape(len(self.joints), -1)
-        programme = self.programme_for(self.loads_of(self.forces))
-        return resistance(self.joints, programme.sections, jumps[:, :-1].T, jumps[:, -1])
+        jumps = (self.matrix.T @ rows.ravel()).reshape(len(self.joints), -1)
+        return resistance(self.joints, self.sections, jumps[:, :-1].T, jumps[:, -1])
 
     def winning_loads(self, u, resisted):
         """Loads of the state, and what pulls along the motion by more than is held back."""
@@ -146,10 +147,6 @@ class ConstructedJudgement(Judgement):
         of_force = (u[pulled, :2] ** 2).sum()
         loads.forces[pulled] += work / of_force * u[pulled, :2]
         return loads
-
-    def programme_for(self, loads):
-        rows = loads.about_centres()
-        return IntervalProgramme(self.joints, self.packing, rows, rows)
 
     def state_of(self, loads, expected):
         """A run with loads whose verdict is known."""
@@ -165,5 +162,6 @@ class ConstructedJudgement(Judgement):
         if run.verdict() != expected:
             self.report("fault", run, f"{words}; {run.message}")
             return
-        self.programme = self.programme_for(loads)
+        rows = loads.about_centres()
+        self.programme = IntervalProgramme(self.joints, self.packing, rows, rows)
         self.judge_proof(run, 0., words)

@@ -42,13 +42,13 @@ std::string sentence_of(const CapacityCurve &curve)
   words.precision(4);
   words << "At rest " << curve.points.front().carried
         << " times the live loads are carried, and ";
-  if (curve.has_moving_supports)
-    words << curve.points.back().carried << " where supports have moved by "
-          << curve.points.back().of_supports << ": there " << curve.end << '.';
+  if (curve.has_moving_supports && std::isfinite(curve.ultimate))
+    words << "the dead loads until supports have moved by "
+          << curve.points.back().of_supports << '.';
   else if (std::isfinite(curve.ultimate))
     words << "none where the point has gone by " << curve.ultimate << '.';
   else
-    words << curve.points.back().carried << " where it has gone by "
+    words << curve.points.back().carried << " where the point has gone by "
           << curve.points.back().displacement << ": there " << curve.end << '.';
   return words.str();
 }
@@ -84,7 +84,7 @@ void CapacityAnalysis::add_parameters(dealii::ParameterHandler &prm)
                     Anything());
   prm.add_parameter("Points", n_points,
                     "About so many positions from rest to where the factor is "
-                    "zero.",
+                    "zero, or to where 'Supports/Displacement' leads.",
                     Integer(2, 10000));
   prm.add_parameter("Largest displacement", largest,
                     "Where the curve ends if the factor is not zero before; a "

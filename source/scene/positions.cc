@@ -11,6 +11,15 @@ using dealii::Tensor;
 
 namespace
 {
+/** Where a rigid body has @p x that goes by u at a centre and turns. */
+Point<2> moved(const Point<2> &x,
+               const Point<2> &centre,
+               const Tensor<1, 2> &u,
+               const double angle)
+{
+  return centre + u + rotation_by(angle) * (x - centre);
+}
+
 /** The loads of a scene whose cells have turned. */
 Loads moved_loads(const Scene &at_rest, const Positions &positions)
 {
@@ -59,8 +68,7 @@ Point<2> Positions::of(const Packing<2> &packing,
 {
   if (cell == packing.ground())
     return x;
-  const Point<2> &centre = packing.centre(cell);
-  return centre + displacement[cell] + rotation_by(angle[cell]) * (x - centre);
+  return moved(x, packing.centre(cell), displacement[cell], angle[cell]);
 }
 
 Point<2> Positions::of_ground(const Packing<2> &packing,
@@ -71,8 +79,8 @@ Point<2> Positions::of_ground(const Packing<2> &packing,
     return x;
   const unsigned int first = packing.interfaces().size() - packing.n_supports();
   const SupportMotion &of = of_supports[interface - first];
-  const Point<2> middle = packing.interfaces()[interface].midpoint();
-  return middle + of.displacement + rotation_by(of.rotation) * (x - middle);
+  return moved(x, packing.interfaces()[interface].midpoint(), of.displacement,
+               of.rotation);
 }
 
 Positions Positions::advanced(const Motion &motion, const double step) const
@@ -83,14 +91,6 @@ Positions Positions::advanced(const Motion &motion, const double step) const
     further.displacement[c] += step * motion.displacement[c];
     if (!motion.rotation.empty())
       further.angle[c] += step * motion.rotation[c];
-  }
-  if (further.of_supports.empty())
-    further.of_supports.resize(motion.of_supports.size());
-  for (std::size_t k = 0; k < motion.of_supports.size(); ++k)
-  {
-    further.of_supports[k].displacement +=
-        step * motion.of_supports[k].displacement;
-    further.of_supports[k].rotation += step * motion.of_supports[k].rotation;
   }
   return further;
 }

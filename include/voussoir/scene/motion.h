@@ -54,22 +54,6 @@ struct Motion
     return u;
   }
 
-  /** The motion that is @p factor times as large, of the supports, too. */
-  Motion times(const double factor) const
-  {
-    Motion other = *this;
-    for (dealii::Tensor<1, 2> &u : other.displacement)
-      u *= factor;
-    for (double &angle : other.rotation)
-      angle *= factor;
-    for (SupportMotion &of : other.of_supports)
-    {
-      of.displacement *= factor;
-      of.rotation *= factor;
-    }
-    return other;
-  }
-
   /** u_c of each cell, at its centre x_c. */
   std::vector<dealii::Tensor<1, 2>> displacement;
   /**
@@ -83,6 +67,22 @@ struct Motion
    */
   std::vector<SupportMotion> of_supports;
 };
+
+/** A motion in the plane or in space that is @p factor times as large. */
+template <typename MotionOfBlocks>
+MotionOfBlocks times(MotionOfBlocks motion, const double factor)
+{
+  for (auto &u : motion.displacement)
+    u *= factor;
+  for (auto &angle : motion.rotation)
+    angle *= factor;
+  for (auto &of : motion.of_supports)
+  {
+    of.displacement *= factor;
+    of.rotation *= factor;
+  }
+  return motion;
+}
 
 } // namespace Voussoir
 

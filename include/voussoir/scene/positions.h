@@ -25,8 +25,9 @@ struct Positions
   /** Of each cell, positive counterclockwise; radians, of any size. */
   std::vector<double> angle;
   /**
-   * Of each support, as Motion::of_supports, with angles of any size; empty
-   * where the ground is at rest.
+   * Of each support about its midpoint at rest, in the order of
+   * Motion::of_supports, with angles of any size; empty where the ground is at
+   * rest.
    */
   std::vector<SupportMotion> of_supports = {};
 
@@ -38,7 +39,7 @@ struct Positions
   dealii::Point<2> of_ground(const Packing<2> &packing,
                              unsigned int interface,
                              const dealii::Point<2> &x) const;
-  /** Go on by a motion times @p step, which is not small. */
+  /** Cells go on by a motion times @p step, which is not small. */
   Positions advanced(const Motion &motion, double step) const;
 };
 

@@ -92,12 +92,10 @@ std::string CapacitySearch::take(CapacityStop &stop,
   std::string end = path->take(stop, factor);
   if (!end.empty())
     return end;
-  const Packing<2> here = stop.place.packing();
-  const InterfaceJumps jumps = jumps_of(here, stop.motion);
   if (const auto e = stop.place.open_ends_of(
-          jumps, least_jump_of_motion * jumps.largest_displacement))
+          stop.jumps, least_jump_of_motion * stop.jumps.largest_displacement))
     end = text("blocks slide, at ",
-               text_of_point(here.interfaces()[*e].midpoint()));
+               text_of_point(stop.place.packing().interfaces()[*e].midpoint()));
   return end;
 }
 
@@ -135,6 +133,10 @@ CapacitySearch::Gone CapacitySearch::go(const CapacityStop &from,
   catch (const SolverError &)
   {
     return {false, "no factor is found any more"};
+  }
+  catch (const InputError &)
+  {
+    return {false, "the blocks cannot follow the supports"};
   }
 }
 
@@ -250,7 +252,7 @@ CapacityAnswer CapacitySearch::find()
   answer.at_rest = find_load_factor(dead, live, controls, terminal);
   if (!answer.at_rest.factor)
     return answer;
-  CapacityStop stop = {Placement(dead), {}, {}};
+  CapacityStop stop = path->begin();
   const std::string end = path->falls(answer.at_rest)
                               ? path->words_of_fall()
                               : take(stop, *answer.at_rest.factor);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Voussoir
 {
@@ -38,12 +39,6 @@ public:
   double first_step() const override { return first_step_of_mechanism * size; }
   double next_step(const std::vector<CapacityPoint> &points,
                    const CapacityStop &last) const override;
-  std::string end_at(const CapacityStop &stop) const override
-  {
-    return wanted.largest > 0. && stop.point.displacement >= wanted.largest
-               ? "the displacement is that of 'Capacity/Largest displacement'"
-               : "";
-  }
   double error_of_last_place() const override { return 0.; }
 
 private:
@@ -62,13 +57,13 @@ std::string MechanismPath::take(CapacityStop &stop,
       stop.motion.at(wanted.cell,
                      place_of_point(stop) - here.centre(wanted.cell)) *
       wanted.direction;
-  const double least =
-      least_speed * jumps_of(here, stop.motion).largest_displacement;
+  stop.jumps = jumps_of(here, stop.motion);
+  const double least = least_speed * stop.jumps.largest_displacement;
   if (!(std::abs(speed) > least))
     return "the point does not move in the mechanism";
   if (speed < 0.)
     return "the point goes the other way in the mechanism";
-  stop.motion = stop.motion.times(1. / speed);
+  stop.motion = times(std::move(stop.motion), 1. / speed);
   return {};
 }
 
@@ -118,18 +113,28 @@ public:
   {
     return "the dead loads are not carried";
   }
+  CapacityStop begin() const override
+  {
+    std::vector<SupportMotion> in_a_step = wanted.of_supports;
+    for (SupportMotion &of : in_a_step)
+    {
+      of.displacement /= way;
+      of.rotation /= way;
+    }
+    return {Placement(dead, std::move(in_a_step))};
+  }
   std::string take(CapacityStop &stop, const LoadFactor &factor) const override;
   double first_step() const override { return way / wanted.n_points; }
   double next_step(const std::vector<CapacityPoint> &,
                    const CapacityStop &last) const override
   {
-    return std::min(first_step(), way_left(last.place.positions()));
+    return std::min(first_step(), way - last.place.way());
   }
   std::string end_at(const CapacityStop &stop) const override
   {
-    return way_left(stop.place.positions()) <= error_of_last_place()
+    return way - stop.place.way() <= error_of_last_place()
                ? "the supports have moved as 'Supports/Displacement' says"
-               : "";
+               : CapacityPath::end_at(stop);
   }
   double error_of_last_place() const override { return error_on_way * way; }
 
@@ -141,29 +146,9 @@ private:
     positions.of_supports = wanted.of_supports;
     return positions;
   }
-  double way_left(const Positions &positions) const;
-
   /** How far the support goes in all that goes farthest; L. */
   const double way;
 };
-
-/** How far the supports still have to go; L. */
-double SupportPath::way_left(const Positions &positions) const
-{
-  if (positions.of_supports.empty())
-    return way;
-  // All go in proportion.
-  double gone = 0., all = 0.;
-  for (std::size_t k = 0; k < wanted.of_supports.size(); ++k)
-  {
-    const SupportMotion &whole = wanted.of_supports[k];
-    gone += positions.of_supports[k].displacement * whole.displacement +
-            way * positions.of_supports[k].rotation * way * whole.rotation;
-    all += whole.displacement.norm_square() +
-           way * whole.rotation * way * whole.rotation;
-  }
-  return way * (1. - gone / all);
-}
 
 /** Take the motion of the blocks with the supports. */
 std::string SupportPath::take(CapacityStop &stop, const LoadFactor &) const
@@ -186,11 +171,8 @@ std::string SupportPath::take(CapacityStop &stop, const LoadFactor &) const
   stop.point.support_force = -found.work / found.largest_displacement;
   stop.point.least_support_force =
       -(found.work + found.width) / found.largest_displacement;
-  stop.motion = found.motion.times(1. / way);
-  return {};
-  // About their midpoints at rest, as they are given.
-  stop.motion.of_supports = wanted.of_supports;
-  stop.motion = stop.motion.times(1. / way);
+  stop.jumps = jumps_of(here.packing, found.motion);
+  stop.motion = times(found.motion, 1. / way);
   return {};
 }
 } // namespace

@@ -26,10 +26,11 @@ constexpr double shift_of_contact = 1e-9;
 constexpr double largest_overlap = 1e-9;
 } // namespace
 
-Placement::Placement(const Scene &at_rest)
+Placement::Placement(const Scene &at_rest,
+                     std::vector<SupportMotion> of_supports)
     : scene(&at_rest),
       size(std::sqrt(at_rest.packing.area() / at_rest.packing.n_cells())),
-      places(at_rest.packing.n_cells()),
+      of_supports(std::move(of_supports)), places(at_rest.packing.n_cells()),
       open(at_rest.packing.interfaces().size(), {{false, false}})
 {}
 
@@ -116,23 +117,34 @@ Placement::first_overlap(const std::vector<MovedJoint> &before,
   return first;
 }
 
+/** Be where a motion leads to in a step, with the ends that touch here. */
+void Placement::go(const Placement &from,
+                   const Motion &motion,
+                   const double step)
+{
+  places = from.places.advanced(motion, step);
+  gone = from.gone + step;
+  places.of_supports = of_supports;
+  for (SupportMotion &of : places.of_supports)
+  {
+    of.displacement *= gone;
+    of.rotation *= gone;
+  }
+  close_contacts();
+}
+
 void Placement::advance(const Motion &motion, const double step)
 {
-  const Positions from = places;
-  const std::vector<MovedJoint> before = joints();
-  const auto go = [&](const double by) {
-    places = from.advanced(motion, by);
-    close_contacts();
-  };
-  go(step);
+  const Placement from = *this;
+  go(from, motion, step);
   double at = step;
-  const std::optional<End> closing = first_overlap(before, at);
+  const std::optional<End> closing = first_overlap(from.joints(), at);
   if (!closing)
     return;
   double last = step, gap_of_last = opening_of(*closing);
   for (unsigned int round = 0; round < n_rounds_of_contact; ++round)
   {
-    go(at);
+    go(from, motion, at);
     const double gap = opening_of(*closing);
     if (std::abs(gap) <= error_of_contact * size || gap == gap_of_last)
       break;

@@ -52,46 +52,14 @@ public:
   bool has_weight() const { return weight > least_weight * size; }
   bool has_height() const { return weight_by_height > 0.; }
 
-  /** All weights, turned into the unit vector @p along. */
-  Loads along(const Tensor<1, 2> &along) const
+  /** All weights, turned into the unit vector @p direction. */
+  Loads along(const Tensor<1, 2> &direction) const
   {
-    const Tensor<2, 2> turn({{0., -along[0]}, {0., -along[1]}});
+    const Tensor<2, 2> turn({{0., -direction[0]}, {0., -direction[1]}});
     Loads loads = no_loads(packing);
-    Resultant &sum = *loads.requested;
-    std::vector<double> of_cells(packing.n_cells());
-    for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    {
-      of_cells[c] = share_at(height_of_body(c));
-      const Tensor<2, 2> moment = turn * dead.body.moment(c);
-      sum.add(packing.centre(c),
-              of_cells[c] * (turn * dead.body.force(packing, c)),
-              of_cells[c] * (moment[1][0] - moment[0][1]));
-    }
-    loads.body = dead.body.transformed(packing, turn, of_cells);
-    for (const CellForce &of : dead.on_cells)
-      for (const unsigned int c : of.cells)
-      {
-        const Point<2> place = of.place_in(packing, c);
-        loads.on_cells.push_back({of.name,
-                                  {c},
-                                  share_at(place[1] - base) * (turn * of.force),
-                                  of.place});
-        sum.add(place, loads.on_cells.back().force);
-      }
-    for (unsigned int b = 0; b < dead.traction.size(); ++b)
-    {
-      const auto &edge = packing.boundary_edges()[b];
-      const double share = share_at(edge.midpoint()[1] - base);
-      loads.traction[b] = share * (turn * dead.traction[b]);
-      Tensor<1, 2> first_moment;
-      if (!dead.traction_moment.empty())
-      {
-        loads.traction_moment.resize(dead.traction.size());
-        first_moment = share * (turn * dead.traction_moment[b]);
-        loads.traction_moment[b] = first_moment;
-      }
-      sum.add(edge, loads.traction[b], first_moment);
-    }
+    add_body(turn, loads);
+    add_forces(turn, loads);
+    add_tractions(turn, loads);
     return loads;
   }
 
@@ -101,6 +69,45 @@ private:
     weight += of;
     size += std::abs(of);
     weight_by_height += of * height;
+  }
+  void add_body(const Tensor<2, 2> &turn, Loads &loads) const
+  {
+    std::vector<double> share(packing.n_cells());
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    {
+      share[c] = share_at(height_of_body(c));
+      const Tensor<2, 2> moment = share[c] * (turn * dead.body.moment(c));
+      loads.requested->add(packing.centre(c),
+                           share[c] * (turn * dead.body.force(packing, c)),
+                           moment[1][0] - moment[0][1]);
+    }
+    loads.body = dead.body.transformed(packing, turn, share);
+  }
+  void add_forces(const Tensor<2, 2> &turn, Loads &loads) const
+  {
+    for (const CellForce &of : dead.on_cells)
+      for (const unsigned int c : of.cells)
+      {
+        const Point<2> place = of.place_in(packing, c);
+        const Tensor<1, 2> force =
+            share_at(place[1] - base) * (turn * of.force);
+        loads.on_cells.push_back({of.name, {c}, force, of.place});
+        loads.requested->add(place, force);
+      }
+  }
+  void add_tractions(const Tensor<2, 2> &turn, Loads &loads) const
+  {
+    loads.traction_moment.resize(dead.traction_moment.size());
+    for (unsigned int b = 0; b < dead.traction.size(); ++b)
+    {
+      const auto &edge = packing.boundary_edges()[b];
+      const Tensor<2, 2> A = share_at(edge.midpoint()[1] - base) * turn;
+      loads.traction[b] = A * dead.traction[b];
+      Tensor<1, 2> first_moment;
+      if (!dead.traction_moment.empty())
+        first_moment = loads.traction_moment[b] = A * dead.traction_moment[b];
+      loads.requested->add(edge, loads.traction[b], first_moment);
+    }
   }
   /** The height of the centre of the body force's weight on a cell. */
   double height_of_body(const unsigned int c) const

@@ -19,7 +19,7 @@ struct CapacityCurve
   /** From rest on, by ascending displacement. */
   std::vector<CapacityPoint> points;
   /** True if supports move. */
-  bool has_moving_supports;
+  bool has_moving_supports = false;
   /**
    * Where the factor is zero, or with supports that move where the dead loads
    * are carried last; not a number if the curve does not get there.

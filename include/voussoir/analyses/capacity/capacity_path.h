@@ -14,10 +14,12 @@ namespace Voussoir
 /** One position on a capacity curve, and what is known of it. */
 struct CapacityStop
 {
-  Placement place;     /**< where the blocks are */
-  CapacityPoint point; /**< of the curve */
-  /** The motion from here, with its supports; a step is a length. */
-  Motion motion;
+  Placement place;          /**< where the blocks are */
+  CapacityPoint point = {}; /**< of the curve */
+  /** The motion from here; a step is a length. */
+  Motion motion = {};
+  /** The jumps of the motion; L. */
+  InterfaceJumps jumps = {};
 };
 
 /** What the blocks of a capacity curve go along. */
@@ -30,6 +32,8 @@ public:
   {}
   virtual ~CapacityPath() = default;
 
+  /** The blocks at rest. */
+  virtual CapacityStop begin() const { return {Placement(dead)}; }
   /** True if blocks do not stay where this was found. */
   virtual bool falls(const LoadFactorAnswer &answer) const = 0;
   /** That, as the end of a sentence. */
@@ -49,7 +53,12 @@ public:
   virtual double next_step(const std::vector<CapacityPoint> &points,
                            const CapacityStop &last) const = 0;
   /** Why the curve ends at a position; empty if it goes on. */
-  virtual std::string end_at(const CapacityStop &stop) const = 0;
+  virtual std::string end_at(const CapacityStop &stop) const
+  {
+    return wanted.largest > 0. && stop.point.displacement >= wanted.largest
+               ? "the displacement is that of 'Capacity/Largest displacement'"
+               : "";
+  }
   /**
    * The error of the last place where blocks stay, to be found before one where
    * they fall; L. Zero: it means nothing.

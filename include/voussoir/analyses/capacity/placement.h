@@ -19,11 +19,20 @@ namespace Voussoir
 class Placement
 {
 public:
-  /** At rest; @p at_rest has the blocks there, and outlives this. */
-  explicit Placement(const Scene &at_rest);
+  /**
+   * At rest.
+   *
+   * @param at_rest has the blocks there, and outlives this.
+   * @param of_supports in a step of one, about their midpoints at rest; empty
+   *   where the ground does not move.
+   */
+  explicit Placement(const Scene &at_rest,
+                     std::vector<SupportMotion> of_supports = {});
 
   /** Where the blocks and the supports are. */
   const Positions &positions() const { return places; }
+  /** The sum of all steps; L. */
+  double way() const { return gone; }
   /** The packing there. */
   Packing<2> packing() const { return moved_packing(scene->packing, places); }
   /** A scene of the same blocks there; see moved_scene(). */
@@ -44,9 +53,9 @@ public:
   std::optional<unsigned int> open_ends_of(const InterfaceJumps &jumps,
                                            double least);
   /**
-   * Go on along a motion, and let supports follow it. Ends that touch go on to
-   * do so, without sliding; where open ends would overlap the step ends where
-   * the first of them closes, which touches from there on.
+   * Go on along a motion, and with the supports. Ends that touch go on to do
+   * so, without sliding; where open ends would overlap the step ends where the
+   * first of them closes, which touches from there on.
    */
   void advance(const Motion &motion, double step);
   /**
@@ -68,6 +77,7 @@ private:
   {
     return joints()[end.first].openings[end.second];
   }
+  void go(const Placement &from, const Motion &motion, double step);
   void close_contacts();
   std::optional<End> first_overlap(const std::vector<MovedJoint> &before,
                                    double &step) const;
@@ -75,7 +85,9 @@ private:
   const Scene *scene;
   /** The size of a block; L. */
   double size;
+  std::vector<SupportMotion> of_supports;
   Positions places;
+  double gone = 0.;
   /** By interface, at its start and its end. */
   std::vector<std::array<bool, 2>> open;
 };
