@@ -44,12 +44,13 @@ std::string sentence_of(const CapacityCurve &curve)
         << " times the live loads are carried, and ";
   if (curve.has_moving_supports && std::isfinite(curve.ultimate))
     words << "the dead loads until supports have moved by "
-          << curve.points.back().of_supports << '.';
+          << curve.points.back().of_supports << "{L}.";
   else if (std::isfinite(curve.ultimate))
-    words << "none where the point has gone by " << curve.ultimate << '.';
+    words << "none where the point has gone by " << curve.ultimate << "{L}.";
   else
     words << curve.points.back().carried << " where the point has gone by "
-          << curve.points.back().displacement << ": there " << curve.end << '.';
+          << curve.points.back().displacement << "{L}: there " << curve.end
+          << '.';
   return words.str();
 }
 
