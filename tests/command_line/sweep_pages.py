@@ -300,8 +300,8 @@ def check_two_numbers():
            and "not carried in 10 of 18 runs" in svg
            and "<title>Not carried: Strength = 0.35, h = 0.2</title>" in svg, svg)
     row = re.search(r'<td class="verdict-of collapse" title="([^"]*)">(.*?)</td>', page())
-    expect("what is not carried", row.group(2) == "The load is not carried."
-           and row.group(1).startswith("The load is not carried: along a mechanism"), row.groups())
+    expect("what is not carried", row.group(2) == "The loads are not carried."
+           and row.group(1).startswith("The loads are not carried: along the mechanism"), row.groups())
 
 
 def check_many_curves():

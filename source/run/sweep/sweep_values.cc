@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/output/summary/text_lines.h>
 #include <voussoir/run/sweep/sweep_values.h>
 #include <voussoir/run/variables.h>
 
@@ -10,6 +9,7 @@
 
 #include <cmath>
 #include <regex>
+#include <sstream>
 #include <utility>
 
 namespace Voussoir
@@ -33,6 +33,19 @@ const std::string forms_of_search =
 std::regex word(const std::string &variable)
 {
   return std::regex("\\b" + variable + "\\b");
+}
+
+/** A number that people read: 2.2, and not 2.1999999999999997. */
+std::string short_number(const double number, const double range)
+{
+  constexpr int n_digits = 12;
+  constexpr double rounding = 1e-14;
+  if (std::abs(number) <= rounding * std::abs(range))
+    return "0";
+  std::ostringstream text;
+  text.precision(n_digits);
+  text << number;
+  return text.str();
 }
 
 struct NameAndValues
@@ -133,11 +146,11 @@ SweepAxis read_sweep_axis(const std::string &text)
     const double share = double(k) / (n - 1);
     // Ends are as given.
     axis.values.push_back(
-        k == 0 ? words[0]
-        : k == n - 1
-            ? words[1]
-            : value_text(by_ratio ? of[0] * std::pow(of[1] / of[0], share)
-                                  : of[0] + share * (of[1] - of[0])));
+        k == 0       ? words[0]
+        : k == n - 1 ? words[1]
+        : by_ratio
+            ? short_number(of[0] * std::pow(of[1] / of[0], share), 0.)
+            : short_number(of[0] + share * (of[1] - of[0]), of[1] - of[0]));
   }
   return axis;
 }
