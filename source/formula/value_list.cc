@@ -44,8 +44,8 @@ double number_of(const std::string &word,
   if (error != std::errc() || rest != end)
     throw InputError(text("The parameter '", parameter, "' has '", word,
                           "' where number ", k,
-                          " of its list is expected, counted from 0; a list "
-                          "has numbers with commas between, as in \"list 0.5, "
+                          " of its list is expected, counted from 0; write "
+                          "numbers with commas between, as in \"list 0.5, "
                           "0.6\"."));
   return number;
 }

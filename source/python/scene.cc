@@ -38,8 +38,8 @@ void PyResults::write_page(const std::filesystem::path &file)
   std::ofstream out(file);
   if (!(out << html << std::flush))
     throw InputError("The page '" + file.string() +
-                     "' cannot be written; is there such a directory, and may "
-                     "you write there?");
+                     "' cannot be written; name a file in a directory that is "
+                     "there and that you may write to.");
 }
 
 std::string PyResults::view_in_notebook()

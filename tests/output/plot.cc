@@ -10,6 +10,9 @@
 
 #include "tests.h"
 
+#include <iterator>
+#include <regex>
+
 namespace test_plot
 {
 using namespace Voussoir;
@@ -70,10 +73,16 @@ void check_map()
         {{double(j), "", j > 0, "left"}, {{}, "collapse", false, "right"}});
   const std::string svg = map_svg(plot);
   // From 10^-1/2 to 10^3/2, and from -1/2 to 5/2: halves and thirds.
-  check("half way", count(svg, "x=\"80\" y=") == 3 &&
-                        count(svg, "width=\"270\"") == 6 &&
-                        count(svg, "x=\"350\" y=") == 3 &&
-                        count(svg, "height=\"73.3333\"") == 6);
+  const std::string left = "fill=\"#[0-9a-f]{6}\" x=\"80\"",
+                    right = "class=\"field collapse\" x=\"350\"",
+                    size = " y=\"[0-9.]+\" width=\"270\" height=\"73.3333\"";
+  const auto fields = [&](const std::string &place) {
+    const std::regex field("<rect [^>]*" + place + size);
+    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), field),
+                         std::sregex_iterator());
+  };
+  check("half way", fields(left) == 3 && fields(right) == 3 &&
+                        count(svg, "<rect ") == 6);
   // Two fields are carried on the left, one below is not.
   check("the contour", count(svg, "path class=\"contour\"") == 3);
   check("numbers have colours, and others their kinds",

@@ -198,7 +198,7 @@ def check_errors():
              "each, or expressions."),
             ("Friction/Strength", "list 1, two",
              "The parameter 'Friction/Strength' has 'two' where number 1 of its list is expected, "
-             "counted from 0; a list has numbers with commas between, as in \"list 0.5, 0.6\".")):
+             "counted from 0; write numbers with commas between, as in \"list 0.5, 0.6\".")):
         faulty = voussoir.Scene(settings=dict(WALL, **{entry: value}))
         one, two = (f"cell {of[1]}"
                     for of in (faulty.cell_minus, faulty.cell_plus))

@@ -149,8 +149,8 @@ def check_write():
                    and stress.ctypes.data == found.stress.ctypes.data)
         same_files(f"program_{k}", f"python_{k}")
     found.write("python_3")  # again
-    raised(voussoir.InputError, "The page 'nowhere/page.html' cannot be written; is there such a "
-           "directory, and may you write there?", lambda: found.report("nowhere/page.html"))
+    raised(voussoir.InputError, "The page 'nowhere/page.html' cannot be written; name a file "
+           "in a directory that is there and that you may write to.", lambda: found.report("nowhere/page.html"))
 
 
 def check_pages():
