@@ -54,8 +54,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
   RunOutcome outcome;
   outcome.status = result.status();
   if (files)
-    outcome.message = std::visit(
-        [&](auto &of) { return writer.write(*files, of, prm); }, result.found);
+    outcome.message = write(directory, *files, result);
   outcome.summary =
       std::visit([](const auto &of) { return summary_of(of); }, result.found);
   outcome.verdict =
@@ -80,9 +79,19 @@ RunResult AnalysisRun::answer(const std::filesystem::path &directory,
 void AnalysisRun::write(const std::filesystem::path &directory,
                         RunResult &result)
 {
-  const std::unique_ptr<ResultDirectory> files = open(directory);
-  std::visit([&](auto &found) { writer.write(*files, found, prm); },
-             result.found);
+  write(directory, *open(directory), result);
+}
+
+std::string AnalysisRun::write(const std::filesystem::path &directory,
+                               ResultDirectory &files,
+                               RunResult &result)
+{
+  return std::visit(
+      [&](auto &found) {
+        found.provenance = provenance(directory, writer.directory());
+        return writer.write(files, found, prm);
+      },
+      result.found);
 }
 
 void AnalysisRun::write_page(std::ostream &out, RunResult &result) const

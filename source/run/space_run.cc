@@ -149,7 +149,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   outcome.verdict = verdict_of(answer);
   if (files)
   {
-    write(*files, result);
+    write(directory, *files, result);
     if (!answer.message.empty())
       outcome.message =
           answer.message + " In " + output.directory + ", " +
@@ -172,7 +172,7 @@ SpaceRun::open(const std::filesystem::path &directory)
 void SpaceRun::write(const std::filesystem::path &directory,
                      SpaceResult &result)
 {
-  write(*open(directory), result);
+  write(directory, *open(directory), result);
 }
 
 void SpaceRun::write_page(std::ostream &out, const SpaceResult &result) const
@@ -265,11 +265,14 @@ SpaceRun::read_packing(const std::filesystem::path &directory) const
   return {std::move(packing), std::move(defects)};
 }
 
-void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
+void SpaceRun::write(const std::filesystem::path &directory,
+                     ResultDirectory &files,
+                     SpaceResult &result)
 {
   terminal.begin("Output");
   timer.enter_subsection("output");
   SpaceResults &answer = result.answer;
+  answer.provenance = provenance(directory, output.directory);
   const std::vector<CellDefect> &defects = result.defects;
   using Writer = void (*)(std::ostream &, const SpaceResults &);
   const auto add = [&](const std::string &name, const Writer writer) {

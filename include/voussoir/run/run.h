@@ -44,6 +44,8 @@ struct ParameterSources
 /** What parameters were written as, in the order in which they are read. */
 struct WrittenParameters
 {
+  /** The file, as the user named it; empty if there are others than it. */
+  std::string file;
   std::vector<ParameterInput> inputs;   /**< files and texts */
   std::vector<std::string> assignments; /**< as in --set */
 };
@@ -85,10 +87,7 @@ public:
    * @throws InputError as ParameterInput and assign() do; that of make_run() is
    *   of the right kind.
    */
-  void read(const ParameterSources &sources)
-  {
-    read_written({sources.inputs(), sources.assignments});
-  }
+  void read(const ParameterSources &sources);
   /** The same of what another run has read(), and assign() has changed since.
    */
   void read_written(WrittenParameters parameters);
@@ -148,6 +147,15 @@ public:
   virtual RunOutcome carry_out(const std::filesystem::path &directory,
                                bool writes,
                                PackingsOfRuns *packings = nullptr) = 0;
+
+  /**
+   * What provenance_of() says of the results.
+   *
+   * @param directory that of the file of parameters, where paths begin.
+   * @param results where they are written.
+   */
+  nlohmann::ordered_json provenance(const std::filesystem::path &directory,
+                                    const std::filesystem::path &results) const;
 
 protected:
   /** @param terminal sees what the run notices. */

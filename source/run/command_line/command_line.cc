@@ -6,6 +6,7 @@
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/make_run.h>
+#include <voussoir/run/reproduction.h>
 #include <voussoir/run/sweep/search.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/run/variables.h>
@@ -27,6 +28,7 @@ namespace
 enum class ExitStatus
 {
   solved = 0,
+  another_answer = 1,
   bad_input = 2,
   load_not_carried = 3,
   solver_failed = 4
@@ -90,6 +92,20 @@ bool run_many(const Arguments &arguments,
   return true;
 }
 
+/** Make results again that are there. */
+ExitStatus run_again(const Arguments &arguments,
+                     const ProcessGroup &processes,
+                     Terminal &terminal)
+{
+  if (!arguments.file.empty() || !arguments.assignments.empty())
+    throw InputError(
+        "--reproduce takes the parameters beside the summary; give "
+        "it without a file of parameters and --set.");
+  return reproduce(arguments.reproduced, terminal, processes)
+             ? ExitStatus::solved
+             : ExitStatus::another_answer;
+}
+
 /** A text that is asked for besides runs. */
 std::optional<std::string> text_to_print(const Arguments &arguments)
 {
@@ -151,6 +167,8 @@ ExitStatus run(const Arguments &arguments,
     terminal.be_quiet();
   if (run_many(arguments, processes, terminal))
     return ExitStatus::solved;
+  if (!arguments.reproduced.empty())
+    return run_again(arguments, processes, terminal);
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;

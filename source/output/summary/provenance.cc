@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/blas.h>
+#include <voussoir/base/exceptions.h>
+#include <voussoir/output/summary/provenance.h>
+#include <voussoir/output/summary/versions.h>
+
+#include <deal.II/base/multithread_info.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+#include <fstream>
+#include <iterator>
+
+namespace Voussoir
+{
+namespace
+{
+std::string content_of(const std::filesystem::path &file)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::string content((std::istreambuf_iterator<char>(in)), {});
+  if (!in.is_open() || in.bad())
+    throw InputError("The file '" + file.string() +
+                     "', of which the results are made, cannot be read again; "
+                     "was it moved or removed meanwhile?");
+  return content;
+}
+} // namespace
+
+std::string name_of_content(const std::string &content)
+{
+  boost::uuids::name_generator_sha1 of(boost::uuids::ns::oid());
+  return to_string(of(content.data(), content.size()));
+}
+
+nlohmann::ordered_json provenance_of(const Origin &origin,
+                                     const std::filesystem::path &results)
+{
+  const std::filesystem::path from = results.empty() ? "." : results;
+  const auto from_results = [&](const std::filesystem::path &path) {
+    return std::filesystem::proximate(path, from).generic_string();
+  };
+  nlohmann::ordered_json files = nlohmann::ordered_json::object();
+  for (const std::filesystem::path &file : origin.files)
+    files[from_results(file)] = name_of_content(content_of(file));
+  return {{"command", origin.command},
+          {"directory", from_results(origin.directory)},
+          {"parameters", name_of_content(origin.parameters)},
+          {"files", files},
+          {"commit", commit()},
+          {"kernel", blas_kernel()},
+          {"threads", dealii::MultithreadInfo::n_threads()}};
+}
+} // namespace Voussoir
