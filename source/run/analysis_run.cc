@@ -49,12 +49,18 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
   show_settings();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
+  if (writes)
+    begin_journal(directory, writer.output());
+  analysis.keep_in(writes ? &journal : nullptr);
   RunResult result =
       find(directory, files.get(), packings ? &packings->in_plane : nullptr);
   RunOutcome outcome;
   outcome.status = result.status();
   if (files)
+  {
     outcome.message = write(directory, *files, result);
+    journal.end();
+  }
   outcome.summary =
       std::visit([](const auto &of) { return summary_of(of); }, result.found);
   outcome.verdict =
@@ -88,7 +94,7 @@ std::string AnalysisRun::write(const std::filesystem::path &directory,
 {
   return std::visit(
       [&](auto &found) {
-        found.provenance = provenance(directory, writer.directory());
+        found.provenance = provenance(directory, writer.output().directory);
         return writer.write(files, found, prm);
       },
       result.found);

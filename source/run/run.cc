@@ -228,6 +228,15 @@ Run::provenance(const std::filesystem::path &directory,
   return provenance_of(origin, results);
 }
 
+void Run::begin_journal(const std::filesystem::path &directory,
+                        const OutputEntries &output)
+{
+  journal.begin({std::filesystem::path(output.directory) / checkpoint_file,
+                 identity_of(provenance(directory, output.directory)),
+                 output.checkpoint_after},
+                resumes);
+}
+
 void Run::show_settings() const
 {
   if (!variables.empty())

@@ -84,7 +84,7 @@ void SpaceRun::declare(const NamedSections & /*names*/)
   of_scene.add_parameters(prm);
   analysis.add_sections(prm);
   prm.enter_subsection("Output");
-  output.add_verbosity(prm);
+  output.add_output(prm);
   add_choice<PackingFile>(
       prm, "Packing", packing_file,
       {{PackingFile::none, "none", "nothing."},
@@ -139,6 +139,9 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   show_settings();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
+  if (writes)
+    begin_journal(directory, output);
+  analysis.keep_in(writes ? &journal : nullptr);
   SpaceResult result =
       find(directory, packings ? &packings->in_space : nullptr);
   const SpaceResults &answer = result.answer;
@@ -150,6 +153,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   if (files)
   {
     write(directory, *files, result);
+    journal.end();
     if (!answer.message.empty())
       outcome.message =
           answer.message + " In " + output.directory + ", " +

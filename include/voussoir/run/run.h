@@ -3,10 +3,12 @@
 #define voussoir_run_run_h
 
 #include <voussoir/analyses/state/status.h>
+#include <voussoir/base/journal.h>
 #include <voussoir/base/parameters/assigned_entries.h>
 #include <voussoir/base/parameters/named_sections.h>
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/print_parameters.h>
+#include <voussoir/run/output_entries.h>
 #include <voussoir/run/shared_packings.h>
 #include <voussoir/run/variables.h>
 #include <voussoir/terminal/terminal.h>
@@ -117,6 +119,9 @@ public:
              ParameterFormat format,
              Detail detail);
 
+  /** Let carry_out() go on from where a run that was interrupted had come. */
+  void resume() { resumes = true; }
+
   /** The value of `Dimension` that this is for. */
   virtual unsigned int dimension() const = 0;
   /** What the terminal is to show; 0 to 2. */
@@ -162,6 +167,15 @@ protected:
   explicit Run(Terminal &terminal);
   /** Declare all parameters but `Dimension`, with sections of users. */
   virtual void declare(const NamedSections &names) = 0;
+  /**
+   * Begin to keep what is found on the way, or go on from what was kept.
+   *
+   * @param directory that of the file of parameters, where paths begin.
+   * @param output where results go.
+   * @throws InputError as Journal::begin().
+   */
+  void begin_journal(const std::filesystem::path &directory,
+                     const OutputEntries &output);
   /** Show the variables, and warn of settings that have no effect. */
   void show_settings() const;
 
@@ -171,6 +185,8 @@ protected:
   dealii::ParameterHandler prm;
   /** The wall clock times of the stages. */
   dealii::TimerOutput timer;
+  /** What is found on the way to results that are written. */
+  Journal journal;
 
 private:
   template <typename F>
@@ -184,6 +200,7 @@ private:
   AssignedEntries assigned;
   WrittenParameters written;
   Variables variables;
+  bool resumes = false;
   /** True if values may stand in the places of variables already. */
   bool has_listing = false;
 };

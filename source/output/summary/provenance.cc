@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/blas.h>
+#include <voussoir/base/content_name.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/versions.h>
 
 #include <deal.II/base/multithread_info.h>
-
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 
 #include <fstream>
 #include <iterator>
@@ -28,12 +26,6 @@ std::string content_of(const std::filesystem::path &file)
 }
 } // namespace
 
-std::string name_of_content(const std::string &content)
-{
-  boost::uuids::name_generator_sha1 of(boost::uuids::ns::oid());
-  return to_string(of(content.data(), content.size()));
-}
-
 nlohmann::ordered_json provenance_of(const Origin &origin,
                                      const std::filesystem::path &results)
 {
@@ -51,5 +43,14 @@ nlohmann::ordered_json provenance_of(const Origin &origin,
           {"commit", commit()},
           {"kernel", blas_kernel()},
           {"threads", dealii::MultithreadInfo::n_threads()}};
+}
+
+nlohmann::ordered_json identity_of(const nlohmann::ordered_json &provenance)
+{
+  nlohmann::ordered_json identity;
+  for (const char *const name :
+       {"parameters", "files", "commit", "kernel", "threads"})
+    identity[name] = provenance.at(name);
+  return identity;
 }
 } // namespace Voussoir

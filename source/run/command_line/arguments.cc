@@ -45,6 +45,9 @@ po::options_description visible_options(Arguments &arguments)
       "validate", po::bool_switch(&arguments.validate),
       "read the scene and its packing, show what was understood, and solve and "
       "write nothing")(
+      "resume", po::bool_switch(&arguments.resumes),
+      "go on with a run, or a sweep or search, that was interrupted, from "
+      "what it has kept in its output directory")(
       "reproduce", po::value(&arguments.reproduced)->value_name("SUMMARY"),
       "make the results of a summary.json again, in a directory that is "
       "removed, and say what differs")(

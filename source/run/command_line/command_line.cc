@@ -77,9 +77,12 @@ bool run_many(const Arguments &arguments,
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
-  const ManyRuns runs = {arguments.file, arguments.assignments,
-                         arguments.results, arguments.has_directories,
-                         arguments.writes_critical};
+  const ManyRuns runs = {arguments.file,
+                         arguments.assignments,
+                         arguments.results,
+                         arguments.has_directories,
+                         arguments.writes_critical,
+                         arguments.resumes};
   if (finds)
   {
     search(runs, read_search_range(arguments.find), terminal);
@@ -201,6 +204,8 @@ ExitStatus run(const Arguments &arguments,
     return ExitStatus::solved;
   }
   terminal.set_verbosity(run->verbosity());
+  if (arguments.resumes)
+    run->resume();
   const std::string message = run->carry_out(directory, true).message;
   return message.empty() ? ExitStatus::solved
                          : fail(streams, ExitStatus::load_not_carried, message);

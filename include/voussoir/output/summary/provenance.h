@@ -27,12 +27,6 @@ struct Origin
 };
 
 /**
- * The name of a content: its UUID of version 5, from SHA-1, in the name space
- * of object identifiers, as Python's uuid.uuid5(uuid.NAMESPACE_OID, content).
- */
-std::string name_of_content(const std::string &content);
-
-/**
  * What tells the results of a run from those of another: the command, the names
  * of the contents of its parameters and files, the commit that the program was
  * built of, and the processor's kernel and the threads that numbers depend on.
@@ -44,6 +38,12 @@ std::string name_of_content(const std::string &content);
  */
 nlohmann::ordered_json provenance_of(const Origin &origin,
                                      const std::filesystem::path &results);
+
+/**
+ * What the way of a computation depends on: the contents of parameters and
+ * files, the commit, the kernel and the threads.
+ */
+nlohmann::ordered_json identity_of(const nlohmann::ordered_json &provenance);
 } // namespace Voussoir
 
 #endif
