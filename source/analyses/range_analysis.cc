@@ -135,9 +135,10 @@ void RangeAnalysis::answer(AnalysisOutcome &outcome,
                            const AnalysisContext &context) const
 {
   const Scene &scene = *outcome.scene;
-  const std::optional<RangesWanted> of = entries.wanted(scene.packing);
+  std::optional<RangesWanted> of = entries.wanted(scene.packing);
   if (!of)
     return;
+  of->journal = context.solver.controls().journal;
   const dealii::TimerOutput::Scope section(context.timer, name());
   context.terminal.begin("Ranges");
   Ranges found = find_ranges(scene, *of, context.terminal);

@@ -238,8 +238,11 @@ void SpaceAnalysis::look_further(SpaceAnswer &answer,
   if (const auto of_supports = parameters.motion_of_supports(packing);
       !of_supports.empty())
     settle(answer, of_supports, terminal);
-  if (const auto wanted = ranges.wanted(packing))
+  if (auto wanted = ranges.wanted(packing))
+  {
+    wanted->journal = controls.journal;
     add_ranges(answer, *wanted, terminal);
+  }
 }
 
 SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,

@@ -7,10 +7,24 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** The BLAS is known only at run time: its functions are looked up by name. */
+void *find(const char *name)
+{
+  return dlsym(RTLD_DEFAULT, name);
+}
+} // namespace
+
+std::string blas_kernel()
+{
+  using GetName = char *(*)();
+  const auto name = reinterpret_cast<GetName>(find("openblas_get_corename"));
+  return name == nullptr ? "" : name();
+}
+
 void prepare_blas()
 {
-  // The BLAS is known only at run time: its functions are looked up by name.
-  const auto find = [](const char *name) { return dlsym(RTLD_DEFAULT, name); };
   using SetThreads = void (*)(int);
   // CHOLMOD starts four threads of OpenMP in each small loop, whatever the
   // number of cores; without them its factors take two thirds of the time

@@ -60,13 +60,18 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
   show_settings();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
+  if (writes)
+    begin_journal(directory, writer.output());
+  analysis.keep_in(writes ? &journal : nullptr);
   RunResult result =
       find(directory, files.get(), packings ? &packings->in_plane : nullptr);
   RunOutcome outcome;
   outcome.status = result.status();
   if (files)
-    outcome.message = std::visit(
-        [&](auto &of) { return writer.write(*files, of, prm); }, result.found);
+  {
+    outcome.message = write(directory, *files, result);
+    journal.end();
+  }
   outcome.summary =
       std::visit([](const auto &of) { return summary_of(of); }, result.found);
   outcome.verdict = sentence_of(result, writer.unit_names());
@@ -90,9 +95,19 @@ RunResult AnalysisRun::answer(const std::filesystem::path &directory,
 void AnalysisRun::write(const std::filesystem::path &directory,
                         RunResult &result)
 {
-  const std::unique_ptr<ResultDirectory> files = open(directory);
-  std::visit([&](auto &found) { writer.write(*files, found, prm); },
-             result.found);
+  write(directory, *open(directory), result);
+}
+
+std::string AnalysisRun::write(const std::filesystem::path &directory,
+                               ResultDirectory &files,
+                               RunResult &result)
+{
+  return std::visit(
+      [&](auto &found) {
+        found.provenance = provenance(directory, writer.output().directory);
+        return writer.write(files, found, prm);
+      },
+      result.found);
 }
 
 void AnalysisRun::write_page(std::ostream &out, RunResult &result) const

@@ -26,7 +26,7 @@ void OutputEntries::add_entries(dealii::ParameterHandler &prm)
                     Anything());
 }
 
-void OutputEntries::add_verbosity(dealii::ParameterHandler &prm)
+void OutputEntries::add_output(dealii::ParameterHandler &prm)
 {
   prm.add_parameter(
       "Verbosity", verbosity,
@@ -34,6 +34,15 @@ void OutputEntries::add_verbosity(dealii::ParameterHandler &prm)
       "screen, the progress of long ones; 2: also the iterations "
       "of the solver and the joints of which the most is used.",
       dealii::Patterns::Integer(0, 2));
+  prm.add_parameter(
+      "Checkpoint after", checkpoint_after,
+      "The seconds after which a run keeps what it has found, in " +
+          checkpoint_file +
+          " of the output directory, every ten seconds or more, until the "
+          "results are written: load factors and ranges, and the runs of a "
+          "sweep. If it is interrupted or killed, --resume goes on from there "
+          "and ends with the same results. 0: from the start.",
+      dealii::Patterns::Double(0.));
 }
 
 FilesOfRuns files_of_all_runs()

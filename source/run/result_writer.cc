@@ -63,7 +63,7 @@ void ResultWriter::add_sections(dealii::ParameterHandler &prm)
 
 void ResultWriter::add_output(dealii::ParameterHandler &prm)
 {
-  entries.add_verbosity(prm);
+  entries.add_output(prm);
   add_choice<ResultFiles>(
       prm, "Files", result_files,
       {{ResultFiles::all, "all", "both kinds."},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/output/summary/provenance.h>
 #include <voussoir/run/run.h>
 #include <voussoir/run/unused_settings.h>
 #include <voussoir/scene/scene_parameters.h>
@@ -8,15 +9,31 @@
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <iostream>
+#include <sstream>
 #include <utility>
 
 namespace Voussoir
 {
 namespace
 {
+/** A text as one word for a shell. */
+std::string shell_word(const std::string &text)
+{
+  const auto needs_no_quotes = [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::strchr("/._-=+:,", c) != nullptr;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), needs_no_quotes))
+    return text;
+  return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
+}
+
 /** The names that users have given to sections. */
 NamedSections named_sections_in(const WrittenParameters &written)
 {
@@ -43,6 +60,13 @@ std::vector<ParameterInput> ParameterSources::inputs() const
   if (!text.empty())
     inputs.emplace_back(text, "the text");
   return inputs;
+}
+
+void Run::read(const ParameterSources &sources)
+{
+  const bool is_file = sources.file && sources.text.empty();
+  read_written({is_file ? sources.file->string() : "", sources.inputs(),
+                sources.assignments});
 }
 
 Run::Run(Terminal &terminal)
@@ -177,6 +201,40 @@ void Run::print(std::ostream &out,
            (detail == Detail::listing || assigned.contains(path));
   };
   print_parameters(out, prm, is_wanted, format, detail);
+}
+
+nlohmann::ordered_json
+Run::provenance(const std::filesystem::path &directory,
+                const std::filesystem::path &results) const
+{
+  Origin origin;
+  if (!written.file.empty())
+  {
+    origin.command = "voussoir " + shell_word(written.file);
+    for (const std::string &text : written.assignments)
+      origin.command += " --set " + shell_word(text);
+  }
+  origin.directory = directory;
+  std::ostringstream parameters;
+  const auto is_of_results = [](const std::string &path) {
+    return boost::starts_with(path, "Output");
+  };
+  print_parameters(
+      parameters, prm,
+      [&](const std::string &path) { return !is_of_results(path); },
+      ParameterFormat::prm, Detail::value);
+  origin.parameters = parameters.str();
+  origin.files = input_files(directory);
+  return provenance_of(origin, results);
+}
+
+void Run::begin_journal(const std::filesystem::path &directory,
+                        const OutputEntries &output)
+{
+  journal.begin({std::filesystem::path(output.directory) / checkpoint_file,
+                 identity_of(provenance(directory, output.directory)),
+                 output.checkpoint_after},
+                resumes);
 }
 
 void Run::show_settings() const

@@ -84,7 +84,7 @@ void SpaceRun::declare(const NamedSections & /*names*/)
   of_scene.add_parameters(prm);
   analysis.add_sections(prm);
   prm.enter_subsection("Output");
-  output.add_verbosity(prm);
+  output.add_output(prm);
   add_choice<PackingFile>(
       prm, "Packing", packing_file,
       {{PackingFile::none, "none", "nothing."},
@@ -139,6 +139,9 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   show_settings();
   const std::unique_ptr<ResultDirectory> files =
       writes ? open(directory) : nullptr;
+  if (writes)
+    begin_journal(directory, output);
+  analysis.keep_in(writes ? &journal : nullptr);
   SpaceResult result =
       find(directory, packings ? &packings->in_space : nullptr);
   const SpaceResults &answer = result.answer;
@@ -149,7 +152,8 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   outcome.verdict = verdict_of(answer);
   if (files)
   {
-    write(*files, result);
+    write(directory, *files, result);
+    journal.end();
     if (!answer.message.empty())
       outcome.message =
           answer.message + " In " + output.directory + ", " +
@@ -172,7 +176,7 @@ SpaceRun::open(const std::filesystem::path &directory)
 void SpaceRun::write(const std::filesystem::path &directory,
                      SpaceResult &result)
 {
-  write(*open(directory), result);
+  write(directory, *open(directory), result);
 }
 
 void SpaceRun::write_page(std::ostream &out, const SpaceResult &result) const
@@ -265,11 +269,14 @@ SpaceRun::read_packing(const std::filesystem::path &directory) const
   return {std::move(packing), std::move(defects)};
 }
 
-void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
+void SpaceRun::write(const std::filesystem::path &directory,
+                     ResultDirectory &files,
+                     SpaceResult &result)
 {
   terminal.begin("Output");
   timer.enter_subsection("output");
   SpaceResults &answer = result.answer;
+  answer.provenance = provenance(directory, output.directory);
   const std::vector<CellDefect> &defects = result.defects;
   using Writer = void (*)(std::ostream &, const SpaceResults &);
   const auto add = [&](const std::string &name, const Writer writer) {

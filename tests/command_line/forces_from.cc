@@ -85,6 +85,7 @@ void round_trip(const std::string &scene, const std::string &formulation)
   {
     json->erase("title");
     json->erase("timings");
+    json->erase("provenance");
     (*json)["solver"].erase("seconds");
     (*json)["solver"].erase("outcome");
     (*json)["solver"].erase("earlier_outcome");

@@ -29,6 +29,8 @@ public:
   {
     controls.processes = processes;
   }
+  /** Keep what is found on the way in @p journal, or nothing if it is null. */
+  void keep_in(Journal *journal) { controls.journal = journal; }
 
   /** @{ */
   /** Declare the entry `Analysis`, and the sections. */

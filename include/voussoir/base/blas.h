@@ -2,6 +2,8 @@
 #ifndef voussoir_base_blas_h
 #define voussoir_base_blas_h
 
+#include <string>
+
 namespace Voussoir
 {
 /**
@@ -14,6 +16,12 @@ namespace Voussoir
  * sets their number.
  */
 void prepare_blas();
+
+/**
+ * The kernel of OpenBLAS for this processor, as "Haswell", on which the last
+ * digits of results depend; empty of another BLAS.
+ */
+std::string blas_kernel();
 } // namespace Voussoir
 
 #endif

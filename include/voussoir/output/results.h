@@ -8,6 +8,8 @@
 #include <voussoir/stress/cell_pieces.h>
 #include <voussoir/stress/reconstruction.h>
 
+#include <nlohmann/json.hpp>
+
 #include <any>
 #include <map>
 #include <optional>
@@ -33,6 +35,8 @@ struct RunRecord : SolverRecord
   unsigned int n_processes = 1;
   /** Wall clock time of each stage, in seconds. */
   std::map<std::string, double> timings;
+  /** See provenance_of(); null unless they are written. */
+  nlohmann::ordered_json provenance;
 };
 
 /**

@@ -7,6 +7,8 @@
 #include <voussoir/stress/linear_stress.h>
 #include <voussoir/stress/tetrahedral_stress.h>
 
+#include <nlohmann/json.hpp>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -46,6 +48,8 @@ struct SpaceResults : SpaceAnswer
   std::vector<PrincipalStresses> principal;
   /** The wall clock time of each stage; s. */
   std::map<std::string, double> timings;
+  /** See provenance_of(); null unless they are written. */
+  nlohmann::ordered_json provenance;
 
   /** Find them, from whichever stress there is. */
   void find_principal_stresses();

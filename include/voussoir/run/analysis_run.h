@@ -87,6 +87,10 @@ private:
   RunResult find(const std::filesystem::path &directory,
                  ResultDirectory *files,
                  SharedPackings<Packing<2>> *packings);
+  /** Write what was found; what ResultWriter::write() returns. */
+  std::string write(const std::filesystem::path &directory,
+                    ResultDirectory &files,
+                    RunResult &result);
   /** Where results go, with the files protected that the scene is read from. */
   std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
   /**

@@ -22,12 +22,17 @@ struct OutputEntries
   std::string directory = "output";
   /** What the terminal shows; 0 to 2. */
   unsigned int verbosity = 1;
+  /** The seconds after which what was found is kept on the way. */
+  double checkpoint_after = 60.;
 
   /** Declare those outside all sections. */
   void add_entries(dealii::ParameterHandler &prm);
-  /** Declare the verbosity in the present section. */
-  void add_verbosity(dealii::ParameterHandler &prm);
+  /** Declare those of the section `Output` that every run has. */
+  void add_output(dealii::ParameterHandler &prm);
 };
+
+/** The Journal of a run, or of many, in the directory of the results. */
+inline const std::string checkpoint_file = "checkpoint.bin";
 
 /** Every file that any run may write. */
 FilesOfRuns files_of_all_runs();

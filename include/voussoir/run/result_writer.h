@@ -79,6 +79,8 @@ public:
                   Found &found,
                   const dealii::ParameterHandler &prm) const;
 
+  /** The entries on results that every run has. */
+  const OutputEntries &output() const { return entries; }
   /** How the user names the units. */
   const UnitNames &unit_names() const { return units; }
 

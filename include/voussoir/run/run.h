@@ -3,10 +3,12 @@
 #define voussoir_run_run_h
 
 #include <voussoir/analyses/state/status.h>
+#include <voussoir/base/journal.h>
 #include <voussoir/base/parameters/assigned_entries.h>
 #include <voussoir/base/parameters/named_sections.h>
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/print_parameters.h>
+#include <voussoir/run/output_entries.h>
 #include <voussoir/run/shared_packings.h>
 #include <voussoir/run/variables.h>
 #include <voussoir/terminal/terminal.h>
@@ -44,6 +46,8 @@ struct ParameterSources
 /** What parameters were written as, in the order in which they are read. */
 struct WrittenParameters
 {
+  /** The file, as the user named it; empty if there are others than it. */
+  std::string file;
   std::vector<ParameterInput> inputs;   /**< files and texts */
   std::vector<std::string> assignments; /**< as in --set */
 };
@@ -85,10 +89,7 @@ public:
    * @throws InputError as ParameterInput and assign() do; that of make_run() is
    *   of the right kind.
    */
-  void read(const ParameterSources &sources)
-  {
-    read_written({sources.inputs(), sources.assignments});
-  }
+  void read(const ParameterSources &sources);
   /** The same of what another run has read(), and assign() has changed since.
    */
   void read_written(WrittenParameters parameters);
@@ -117,6 +118,9 @@ public:
              const std::string &section,
              ParameterFormat format,
              Detail detail);
+
+  /** Let carry_out() go on from where a run that was interrupted had come. */
+  void resume() { resumes = true; }
 
   /** The value of `Dimension` that this is for. */
   virtual unsigned int dimension() const = 0;
@@ -149,11 +153,29 @@ public:
                                bool writes,
                                PackingsOfRuns *packings = nullptr) = 0;
 
+  /**
+   * What provenance_of() says of the results.
+   *
+   * @param directory that of the file of parameters, where paths begin.
+   * @param results where they are written.
+   */
+  nlohmann::ordered_json provenance(const std::filesystem::path &directory,
+                                    const std::filesystem::path &results) const;
+
 protected:
   /** @param terminal sees what the run notices. */
   explicit Run(Terminal &terminal);
   /** Declare all parameters but `Dimension`, with sections of users. */
   virtual void declare(const NamedSections &names) = 0;
+  /**
+   * Begin to keep what is found on the way, or go on from what was kept.
+   *
+   * @param directory that of the file of parameters, where paths begin.
+   * @param output where results go.
+   * @throws InputError as Journal::begin().
+   */
+  void begin_journal(const std::filesystem::path &directory,
+                     const OutputEntries &output);
   /** Show the variables, and warn of settings that have no effect. */
   void show_settings() const;
 
@@ -163,6 +185,8 @@ protected:
   dealii::ParameterHandler prm;
   /** The wall clock times of the stages. */
   dealii::TimerOutput timer;
+  /** What is found on the way to results that are written. */
+  Journal journal;
 
 private:
   template <typename F>
@@ -176,6 +200,7 @@ private:
   AssignedEntries assigned;
   WrittenParameters written;
   Variables variables;
+  bool resumes = false;
   /** True if values may stand in the places of variables already. */
   bool has_listing = false;
 };

@@ -56,6 +56,8 @@ public:
   void add_sections(dealii::ParameterHandler &prm, const NamedSections &names);
   /** @} */
 
+  /** Keep what is found on the way in @p journal, or nothing if it is null. */
+  void keep_in(Journal *journal) { solver.keep_in(journal); }
   /** Files that the scene is read from; paths start at @p directory. */
   auto input_files(const std::filesystem::path &directory) const
   {

@@ -111,7 +111,9 @@ private:
   void find_stress(SpaceResults &results) const;
   /** Where results go, with the files protected that the scene is read from. */
   std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
-  void write(ResultDirectory &files, SpaceResult &result);
+  void write(const std::filesystem::path &directory,
+             ResultDirectory &files,
+             SpaceResult &result);
   void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 
   /** The times of this run so far, into what is written. */

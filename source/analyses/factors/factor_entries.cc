@@ -35,7 +35,7 @@ void FactorEntries::add_parameters(dealii::ParameterHandler &prm)
 LoadFactorControls FactorEntries::controls(const SolverControls &common) const
 {
   return {direction == Direction::greatest, common.tolerance_of_factor,
-          common.n_max_iterations};
+          common.n_max_iterations, common.journal};
 }
 
 namespace

@@ -82,7 +82,7 @@ private:
   ProvenFactor::Controls controls_of_factor() const
   {
     return {controls.tolerance, small_load_factor, controls.n_max_iterations,
-            found.unit};
+            found.unit, controls.journal};
   }
   MotionOfBlocks motion_of(std::vector<double> u) const
   {

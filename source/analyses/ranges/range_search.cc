@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/ranges/range_search.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 
 #include <deal.II/base/parallel.h>
 
@@ -21,6 +22,12 @@ namespace
  */
 constexpr unsigned int fewest_parts = 4, n_functions_of_part = 1400;
 
+/**
+ * The ends after which a programme is renewed, and may be kept: what it does
+ * next depends on no more than what is kept, with a journal and without.
+ */
+constexpr unsigned int n_between_renewals = 64;
+
 /** A force, over that of reference, that is none. */
 constexpr double no_force_in_range = 1e-10;
 /** The largest number of programmes for an end of a range of places. */
@@ -36,26 +43,59 @@ bool is_quicker(const unsigned int n_cells, const std::size_t n_ends)
 {
   return n_cells >= large_packing && n_ends <= few_ends;
 }
+
+Journal::Json json_of(const RangeProofs &proofs)
+{
+  return {proofs.n_programmes, proofs.n_iterations, proofs.width,
+          proofs.error_of_states, proofs.closing_violation};
+}
+
+RangeProofs range_proofs_of(const Journal::Json &json)
+{
+  RangeProofs proofs;
+  proofs.n_programmes = json.at(0);
+  proofs.n_iterations = json.at(1);
+  proofs.width = json.at(2);
+  proofs.error_of_states = json.at(3);
+  proofs.closing_violation = json.at(4);
+  return proofs;
+}
 } // namespace
 
-/** One of the parts that functions are shared out in. */
+/** One of the parts that functions, or places, are shared out in. */
 template <typename SceneOf>
 struct RangeSearch<SceneOf>::Part
 {
-  /** Its number, and how many there are. */
-  unsigned int number, n_parts;
-  /** @{ */
-  /** The first of @p n items that are in it, and the first behind them. */
-  unsigned int begin(const std::size_t n) const { return number * n / n_parts; }
-  unsigned int end(const std::size_t n) const
-  {
-    return (number + 1) * n / n_parts;
-  }
-  /** @} */
+  /** @param n the number of items of all parts. */
+  Part(const std::string &name,
+       const unsigned int number,
+       const unsigned int n_parts,
+       const std::size_t n)
+      : name(text(name, ", part ", number + 1, " of ", n_parts)),
+        begin(number * n / n_parts), end((number + 1) * n / n_parts)
+  {}
+
+  /** In a journal. */
+  const std::string name;
+  /** The first of the items that are in it, and the first behind them. */
+  const unsigned int begin, end;
+  /** True if items are places, and else they are functions. */
+  bool finds_places = false;
   /** What finds its ends, if the simplex method does. */
-  std::optional<StateProgram> program;
+  std::optional<StateProgram> program = {};
   /** Their errors. */
-  RangeProofs proofs;
+  RangeProofs proofs = {};
+
+  /** @{ */
+  /** Where it is: the number of the pass, whether that has begun, what is left
+   * in it, and the most that the state of another has of each. */
+  unsigned int pass = 0;
+  bool has_begun = false;
+  std::vector<unsigned int> left = {};
+  std::vector<double> most = {};
+  /** @} */
+  /** How many were found since the programme was renewed, and in all. */
+  unsigned int n_since_renewal = 0, n_done = 0;
 };
 
 template <typename SceneOf>
@@ -64,6 +104,7 @@ RangeSearch<SceneOf>::RangeSearch(const SceneOf &scene,
                                   const unsigned int n_kinds,
                                   const std::vector<unsigned int> &pressed,
                                   const RangeMethod method,
+                                  Journal *const journal,
                                   Terminal &terminal)
     : states(scene), functions(functions), n_kinds(n_kinds), pressed(pressed),
       by_interior_point(!states.are_polyhedral() ||
@@ -71,15 +112,83 @@ RangeSearch<SceneOf>::RangeSearch(const SceneOf &scene,
                         (method == RangeMethod::automatic &&
                          is_quicker(states.n_cells(),
                                     2 * (functions.size() + pressed.size())))),
-      terminal(terminal), found(functions.size()), found_places(pressed.size())
+      journal(journal), terminal(terminal), found(functions.size()),
+      found_places(pressed.size())
 {}
 
 template <typename SceneOf>
-void RangeSearch<SceneOf>::count()
+void RangeSearch<SceneOf>::count(const unsigned int n)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  terminal.progress(++n_done, 2 * (functions.size() + pressed.size()),
+  n_done += n;
+  terminal.progress(n_done, 2 * (functions.size() + pressed.size()),
                     "ends of ranges");
+}
+
+/** The range that is looked for of an item of a part. */
+template <typename SceneOf>
+Range &RangeSearch<SceneOf>::range_of(const Part &part, const std::size_t k)
+{
+  return part.finds_places ? found_places[k] : found[k];
+}
+
+/** One more end is found; every few, what follows begins anew from there. */
+template <typename SceneOf>
+void RangeSearch<SceneOf>::end_item(Part &part)
+{
+  ++part.n_done;
+  count(1);
+  if (++part.n_since_renewal < n_between_renewals)
+    return;
+  part.n_since_renewal = 0;
+  if (part.program)
+    part.program->renew(*first);
+  if (journal != nullptr && journal->is_due())
+    keep(part);
+}
+
+template <typename SceneOf>
+void RangeSearch<SceneOf>::keep(const Part &part)
+{
+  std::vector<double> ends;
+  for (unsigned int k = part.begin; k < part.end; ++k)
+  {
+    const Range &range = range_of(part, k);
+    ends.insert(ends.end(), {range.least, range.greatest});
+  }
+  journal->keep(part.name,
+                {{"pass", part.pass},
+                 {"has_begun", part.has_begun},
+                 {"left", part.left},
+                 {"most", packed(part.most)},
+                 {"done", part.n_done},
+                 {"ends", packed(ends)},
+                 {"proofs", json_of(part.proofs)},
+                 {"program", part.program ? part.program->where_it_is()
+                                          : Journal::Json()}});
+}
+
+/** Go on from where a part was when it was kept. */
+template <typename SceneOf>
+void RangeSearch<SceneOf>::go_on(Part &part)
+{
+  const Journal::Json *const from =
+      journal != nullptr ? journal->find(part.name) : nullptr;
+  if (from == nullptr)
+    return;
+  part.pass = from->at("pass");
+  part.has_begun = from->at("has_begun");
+  part.left = from->at("left").get<std::vector<unsigned int>>();
+  part.most = unpacked(from->at("most"));
+  part.n_done = from->at("done");
+  part.proofs = range_proofs_of(from->at("proofs"));
+  const std::vector<double> ends = unpacked(from->at("ends"));
+  for (unsigned int k = part.begin; k < part.end; ++k)
+    range_of(part, k) = {ends[2 * (k - part.begin)],
+                         ends[2 * (k - part.begin) + 1]};
+  if (const Journal::Json &program = from->at("program"); !program.is_null())
+    program_of(part).go_on(program, *first);
+  count(part.n_done);
 }
 
 /**
@@ -89,9 +198,21 @@ void RangeSearch<SceneOf>::count()
 template <typename SceneOf>
 void RangeSearch<SceneOf>::find_forces(Part &part)
 {
-  for (unsigned int kind = 0; kind < n_kinds; ++kind)
-    for (const double sign : {1., -1.})
-      find_forces(part, kind, sign);
+  for (; part.pass < 2 * n_kinds; ++part.pass)
+  {
+    if (!part.has_begun)
+    {
+      for (unsigned int k = part.begin; k < part.end; ++k)
+        if (k % n_kinds == part.pass / 2)
+          part.left.push_back(k);
+      part.most.assign(part.left.size(),
+                       -std::numeric_limits<double>::infinity());
+      part.has_begun = true;
+    }
+    while (!part.left.empty())
+      find_next_force(part, part.pass % 2 == 0 ? 1. : -1.);
+    part.has_begun = false;
+  }
 }
 
 /**
@@ -99,32 +220,21 @@ void RangeSearch<SceneOf>::find_forces(Part &part)
  * of the states that were found here: its programme has one to start from.
  */
 template <typename SceneOf>
-void RangeSearch<SceneOf>::find_forces(Part &part,
-                                       const unsigned int kind,
-                                       const double sign)
+void RangeSearch<SceneOf>::find_next_force(Part &part, const double sign)
 {
-  const std::size_t n = functions.size();
-  std::vector<unsigned int> left;
-  for (unsigned int k = part.begin(n); k < part.end(n); ++k)
-    if (k % n_kinds == kind)
-      left.push_back(k);
-  std::vector<double> most(left.size(),
-                           -std::numeric_limits<double>::infinity());
-  while (!left.empty())
-  {
-    const auto of_next = std::max_element(most.begin(), most.end());
-    const auto next = left.begin() + (of_next - most.begin());
-    const unsigned int k = *next;
-    most.erase(of_next);
-    left.erase(next);
-    const GreatestValueOf<SceneOf> value =
-        greatest(part, functions[k].times(sign));
-    (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
-    count();
-    if (value.is_bounded())
-      for (std::size_t i = 0; i < left.size(); ++i)
-        most[i] = std::max(most[i], sign * functions[left[i]](value.forces));
-  }
+  const auto of_next = std::max_element(part.most.begin(), part.most.end());
+  const auto next = part.left.begin() + (of_next - part.most.begin());
+  const unsigned int k = *next;
+  part.most.erase(of_next);
+  part.left.erase(next);
+  const GreatestValueOf<SceneOf> value =
+      greatest(part, functions[k].times(sign));
+  (sign > 0. ? found[k].greatest : found[k].least) = sign * value.value;
+  if (value.is_bounded())
+    for (std::size_t i = 0; i < part.left.size(); ++i)
+      part.most[i] =
+          std::max(part.most[i], sign * functions[part.left[i]](value.forces));
+  end_item(part);
 }
 
 /**
@@ -162,17 +272,27 @@ double RangeSearch<SceneOf>::farthest_place(Part &part,
 template <typename SceneOf>
 void RangeSearch<SceneOf>::find_places(Part &part)
 {
-  const std::size_t n = pressed.size();
-  for (const double sign : {1., -1.})
-    for (unsigned int k = part.begin(n); k < part.end(n); ++k)
+  for (; part.pass < 2; ++part.pass)
+  {
+    if (!part.has_begun)
     {
-      double &place =
-          sign > 0. ? found_places[k].greatest : found_places[k].least;
-      place = found[n_kinds * k].least < -no_force_in_range * reference()
-                  ? farthest_place(part, pressed[k], sign)
-                  : std::numeric_limits<double>::quiet_NaN();
-      count();
+      for (unsigned int k = part.end; k > part.begin; --k)
+        part.left.push_back(k - 1);
+      part.has_begun = true;
     }
+    while (!part.left.empty())
+    {
+      const unsigned int k = part.left.back();
+      part.left.pop_back();
+      const double sign = part.pass == 0 ? 1. : -1.;
+      (sign > 0. ? found_places[k].greatest : found_places[k].least) =
+          found[n_kinds * k].least < -no_force_in_range * reference()
+              ? farthest_place(part, pressed[k], sign)
+              : std::numeric_limits<double>::quiet_NaN();
+      end_item(part);
+    }
+    part.has_begun = false;
+  }
 }
 
 template <typename SceneOf>
@@ -209,7 +329,9 @@ RangeSearch<SceneOf>::greatest(Part &part, const Function &function)
 
 template <typename SceneOf>
 template <typename Find>
-void RangeSearch<SceneOf>::find_parts(const Find &find)
+void RangeSearch<SceneOf>::find_parts(const std::string &name,
+                                      const bool finds_places,
+                                      const Find &find)
 {
   const unsigned int n_parts = std::max<unsigned int>(
       fewest_parts, functions.size() / n_functions_of_part);
@@ -218,8 +340,13 @@ void RangeSearch<SceneOf>::find_parts(const Find &find)
       [&](const unsigned int begin, const unsigned int end) {
         for (unsigned int number = begin; number < end; ++number)
         {
-          Part part{number, n_parts, {}, {}};
+          Part part(name, number, n_parts,
+                    finds_places ? pressed.size() : functions.size());
+          part.finds_places = finds_places;
+          go_on(part);
           find(part);
+          if (journal != nullptr && journal->is_due())
+            keep(part);
           if (part.program)
             part.proofs.n_iterations = part.program->n_iterations();
           const std::lock_guard<std::mutex> lock(mutex);
@@ -232,10 +359,12 @@ void RangeSearch<SceneOf>::find_parts(const Find &find)
 template <typename SceneOf>
 void RangeSearch<SceneOf>::find_all()
 {
-  find_parts([this](Part &part) { find_forces(part); });
+  find_parts("ranges of forces", false,
+             [this](Part &part) { find_forces(part); });
   if constexpr (std::is_same_v<SceneOf, Scene>)
     if (!pressed.empty())
-      find_parts([this](Part &part) { find_places(part); });
+      find_parts("ranges of places", true,
+                 [this](Part &part) { find_places(part); });
 }
 
 template <typename SceneOf>

@@ -73,7 +73,7 @@ find_ranges(const Scene &scene, const RangesWanted &wanted, Terminal &terminal)
   const std::vector<unsigned int> no_interfaces;
   RangeSearch<Scene> search(scene, functions, n_kinds,
                             has_places ? interfaces : no_interfaces,
-                            wanted.method, terminal);
+                            wanted.method, wanted.journal, terminal);
   search.find_all();
   const std::size_t n = wanted.interfaces.size();
   Ranges ranges;

@@ -59,7 +59,7 @@ SpaceRanges find_ranges(const SpaceScene &scene,
       list.add(reaction(found.supports[s], i), found.reactions[s][i]);
   const std::vector<unsigned int> no_places;
   RangeSearch<SpaceScene> search(scene, list.functions, 1, no_places,
-                                 wanted.method, terminal);
+                                 wanted.method, wanted.journal, terminal);
   search.find_all();
   for (std::size_t k = 0; k < list.ranges.size(); ++k)
     *list.ranges[k] = search.ranges()[k];

@@ -185,6 +185,37 @@ void StateProgram::loosen_balance(const double by)
   kept.clear();
 }
 
+void StateProgram::renew(const StateProgram &first)
+{
+  clp = std::make_unique<ClpSimplex>(*first.clp);
+  if (!kept.empty())
+    start_from(kept.back());
+}
+
+Journal::Json StateProgram::where_it_is() const
+{
+  Journal::Json vertices = Journal::Json::array();
+  for (const Vertex &vertex : kept)
+    vertices.push_back(
+        {packed(vertex.x), Journal::Json::binary(vertex.status)});
+  return {{"vertices", vertices}, {"iterations", iterations}};
+}
+
+void StateProgram::go_on(const Journal::Json &from, const StateProgram &first)
+{
+  kept.clear();
+  for (const Journal::Json &vertex : from.at("vertices"))
+    kept.push_back({unpacked(vertex.at(0)), vertex.at(1).get_binary()});
+  iterations = from.at("iterations");
+  renew(first);
+}
+
+void StateProgram::start_from(const Vertex &vertex)
+{
+  clp->copyinStatus(vertex.status.data());
+  std::copy(vertex.x.begin(), vertex.x.end(), clp->primalColumnSolution());
+}
+
 void StateProgram::keep()
 {
   const double *x = clp->primalColumnSolution();
@@ -217,8 +248,7 @@ void StateProgram::start_from_best(const std::vector<double> &c)
   }
   if (best == nullptr || best == &kept.back())
     return;
-  clp->copyinStatus(best->status.data());
-  std::copy(best->x.begin(), best->x.end(), clp->primalColumnSolution());
+  start_from(*best);
 }
 
 StateProgram::Optimum StateProgram::maximise(const std::vector<double> &c)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/packing_summary.h>
+#include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/space_ground_summary.h>
 #include <voussoir/output/summary/space_stress_summary.h>
 #include <voussoir/output/summary/versions.h>
@@ -193,6 +194,8 @@ Json summary_of(const SpaceResults &answer,
     add_answer(answer, summary);
   if (answer.clamping)
     summary["clamping"] = json_of(*answer.clamping);
+  if (!answer.provenance.is_null())
+    summary[provenance_key] = answer.provenance;
   summary["timings"] = answer.timings;
   summary["versions"] = library_versions();
   return summary;

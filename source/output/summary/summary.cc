@@ -3,6 +3,7 @@
 #include <voussoir/output/summary/ground_summary.h>
 #include <voussoir/output/summary/link_summary.h>
 #include <voussoir/output/summary/messages.h>
+#include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/output/summary/versions.h>
@@ -89,6 +90,8 @@ void show_analyses(Terminal &terminal,
 /** Add what stands last. */
 Json complete(Json summary, const RunRecord &run)
 {
+  if (!run.provenance.is_null())
+    summary[provenance_key] = run.provenance;
   summary["timings"] = run.timings;
   summary["versions"] = library_versions();
   return summary;

@@ -45,6 +45,12 @@ po::options_description visible_options(Arguments &arguments)
       "validate", po::bool_switch(&arguments.validate),
       "read the scene and its packing, show what was understood, and solve and "
       "write nothing")(
+      "resume", po::bool_switch(&arguments.resumes),
+      "go on with a run, or a sweep or search, that was interrupted, from "
+      "what it has kept in its output directory")(
+      "reproduce", po::value(&arguments.reproduced)->value_name("SUMMARY"),
+      "make the results of a summary.json again, in a directory that is "
+      "removed, and say what differs")(
       "print-parameters",
       po::value<std::string>()
           ->value_name("SECTION")
@@ -129,10 +135,10 @@ std::string help()
           "the rigid blocks\nof the packing that FILE describes, a file of "
           "parameters in deal.II's formats:\n.prm, .json or .xml.\n\n"
        << visible_options(defaults)
-       << "\nExit status: 0 solved, 2 bad input, 3 the load is not carried, "
-          "4 the solver failed,\n130 interrupted by SIGINT (Ctrl-C), 143 by "
-          "SIGTERM, 129 by SIGHUP: then nothing is\nwritten, or all "
-          "results are complete.\n";
+       << "\nExit status: 0 solved, 1 another answer with --reproduce, 2 bad "
+          "input, 3 the load is\nnot carried, 4 the solver failed, 130 "
+          "interrupted by SIGINT (Ctrl-C), 143 by SIGTERM,\n129 by SIGHUP: "
+          "then nothing is written, or all results are complete.\n";
   return text.str();
 }
 

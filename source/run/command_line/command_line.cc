@@ -6,6 +6,7 @@
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/make_run.h>
+#include <voussoir/run/reproduction.h>
 #include <voussoir/run/sweep/search.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/run/variables.h>
@@ -27,6 +28,7 @@ namespace
 enum class ExitStatus
 {
   solved = 0,
+  another_answer = 1,
   bad_input = 2,
   load_not_carried = 3,
   solver_failed = 4
@@ -75,9 +77,12 @@ bool run_many(const Arguments &arguments,
   if (arguments.file.empty())
     throw InputError("No parameter file is given. Run 'voussoir FILE.prm', or "
                      "see 'voussoir --help'.");
-  const ManyRuns runs = {arguments.file, arguments.assignments,
-                         arguments.results, arguments.has_directories,
-                         arguments.writes_critical};
+  const ManyRuns runs = {arguments.file,
+                         arguments.assignments,
+                         arguments.results,
+                         arguments.has_directories,
+                         arguments.writes_critical,
+                         arguments.resumes};
   if (finds)
   {
     search(runs, read_search_range(arguments.find), terminal);
@@ -88,6 +93,20 @@ bool run_many(const Arguments &arguments,
     axes.push_back(read_sweep_axis(text));
   sweep(runs, axes, terminal);
   return true;
+}
+
+/** Make results again that are there. */
+ExitStatus run_again(const Arguments &arguments,
+                     const ProcessGroup &processes,
+                     Terminal &terminal)
+{
+  if (!arguments.file.empty() || !arguments.assignments.empty())
+    throw InputError(
+        "--reproduce takes the parameters beside the summary; give "
+        "it without a file of parameters and --set.");
+  return reproduce(arguments.reproduced, terminal, processes)
+             ? ExitStatus::solved
+             : ExitStatus::another_answer;
 }
 
 /** A text that is asked for besides runs. */
@@ -151,6 +170,8 @@ ExitStatus run(const Arguments &arguments,
     terminal.be_quiet();
   if (run_many(arguments, processes, terminal))
     return ExitStatus::solved;
+  if (!arguments.reproduced.empty())
+    return run_again(arguments, processes, terminal);
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;
@@ -183,6 +204,8 @@ ExitStatus run(const Arguments &arguments,
     return ExitStatus::solved;
   }
   terminal.set_verbosity(run->verbosity());
+  if (arguments.resumes)
+    run->resume();
   const std::string message = run->carry_out(directory, true).message;
   return message.empty() ? ExitStatus::solved
                          : fail(streams, ExitStatus::load_not_carried, message);

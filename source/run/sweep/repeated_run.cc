@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/factors/no_live_loads.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/output/summary/provenance.h>
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/repeated_run.h>
 
@@ -40,6 +41,43 @@ RepeatedRun::RepeatedRun(std::filesystem::path file_in,
   directory = scene->entries().get("Output directory");
   inputs = scene->input_files(origin);
   of_forces = value_in(scene->tree(), "/Forces from/value");
+  of_input = identity_of(scene->provenance(origin, directory));
+  of_input.erase("threads"); // each run has one
+  seconds_to_checkpoint =
+      std::stod(value_in(scene->tree(), "/Output/Checkpoint after/value"));
+}
+
+nlohmann::ordered_json json_of(const SweepRun &run)
+{
+  return {{"values", run.values},
+          {"has_answer", run.has_answer},
+          {"is_unloaded", run.is_unloaded},
+          {"seeks_least", run.seeks_least},
+          {"verdict", run.verdict ? static_cast<int>(*run.verdict) : -1},
+          {"sentence", run.sentence},
+          {"summary", run.summary},
+          {"warnings", run.warnings},
+          {"reason", run.reason},
+          {"page", run.page},
+          {"seconds", run.seconds}};
+}
+
+SweepRun sweep_run_of(const nlohmann::ordered_json &json)
+{
+  SweepRun run;
+  run.values = json.at("values").get<std::vector<std::string>>();
+  run.has_answer = json.at("has_answer");
+  run.is_unloaded = json.at("is_unloaded");
+  run.seeks_least = json.at("seeks_least");
+  if (const int verdict = json.at("verdict"); verdict >= 0)
+    run.verdict = static_cast<Status::Kind>(verdict);
+  run.sentence = json.at("sentence");
+  run.summary = json.at("summary");
+  run.warnings = json.at("warnings").get<std::vector<std::string>>();
+  run.reason = json.at("reason");
+  run.page = json.at("page");
+  run.seconds = json.at("seconds");
+  return run;
 }
 
 SweepRun RepeatedRun::run(const std::vector<std::string> &values,

@@ -117,6 +117,9 @@ SweepRunner::SweepRunner(const ManyRuns &wanted,
   for (const std::string &result : wanted.results)
     check_name_of(result);
   protect_inputs(files, scene, wanted.file);
+  journal.begin({fs::path(scene.output_directory()) / checkpoint_file,
+                 scene.identity(), scene.checkpoint_after()},
+                wanted.resumes);
 }
 
 /** The directory of the table; others must be such that can be written, too. */
@@ -141,8 +144,7 @@ SweepRunner::run(const std::vector<std::vector<std::string>> &points)
   done.resize(first + points.size());
   std::atomic<std::size_t> n_done = 0;
   in_threads(points.size(), [&](const std::size_t k) {
-    done[first + k] =
-        run_into(wanted.has_directories ? name_of(first + k) : "", points[k]);
+    done[first + k] = kept_or_run(first + k, points[k]);
     const std::lock_guard lock(of_terminal);
     if (first + k == 0)
       look_at_results(done.front());
@@ -183,6 +185,7 @@ void SweepRunner::write(const std::optional<SearchEnds> ends)
     write_sweep_html(out, {scene.title(), names(), wanted.results, done, ends});
   });
   files.publish_beside();
+  journal.end();
   terminal.stage("Output",
                  text("written to ", scene.output_directory(), '/', sweep_csv,
                       "; ", sweep_html, " shows it in a browser"));
@@ -217,6 +220,20 @@ void SweepRunner::look_at_results(const SweepRun &first)
       terminal.warning("The first run has no '" + result + "', but " + meant +
                        ".");
   }
+}
+
+/** One run, or what is kept of it. */
+SweepRun SweepRunner::kept_or_run(const std::size_t number,
+                                  const std::vector<std::string> &values)
+{
+  const std::string directory = wanted.has_directories ? name_of(number) : "";
+  const std::string name = words_of(names(), values) +
+                           (directory.empty() ? "" : ", in " + directory);
+  if (const Journal::Json *const before = journal.find(name))
+    return sweep_run_of(*before);
+  SweepRun run = run_into(directory, values);
+  journal.keep(name, json_of(run));
+  return run;
 }
 
 /** One run, whose results are in a directory beside the table, if named. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
+#include <voussoir/base/content_name.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/proven_factor.h>
@@ -35,7 +36,8 @@ ProvenFactor::ProvenFactor(ConicForces &forces,
                            Terminal &terminal)
     : forces(forces), program(std::move(program_in)), controls(controls),
       terminal(terminal),
-      least_bound(program.sense * std::numeric_limits<double>::infinity())
+      least_bound(program.sense * std::numeric_limits<double>::infinity()),
+      least_merit(merit_worth_correcting)
 {}
 
 void ProvenFactor::Course::cut(const double least)
@@ -75,20 +77,57 @@ void ProvenFactor::find_anchors(const SelfDual::Point &point)
       open = std::move(early);
 }
 
+/** Of this program among those of a run. */
+std::string ProvenFactor::name() const
+{
+  const std::vector<double> limits = forces.limits();
+  return "load factor " +
+         name_of_content({&program.dead, &program.live, &limits}) +
+         (program.sense > 0. ? ", the greatest" : ", the least");
+}
+
+KeptFactor ProvenFactor::kept(const SelfDual &search) const
+{
+  return {search.progress(), best,        least_merit, last_trial,
+          known == nullptr,  anchor,      open,        best_state,
+          has_state,         best_motion, least_bound};
+}
+
+void ProvenFactor::go_on(KeptFactor from, SelfDual &search)
+{
+  search.go_on(std::move(from.progress));
+  best = std::move(from.best);
+  least_merit = from.least_merit;
+  last_trial = from.last_trial;
+  if (from.has_taken_known)
+    take_known();
+  anchor = std::move(from.anchor);
+  open = std::move(from.open);
+  best_state = std::move(from.best_state);
+  has_state = from.has_state;
+  best_motion = std::move(from.best_motion);
+  least_bound = from.least_bound;
+}
+
 void ProvenFactor::find(const std::function<bool()> &is_enough)
 {
   SelfDual search(forces, program,
                   followed != nullptr && !followed->stops.empty()
                       ? &followed->stops.back().at
                       : nullptr);
-  std::optional<SelfDual::Point> best;
-  double least = merit_worth_correcting;
-  unsigned int last_trial = 0;
+  // Of one that follows others the whole course would have to be kept.
+  Journal *const journal = followed == nullptr ? controls.journal : nullptr;
+  const std::string name_of_this = journal != nullptr ? name() : "";
+  if (journal != nullptr)
+    if (const Journal::Json *const before = journal->find(name_of_this))
+      go_on(kept_factor_of(*before), search);
   bool is_last = false;
   state_of_program = SelfDual::State::running;
   while (state_of_program == SelfDual::State::running && !is_last &&
          !is_enough() && search.n_iterations() < controls.n_max_iterations)
   {
+    if (journal != nullptr && journal->is_due())
+      journal->keep(name_of_this, json_of(kept(search)));
     // One step beyond what is wanted costs little and brings many digits.
     is_last = width() <= controls.tolerance;
     state_of_program = search.step();
@@ -98,15 +137,15 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
                             search.merit()));
     if (followed != nullptr)
       followed->stops.push_back({search.merit(), search.variables()});
-    if (!(search.merit() < least))
+    if (!(search.merit() < least_merit))
       continue;
-    least = search.merit();
+    least_merit = search.merit();
     best = search.point();
     take_known();
     find_anchors(*best);
-    if (least > first_trial_factor * controls.tolerance ||
+    if (least_merit > first_trial_factor * controls.tolerance ||
         (search.n_iterations() < last_trial + n_between_factors &&
-         least > controls.tolerance))
+         least_merit > controls.tolerance))
       continue;
     last_trial = search.n_iterations();
     look_near(*best, near_enough_to_leave);

@@ -72,6 +72,15 @@ SelfDual::SelfDual(ConicForces &forces,
   judge();
 }
 
+void SelfDual::go_on(Progress from)
+{
+  now = std::move(from.at);
+  iterations = from.iterations;
+  iteration_of_least = from.iteration_of_least;
+  least_mean = from.least_mean;
+  judge();
+}
+
 /**
  * All products start from one. The displacement, with the work one, is small
  * beside the forces.

@@ -2,6 +2,7 @@
 #ifndef voussoir_analyses_factors_load_factor_h
 #define voussoir_analyses_factors_load_factor_h
 
+#include <voussoir/base/journal.h>
 #include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/scene/space/face_forces.h>
@@ -25,6 +26,8 @@ struct LoadFactorControls
   double tolerance = 1e-8;
   /** The number of iterations after which to give up. */
   unsigned int n_max_iterations = 300;
+  /** Where is kept what is found on the way, or null. */
+  Journal *journal = nullptr;
 };
 
 /**

@@ -3,6 +3,7 @@
 #define voussoir_analyses_ranges_ranges_h
 
 #include <voussoir/analyses/ranges/range.h>
+#include <voussoir/base/journal.h>
 #include <voussoir/scene/proofs/reactions.h>
 #include <voussoir/scene/scene.h>
 #include <voussoir/terminal/terminal.h>
@@ -24,6 +25,8 @@ struct RangesWanted
   RangeMethod method = RangeMethod::automatic;
   /** True if the forces of links are among them. */
   bool links = false;
+  /** Where is kept what is found on the way, or null. */
+  Journal *journal = nullptr;
 };
 
 /**

@@ -2,6 +2,7 @@
 #ifndef voussoir_analyses_ranges_state_program_h
 #define voussoir_analyses_ranges_state_program_h
 
+#include <voussoir/base/journal.h>
 #include <voussoir/statics/conic/feasible_state.h>
 
 #include <deque>
@@ -66,6 +67,17 @@ public:
   /** Let the next one start from the beginning, should a state be wrong. */
   void forget();
 
+  /**
+   * Start the next programme in a copy of @p first, from the last vertex: what
+   * follows depends on nothing but where_it_is().
+   */
+  void renew(const StateProgram &first);
+  /** @{ */
+  /** Where it is, as it is kept in a Journal, and a renewed one from there. */
+  Journal::Json where_it_is() const;
+  void go_on(const Journal::Json &from, const StateProgram &first);
+  /** @} */
+
   /** The number of steps of the simplex method. */
   unsigned int n_iterations() const { return iterations; }
 
@@ -83,6 +95,7 @@ private:
     std::vector<unsigned char> status;
   };
   void keep();
+  void start_from(const Vertex &vertex);
   void start_from_best(const std::vector<double> &c);
 
   const RowProblem &problem;

@@ -18,6 +18,8 @@ public:
   /** With all formulations, and the processes that can help them. */
   explicit SolverParameters(const ProcessGroup &processes = ProcessGroup());
 
+  /** Keep what is found on the way in @p journal, or nothing if it is null. */
+  void keep_in(Journal *journal) { common.journal = journal; }
   /** Declare the entry and the section, and bind them. */
   void add_parameters(dealii::ParameterHandler &prm);
 

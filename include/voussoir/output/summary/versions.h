@@ -4,10 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace Voussoir
 {
 /** The versions of the program and of its libraries, by their names. */
 nlohmann::ordered_json library_versions();
+
+/**
+ * The commit of the program, with "-dirty" if files differ from it; empty if it
+ * was not built in a repository.
+ */
+std::string commit();
 } // namespace Voussoir
 
 #endif

@@ -27,6 +27,10 @@ struct Arguments
   bool writes_critical = false;
   /** --validate. */
   bool validate = false;
+  /** --resume. */
+  bool resumes = false;
+  /** --reproduce: a summary.json; empty if that is not asked for. */
+  std::string reproduced;
   /** --print-parameters: the section to print; empty for all parameters. */
   std::optional<std::string> print_parameters;
   /** --print-settings. */

@@ -21,6 +21,8 @@ struct ManyRuns
   bool has_directories = false;
   /** True to write those of the least load factor, into `critical`. */
   bool writes_critical = false;
+  /** True to take runs that one which was interrupted has kept. */
+  bool resumes = false;
 };
 } // namespace Voussoir
 

@@ -70,6 +70,10 @@ public:
   {
     return inputs;
   }
+  /** What tells the scene from others, without the values; identity_of(). */
+  const nlohmann::ordered_json &identity() const { return of_input; }
+  /** The entry `Output/Checkpoint after`. */
+  double checkpoint_after() const { return seconds_to_checkpoint; }
   /** The entry `Forces from`; empty if there is none. */
   const std::string &forces_from() const { return of_forces; }
 
@@ -90,9 +94,17 @@ private:
   /** Where relative paths begin. */
   std::filesystem::path origin;
   std::string of_scene, directory, of_forces;
+  nlohmann::ordered_json of_input;
+  double seconds_to_checkpoint;
   std::vector<std::filesystem::path> inputs;
   PackingsOfRuns packings;
 };
+
+/** @{ */
+/** A run as a tree, and back, with all digits. */
+nlohmann::ordered_json json_of(const SweepRun &run);
+SweepRun sweep_run_of(const nlohmann::ordered_json &json);
+/** @} */
 
 /** The names of what changes. */
 std::vector<std::string> names_of(const std::vector<ChangingEntry> &changing);

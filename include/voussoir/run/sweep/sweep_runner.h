@@ -2,6 +2,7 @@
 #ifndef voussoir_run_sweep_sweep_runner_h
 #define voussoir_run_sweep_sweep_runner_h
 
+#include <voussoir/base/journal.h>
 #include <voussoir/output/result_directory.h>
 #include <voussoir/run/sweep/many_runs.h>
 #include <voussoir/run/sweep/repeated_run.h>
@@ -67,6 +68,8 @@ private:
                               const std::vector<std::string> &directories,
                               Terminal &terminal);
   void look_at_results(const SweepRun &first);
+  SweepRun kept_or_run(std::size_t number,
+                       const std::vector<std::string> &values);
   SweepRun run_into(const std::string &name,
                     const std::vector<std::string> &values);
   std::string name_of(std::size_t run) const;
@@ -79,6 +82,8 @@ private:
   Terminal &terminal;
   RepeatedRun scene;
   ResultDirectory files;
+  /** Runs that are done, until all are. */
+  Journal journal;
   std::vector<SweepRun> done;
   /** The directories of write_results() so far. */
   std::vector<std::string> written;

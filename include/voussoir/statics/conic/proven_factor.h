@@ -2,12 +2,13 @@
 #ifndef voussoir_statics_conic_proven_factor_h
 #define voussoir_statics_conic_proven_factor_h
 
-#include <voussoir/statics/conic/factor_bounds.h>
+#include <voussoir/statics/conic/kept_factor.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace Voussoir
@@ -41,6 +42,8 @@ public:
     unsigned int n_max_iterations;
     /** The factor in the user's terms, over alpha. */
     double unit = 1.;
+    /** Where it keeps what it knows on its way, or null. */
+    Journal *journal = nullptr;
   };
 
   /**
@@ -112,6 +115,9 @@ private:
                ? best_state->alpha
                : -program.sense * std::numeric_limits<double>::infinity();
   }
+  std::string name() const;
+  KeptFactor kept(const SelfDual &search) const;
+  void go_on(KeptFactor from, SelfDual &search);
   void take_known();
   void find_anchors(const SelfDual::Point &point);
   void look_near(const SelfDual::Point &point, double near_enough);
@@ -134,6 +140,12 @@ private:
   bool has_state = false;
   std::optional<FactorMotion> best_motion;
   double least_bound;
+  /** @{ */
+  /** The best point so far, its merit, and when proofs were looked for. */
+  std::optional<SelfDual::Point> best;
+  double least_merit;
+  unsigned int last_trial = 0;
+  /** @} */
   /** The last point, of a ray. */
   SelfDual::Point ray;
   unsigned int iterations = 0;

@@ -48,6 +48,29 @@ public:
     bool is_verdict = false;
   };
 
+  /** A point and tau, kappa. */
+  struct Variables
+  {
+    /** @{ */
+    /** As in Point, times tau. */
+    std::vector<double> x, u, s, z;
+    double alpha, tau, kappa;
+    /** @} */
+  };
+
+  /** Where a search is, all that its next steps depend on. */
+  struct Progress
+  {
+    /** The variables(). */
+    Variables at;
+    /** @{ */
+    /** How many steps were taken, and how many until the last that counts as
+     * progress, with the mean product then. */
+    unsigned int iterations, iteration_of_least;
+    double least_mean;
+    /** @} */
+  };
+
   /** What is known. */
   enum class State
   {
@@ -63,16 +86,6 @@ public:
     stalled
   };
 
-  /** A point and tau, kappa. */
-  struct Variables
-  {
-    /** @{ */
-    /** As in Point, times tau. */
-    std::vector<double> x, u, s, z;
-    double alpha, tau, kappa;
-    /** @} */
-  };
-
   /**
    * @param forces of the joints; it must outlive this object.
    * @param program what is asked of them.
@@ -82,6 +95,14 @@ public:
   SelfDual(ConicForces &forces,
            Program program,
            const Variables *start = nullptr);
+
+  /** Where it is. */
+  Progress progress() const
+  {
+    return {now, iterations, iteration_of_least, least_mean};
+  }
+  /** Go on from where a search of the same program was. */
+  void go_on(Progress from);
 
   /** Take a step; what is known then. */
   State step();

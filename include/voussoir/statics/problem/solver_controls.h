@@ -6,6 +6,7 @@
 
 namespace Voussoir
 {
+class Journal;
 struct Solution;
 
 /** The controls that all formulations share. */
@@ -29,6 +30,8 @@ struct SolverControls
    * own, or null. LeastEnergy starts from it, if it is alone.
    */
   const Solution *start = nullptr;
+  /** Where is kept what is found on the way, or null. */
+  Journal *journal = nullptr;
 };
 
 /** @{ */

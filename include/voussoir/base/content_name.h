@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef voussoir_base_content_name_h
+#define voussoir_base_content_name_h
+
+#include <string>
+#include <vector>
+
+namespace Voussoir
+{
+/**
+ * The name of a content: its UUID of version 5, from SHA-1, in the name space
+ * of object identifiers, as Python's uuid.uuid5(uuid.NAMESPACE_OID, content).
+ */
+std::string name_of_content(const std::string &content);
+/** The same of the bytes of numbers, one list behind the other. */
+std::string
+name_of_content(const std::vector<const std::vector<double> *> &lists);
+} // namespace Voussoir
+
+#endif
