@@ -186,7 +186,8 @@ void Journal::end()
   if (!keeps)
     return;
   std::error_code ignored;
-  fs::remove(place.file, ignored);
+  for (const std::string ending : {"", ".new"})
+    fs::remove(place.file.string() + ending, ignored);
   keeps = false;
 }
 
