@@ -160,9 +160,11 @@ void Journal::write_all()
       written.insert(name);
     }
     if (!out.flush())
-      throw InputError("'" + beside.string() +
-                       "' cannot be written; is the disk full? Without "
-                       "'Output/Checkpoint after' nothing is kept on the way.");
+      throw InputError(
+          "'" + beside.string() +
+          "' cannot be written: the disk may be full. Make room, or set "
+          "'Output/Checkpoint after' to more seconds than the run "
+          "takes.");
   }
   fs::rename(beside, place.file);
 }
@@ -174,9 +176,11 @@ void Journal::append(const std::string &name)
   const std::string record = record_of(record_of_part(name, parts.at(name)));
   out.write(record.data(), record.size());
   if (!out.flush())
-    throw InputError("'" + place.file.string() +
-                     "' cannot be written; is the disk full? Without "
-                     "'Output/Checkpoint after' nothing is kept on the way.");
+    throw InputError(
+        "'" + place.file.string() +
+        "' cannot be written: the disk may be full. Make room, or set "
+        "'Output/Checkpoint after' to more seconds than the run "
+        "takes.");
   written.insert(name);
 }
 

@@ -117,8 +117,8 @@ private:
   [[noreturn]] void refuse(const std::string &fault) const
   {
     throw InputError("'" + file.string() + "' " + fault +
-                     "; --reproduce needs the summary.json that a run of this "
-                     "version has written.");
+                     "; name the summary.json that a run of this version has "
+                     "written.");
   }
 
   const fs::path file;

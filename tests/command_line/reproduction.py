@@ -187,8 +187,8 @@ check("blocks in space are made again", status == 0 and "last digit" in out and
 # What cannot be made again.
 status, _, error = run("--reproduce", "here/none.json")
 refused("no file", status, error,
-        "'here/none.json' cannot be read; --reproduce needs the summary.json that a run of this "
-        "version has written.")
+        "'here/none.json' cannot be read; name the summary.json that a run of this version has "
+        "written.")
 Path("here/text.json").write_text("[1, 2", encoding="utf-8")
 status, _, error = run("--reproduce", "here/text.json")
 refused("no JSON", status, error, "'here/text.json' does not say what the results are made of (")

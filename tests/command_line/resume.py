@@ -58,12 +58,12 @@ set Output/Checkpoint after = 0
 """
 # The scene, and the words of the command line.
 COMPUTATIONS = {
-    "load factor": (WALL.format(courses=40, bricks=30), ["--set", "Analysis=load factor"]),
-    "load factor, Tresca": (CELLS.format(n=6000), ["--set", "Analysis=load factor"]),
-    "load factor in space": (BOXES.format(n=7), ["--set", "Analysis=load factor"]),
-    "ranges": (WALL.format(courses=10, bricks=12), ["--set", "Ranges/Where=1"]),
-    "ranges without turning": (CELLS.format(n=300), ["--set", "Ranges/Where=1"]),
-    "ranges in space": (BOXES.format(n=2), ["--set", "Ranges/Where=1"]),
+    "load factor": (WALL.format(courses=24, bricks=20), ["--set", "Analysis=load factor"]),
+    "load factor, Tresca": (CELLS.format(n=2500), ["--set", "Analysis=load factor"]),
+    "load factor in space": (BOXES.format(n=3), ["--set", "Analysis=load factor"]),
+    "ranges": (WALL.format(courses=7, bricks=8), ["--set", "Ranges/Where=1"]),
+    "ranges without turning": (CELLS.format(n=150), ["--set", "Ranges/Where=1"]),
+    "ranges in space": (BOXES.format(n=1), ["--set", "Ranges/Where=1"]),
     "sweep": (WALL.format(courses=12, bricks=8),
               ["--set", "Analysis=load factor", "--sweep", "Friction/Coefficient=0.3:0.9:24"]),
     "sweep with directories": (WALL.format(courses=8, bricks=6),

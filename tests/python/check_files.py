@@ -75,7 +75,7 @@ def check_columns():
                 if not (beside and (name, column) in BESIDE_MECHANISM):
                     expect(f"{file}: {column} of {name}", has(columns, texts))
         missing = read(f"{directory}/summary.json", json.load).keys() - found.summary.keys()
-        expect(f"{file}: {missing} of summary.json", missing <= {"title", "processes"})
+        expect(f"{file}: {missing} of summary.json", missing <= {"title", "processes", "provenance"})
     expect(f"{kinds}", kinds == {
         "interfaces.csv", "cells.csv", "boundary.csv", "links.csv", "capacity.csv",
         "mechanism.csv", "mechanism_joints.csv", "mechanism_links.csv", "interface_points.csv"})

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/blas.h>
 #include <voussoir/base/content_name.h>
-#include <voussoir/base/exceptions.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/versions.h>
 
@@ -14,15 +13,14 @@ namespace Voussoir
 {
 namespace
 {
-std::string content_of(const std::filesystem::path &file)
+/** Null if it cannot be read, which who needs it says. */
+nlohmann::ordered_json name_of_file(const std::filesystem::path &file)
 {
   std::ifstream in(file, std::ios::binary);
-  std::string content((std::istreambuf_iterator<char>(in)), {});
+  const std::string content((std::istreambuf_iterator<char>(in)), {});
   if (!in.is_open() || in.bad())
-    throw InputError("The file '" + file.string() +
-                     "', of which the results are made, cannot be read again; "
-                     "was it moved or removed meanwhile?");
-  return content;
+    return {};
+  return name_of_content(content);
 }
 } // namespace
 
@@ -37,7 +35,7 @@ nlohmann::ordered_json provenance_of(const Origin &origin,
   };
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
   for (const std::filesystem::path &file : origin.files)
-    files[from_results(file)] = name_of_content(content_of(file));
+    files[from_results(file)] = name_of_file(file);
   return {{"command", origin.command},
           {"directory", from_results(origin.directory)},
           {"parameters", name_of_content(origin.parameters)},

@@ -34,7 +34,6 @@ struct Origin
  * @param origin what they are made of.
  * @param results the directory of the results, from which paths are given; with
  *   none of an empty one.
- * @throws InputError if a file cannot be read.
  */
 nlohmann::ordered_json provenance_of(const Origin &origin,
                                      const std::filesystem::path &results);
