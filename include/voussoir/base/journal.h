@@ -26,6 +26,7 @@ namespace Voussoir
 class Journal
 {
 public:
+  /** A tree of numbers and texts. */
   using Json = nlohmann::ordered_json;
 
   /** One that keeps nothing. */

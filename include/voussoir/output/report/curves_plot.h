@@ -23,6 +23,7 @@ struct PlotCurve
 /** A value of x without a number, marked on the axis. */
 struct PlotMark
 {
+  /** Where on the axis. */
   double x;
   /** A class of the style sheet. */
   std::string kind;
@@ -45,6 +46,7 @@ struct CurvesPlot
   std::vector<PlotCurve> envelopes = {};
   /** One that stands out, with a ring. */
   std::optional<PlotPoint> extreme = {};
+  /** What has no point, on the axis of x. */
   std::vector<PlotMark> marks = {};
 };
 

@@ -11,6 +11,7 @@ namespace Voussoir
 /** What one axis of a plot shows. */
 struct PlotRange
 {
+  /** What stands beside the axis. */
   std::string name;
   double low;  /**< finite */
   double high; /**< finite, not less */
@@ -27,6 +28,7 @@ public:
   /** @param from, to the places of its ends. */
   PlotAxis(const PlotRange &range, double from, double to);
 
+  /** The place of a value, in the units of the picture. */
   double place(double value) const;
   /** Round values on the axis, or all words by their numbers. */
   std::vector<double> ticks() const;
@@ -44,6 +46,7 @@ private:
 class PlotFrame
 {
 public:
+  /** With ticks, and the names of both. */
   PlotFrame(const PlotRange &x, const PlotRange &y);
 
   /** @{ */

@@ -14,6 +14,7 @@ namespace Voussoir
 /** What changes in a sweep, with its values. */
 struct SweptEntry
 {
+  /** As on the command line. */
   std::string name;
   /** Each value once: ascending if all are numbers, else in their order. */
   std::vector<std::string> values;
@@ -37,6 +38,7 @@ struct SweepLayout
     table
   };
 
+  /** How they are drawn. */
   Form form = Form::curves;
   /** The entry along the axis of x. */
   SweptEntry along;

@@ -15,7 +15,10 @@ namespace Voussoir
 /** The runs between which the answer of a search changes, by their numbers. */
 struct SearchEnds
 {
+  /** @{ */
+  /** The last that carries its loads, and the first that does not. */
   std::size_t carried, collapses;
+  /** @} */
   /** True if between them the answer is open. */
   bool is_open = false;
 };
