@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What was killed goes on, and ends with the same files: resume.py VOUSSOIR [--kills N]
+"""What was killed goes on, and ends with the same files: resume.py VOUSSOIR [options]
 
 Each computation is killed at random moments, N times (2), and resumed after each.
 """
@@ -18,6 +18,8 @@ OPTIONS = argparse.ArgumentParser(description=__doc__)
 OPTIONS.add_argument("program", type=lambda name: str(Path(name).resolve()))
 OPTIONS.add_argument("--kills", type=int, default=2)
 OPTIONS.add_argument("--seed", type=int, default=1)
+OPTIONS.add_argument("--only", default="", metavar="REGEX",
+                     help="of the computations those whose names match")
 OPTIONS = OPTIONS.parse_args()
 RESULTS = Path("results")
 CHECKPOINT = RESULTS / "checkpoint.bin"
@@ -58,7 +60,7 @@ set Output/Checkpoint after = 0
 """
 # The scene, and the words of the command line.
 COMPUTATIONS = {
-    "load factor": (WALL.format(courses=24, bricks=20), ["--set", "Analysis=load factor"]),
+    "load factor": (WALL.format(courses=30, bricks=24), ["--set", "Analysis=load factor"]),
     "load factor, Tresca": (CELLS.format(n=2500), ["--set", "Analysis=load factor"]),
     "load factor in space": (BOXES.format(n=3), ["--set", "Analysis=load factor"]),
     "ranges": (WALL.format(courses=7, bricks=8), ["--set", "Ranges/Where=1"]),
@@ -154,6 +156,8 @@ def kill_and_resume(name, scene, more, whole, seconds, moments):
 
 def check_all(moments):
     for name, (scene, more) in COMPUTATIONS.items():
+        if not re.search(OPTIONS.only, name):
+            continue
         shutil.rmtree(RESULTS, ignore_errors=True)
         begin = time.monotonic()
         done = run(scene, more)
