@@ -36,10 +36,11 @@ std::string sentence_of(const CapacityCurve &curve)
   words << "At rest " << curve.points.front().carried
         << " times the live loads are carried, and ";
   if (std::isfinite(curve.ultimate))
-    words << "none where the point has gone by " << curve.ultimate << '.';
+    words << "none where the point has gone by " << curve.ultimate << "{L}.";
   else
     words << curve.points.back().carried << " where it has gone by "
-          << curve.points.back().displacement << ": there " << curve.end << '.';
+          << curve.points.back().displacement << "{L}: there " << curve.end
+          << '.';
   return words.str();
 }
 

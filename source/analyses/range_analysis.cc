@@ -52,6 +52,51 @@ Json summary_of(const Ranges &ranges, const Scene &scene)
   json["iterations"] = ranges.proofs.n_iterations;
   return json;
 }
+
+/** The largest distance of the ends of any range that is no interface's. */
+double widest_beside_interfaces(const Ranges &ranges)
+{
+  double widest = 0.;
+  const auto see = [&](const Range &range) {
+    widest = std::max(widest, range.greatest - range.least);
+  };
+  for (const auto &reaction : ranges.reactions)
+    for (const Range &range : reaction)
+      see(range);
+  for (const Range &range : ranges.links)
+    see(range);
+  return widest;
+}
+
+std::string sentence_of(const Ranges &ranges)
+{
+  std::ostringstream words;
+  words.precision(4);
+  words << "Among the states that carry the loads ";
+  if (ranges.has_interfaces())
+  {
+    const CountOfRanges count(ranges);
+    words << "the forces of " << count.determined << " of "
+          << counted(count.wanted, "joint") << " are the same in all";
+    if (count.unbounded > 0)
+      words << ", and those of " << count.unbounded << " have no bound";
+    words << '.';
+    return words.str();
+  }
+  if (ranges.reactions.empty() && ranges.links.empty())
+    return {};
+  const double widest = widest_beside_interfaces(ranges);
+  words << (ranges.links.empty()       ? "reactions"
+            : ranges.reactions.empty() ? "the forces of ties"
+                                       : "reactions and the forces of ties");
+  if (!std::isfinite(widest))
+    words << " differ without bound.";
+  else if (widest <= Ranges::least_range * ranges.reference)
+    words << " are the same.";
+  else
+    words << " differ by up to " << widest << "{F}.";
+  return words.str();
+}
 } // namespace
 
 std::string description_of(const Ranges &ranges, const Scene &scene)
@@ -101,6 +146,7 @@ void RangeAnalysis::answer(AnalysisOutcome &outcome,
                      ", ", counted(found.proofs.n_iterations, "step")));
   AnalysisResult result = {name(), "Ranges", description_of(found, scene),
                            summary_of(found, scene)};
+  result.sentence = sentence_of(found);
   result.data = std::move(found);
   outcome.results.push_back(std::move(result));
 }

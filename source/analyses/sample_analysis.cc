@@ -28,6 +28,17 @@ std::string description_of(const StateSamples &samples)
               samples.largest_error);
 }
 
+std::string sentence_of(const StateSamples &samples)
+{
+  if (samples.dimension == 0)
+    return "All states that carry the loads have the same forces.";
+  if (!samples.have_settled())
+    return "The states that were drawn have not settled, and give no mean.";
+  return text("The states that were drawn are worth at least ",
+              std::floor(samples.effective),
+              " independent ones of all that carry the loads.");
+}
+
 nlohmann::ordered_json summary_of(const StateSamples &samples)
 {
   nlohmann::ordered_json json = {{"settled", samples.have_settled()},
@@ -113,6 +124,7 @@ void SampleAnalysis::answer(AnalysisOutcome &outcome,
                                          " from one to the next"));
   AnalysisResult result = {name(), "Samples", description_of(drawn),
                            summary_of(drawn)};
+  result.sentence = sentence_of(drawn);
   if (!drawn.have_settled())
     result.doubts = {not_settled(drawn)};
   result.data = std::move(drawn);

@@ -47,6 +47,24 @@ nlohmann::ordered_json summary_of(const Scene &scene,
           {"open", count.open},
           {"sliding", count.sliding}};
 }
+
+std::string sentence_of(const Scene &scene, const Settlement &settlement)
+{
+  const CountOfJumps count(scene, settlement);
+  std::ostringstream words;
+  words.precision(4);
+  words << "As the supports move by up to " << settlement.largest_displacement
+        << "{L}, ";
+  std::string joints;
+  for (const auto &[n, what] : {std::pair(count.hinges, " about an end"),
+                                std::pair(count.open, " all along"),
+                                std::pair(count.sliding, " by sliding")})
+    if (n > 0)
+      joints += (joints.empty() ? "" : ", ") + std::to_string(n) + what;
+  words << (joints.empty() ? "no joint gives way." : "joints give way: ")
+        << joints << (joints.empty() ? "" : ".");
+  return words.str();
+}
 } // namespace
 
 std::string description_of(const Scene &scene, const Settlement &settlement)
@@ -80,6 +98,7 @@ void SettlementAnalysis::answer(AnalysisOutcome &outcome,
 
   AnalysisResult result = {name(), "Settlement", description_of(scene, found),
                            summary_of(scene, found)};
+  result.sentence = sentence_of(scene, found);
   result.motion = MotionBeside{found.motion, "Settlement", true};
   outcome.results.push_back(std::move(result));
   Carried state;

@@ -14,6 +14,8 @@ import sys
 
 import numpy as np
 from PIL import Image
+import report_tools as tools
+import report_verdicts
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
@@ -96,8 +98,8 @@ class Page:
         return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
 
     def numbers(self):
-        """What is shown of a block or joint: names and values."""
-        return self.js("return [...document.querySelectorAll('#numbers tr')]"
+        """The line of the table of a block or joint that is shown: names and values."""
+        return self.js("return [...document.querySelectorAll('#numbers .raw tr')]"
                        ".map(r => [...r.cells].map(c => c.textContent))")
 
 
@@ -207,6 +209,8 @@ def check_pointing(page):
     page.driver.get("about:blank")
     page.driver.get(f"file://{page.file}#view=structure")
     names, rows = page.blocks
+    # The browser moves from the middle of what is seen of the drawing.
+    page.js("document.getElementById('drawing').scrollIntoView({block: 'center'})")
     # The centre, and the area over the longer side: how thick it is; pixels.
     places = page.js(
         "return [...document.querySelectorAll('#blocks > polygon')].map(p => "
@@ -244,6 +248,15 @@ def check_text(page):
     verdict = page.driver.find_element(By.CLASS_NAME, "verdict")
     kind = {"solved": "carried", "collapse": "collapse"}.get(page.summary["status"], "within")
     page.expect("kind of verdict", kind in verdict.get_attribute("class") and verdict.text)
+    page.expect("the verdict first", page.js(
+        "return document.querySelector('h1').nextElementSibling") == verdict)
+    numbers = re.findall(r"\d[\d.]*", re.sub(r"e-?\d+", "", verdict.text))
+    page.expect(f"at most four digits in {numbers}", all(
+        len(n.replace(".", "").strip("0")) <= 4 for n in numbers))
+    page.expect("one sentence", not re.search(r"[.] (?!The dead loads)", verdict.text))
+    page.expect("its proof", page.driver.find_element(
+        By.CSS_SELECTOR, "#certificate summary").is_displayed() and
+        not page.js("return document.getElementById('certificate').open"))
     if "ground" not in page.summary:
         return
     rows = page.js("return [...document.querySelectorAll('#reactions tr')].slice(1, -1)"
@@ -263,7 +276,13 @@ def check(driver, directory):
     pictures = check_views(page)
     if not page.collapsed:
         check_colours(page)
+        tools.check_forces_in_words(page)
     check_numbers(page)
+    tools.check_mark(page)
+    tools.check_legends(page)
+    tools.check_names(page)
+    if os.path.exists(f"{directory}/mechanism.csv"):
+        tools.check_motion_in_words(page)
     check_pointing(page)
     return page, pictures
 
@@ -280,10 +299,54 @@ def main():
     print("OK")
 
 
+def check_ranges(driver):
+    """Ranges of reactions and of a tie stand in tables, to all digits that are shown."""
+    page = Page(driver, f"{DIRECTORY}/tied_arch")
+    page.expect("no view of ranges without those of joints", "ranges" not in page.views())
+    of = page.summary["ranges"]
+    shown = page.js("return ['reactions', 'links'].map(of => [...document.querySelectorAll("
+                    "'#ranges-of-' + of + ' tr')].slice(1).map(r => [...r.cells].slice(-2)"
+                    ".map(c => Number(c.textContent))))")
+    page.expect("ranges of reactions", np.allclose(
+        shown[0], [s[d] for s in of["reactions"] for d in "xy"], rtol=1e-5))
+    page.expect("ranges of ties", np.allclose(
+        shown[1], [link["force"] for link in of["links"]], rtol=1e-5))
+    tools.check_links_in_words(page)
+
+
+def check_verdicts(driver):
+    def said(scene, *settings, status=0, selector="verdict"):
+        page = Page(driver, run(scene, f"verdict_of_{scene}", *settings, status=status))
+        return page.driver.find_element(By.CLASS_NAME, selector).text, page.summary
+
+    report_verdicts.check_verdicts(said, expect)
+
+
+def check_tools(driver):
+    """What the reader can do, on pages of all kinds."""
+    for scene, title in (("bridge_with_fill", "Bridge under fill"),
+                         ("rocking_wall", None), ("spreading_arch", None)):
+        page = Page(driver, f"{DIRECTORY}/{scene}")
+        title = title or page.summary["title"]
+        tools.check_motion(page)
+        tools.check_scale(page)
+        tools.check_saving(page, "forces", title)
+        tools.check_widths(page)
+    tools.check_saving(page, "stress", title)
+    tools.check_links_in_words(Page(driver, f"{DIRECTORY}/bridge_with_fill"))
+    for scene in ("tied_arch", "buttress", "portal", "semicircular_arch",
+                  "wall_with_openings"):
+        tools.check_widths(Page(driver, f"{DIRECTORY}/{scene}"))
+    tools.check_without_script(page)
+
+
 def check_others(driver):
     """What only some runs have."""
     page, _ = check(driver, run("shear_wall", "collapse", "Friction/Strength=0.01", status=3))
     page.expect("the mechanism first", page.views()[0] == "motion")
+    tools.check_motion(page)
+    tools.check_saving(page, "motion", "Shear wall")
+    tools.check_widths(page)
     page, pictures = check(driver, run(
         "wall_with_openings", "units", "Units/Length=m", "Units/Stress=kPa",
         "Units/Force=kN/m", "Title=A <wall> & \"more\""))
@@ -293,8 +356,12 @@ def check_others(driver):
         By.CSS_SELECTOR, ".legend.in-normal").text)
     page.expect("a parameter", "Units/Stress" in driver.find_element(By.ID, "parameters").text)
     page.expect("a page to print", len(driver.print_page()) > 10000)
+    tools.check_scale(page)
     page, _ = check(driver, run("rubble_wall", "ranges", "Ranges/Where=1"))
     page.expect("ranges", "ranges" in page.views())
+    check_ranges(driver)
+    check_verdicts(driver)
+    check_tools(driver)
     directory = run("shear_wall", "never", "Output/Report=false")
     expect("no report", not os.path.exists(f"{directory}/report.html"))
     directory = run("shear_wall", "csv", "Output/Files=csv")

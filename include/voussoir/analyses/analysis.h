@@ -48,7 +48,10 @@ struct AnalysisResult
   nlohmann::ordered_json summary;
   /** True if it answers `Analysis` itself, and stands above all else. */
   bool is_verdict = false;
-  /** The verdict as one sentence with few digits; empty: the description. */
+  /**
+   * The answer as one sentence with few digits; empty: the description. "{L}"
+   * stands behind a length, and "{F}" behind a force, for the unit.
+   */
   std::string sentence = {};
   /** Sentences on what is doubtful about it. */
   std::vector<std::string> doubts = {};

@@ -129,6 +129,24 @@ nlohmann::ordered_json json_of_proofs(const FactorOf<SceneOf> &factor)
     json["closing_violation"] = factor.proof.closing_violation;
   return json;
 }
+
+/** @param loads that the factor multiplies, in words. */
+template <typename SceneOf>
+std::string sentence_without_dilatancy(const FactorOf<SceneOf> &factor,
+                                       const std::string &loads)
+{
+  std::ostringstream words;
+  words.precision(4);
+  words << "Without dilatancy " << factor.carried << " times " << loads
+        << (factor.own_collapse ? " have a state that collapses by its own "
+                                  "mechanism"
+                                : " have a state");
+  if (std::isfinite(factor.bound))
+    words << ", and " << factor.bound
+          << " times collapse with dilatancy or without";
+  words << '.';
+  return words.str();
+}
 } // namespace
 
 template <typename SceneOf>
@@ -142,22 +160,40 @@ template <typename SceneOf>
 std::string sentence_of(const FactorOf<SceneOf> &factor,
                         const FactorEntries::Factor multiplied)
 {
-  if (factor.is_unbounded || !std::isfinite(factor.bound) ||
-      !factor.trials.empty())
-    return {};
   using Factor = FactorEntries::Factor;
+  const bool is_of_strength = multiplied == Factor::strength;
+  const std::string loads =
+      multiplied == Factor::all_loads ? "all loads" : "the live loads";
+  if (!factor.trials.empty())
+    return sentence_without_dilatancy(factor, loads);
   std::ostringstream words;
   words.precision(4);
-  if (multiplied == Factor::strength)
+  if (is_of_strength)
     words << "The loads are carried with all strengths divided by "
           << factor.carried;
   else
-    words << factor.carried << " times "
-          << (multiplied == Factor::all_loads ? "all loads" : "the live loads")
-          << " are carried";
+    words << factor.carried << " times " << loads << " are carried";
+  if (factor.is_unbounded)
+  {
+    words << ", and so "
+          << (is_of_strength ? "they are with any divisor beyond that."
+                             : "is any factor beyond that: they balance by "
+                               "pressure alone.");
+    return words.str();
+  }
+  if (!std::isfinite(factor.bound))
+  {
+    words << "; no mechanism was found that bounds the factor.";
+    return words.str();
+  }
   words.precision(2);
-  words << (factor.bound < factor.carried ? " and no less" : " and no more")
-        << ", proven within " << factor.width() << " of that.";
+  const bool is_least = factor.bound < factor.carried;
+  words << (is_least ? " and no less" : " and no more") << ", proven within "
+        << factor.width() << " of that";
+  if (!is_least && factor.bound < 1. && multiplied != Factor::live_loads)
+    words << (is_of_strength ? ": not with the strengths as they are"
+                             : ": not the loads as they are");
+  words << '.';
   if (factor.collapses_without)
     words << " The dead loads are not carried without the live ones.";
   return words.str();

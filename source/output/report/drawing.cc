@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/drawing.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -18,6 +21,19 @@ constexpr double margin = 60.;
 
 /** The digits behind the point of a place in the picture. */
 constexpr int n_digits = 2;
+
+/** @{ */
+/** The longest bar of the scale, and its place below the packing; units of the
+ * picture. */
+constexpr double longest_scale_bar = 130., scale_bar_below = 45.;
+/** @} */
+
+/** 1, 2 or 5 times a power of ten, the largest that is not above @p x. */
+double round_below(const double x)
+{
+  const double power = std::pow(10., std::floor(std::log10(x)));
+  return power * (x >= 5. * power ? 5. : x >= 2. * power ? 2. : 1.);
+}
 } // namespace
 
 Drawing::Drawing(const Packing<2> &packing) : Drawing(packing.box()) {}
@@ -73,11 +89,15 @@ void Drawing::close()
   content << "</g>\n";
 }
 
-void Drawing::end_with(const std::string &classes)
+void Drawing::end_with(const std::string &classes,
+                       const std::string &attributes)
 {
   if (!classes.empty())
     content << " class=\"" << classes << '"';
+  if (!attributes.empty())
+    content << ' ' << attributes;
   content << "/>\n";
+  drawn.insert(classes);
 }
 
 void Drawing::many(const char *element,
@@ -109,14 +129,15 @@ void Drawing::polyline(const std::vector<dealii::Point<2>> &points,
 
 void Drawing::line(const dealii::Point<2> &from,
                    const dealii::Point<2> &to,
-                   const std::string &classes)
+                   const std::string &classes,
+                   const std::string &attributes)
 {
   content << "<path d=\"M";
   place(from, ' ', content);
   content << 'L';
   place(to, ' ', content);
   content << '"';
-  end_with(classes);
+  end_with(classes, attributes);
 }
 
 void Drawing::add_to_path(const std::vector<dealii::Point<2>> &points,
@@ -143,9 +164,51 @@ void Drawing::finish_paths()
   paths.clear();
 }
 
-void Drawing::dot(const dealii::Point<2> &p, const std::string &classes)
+void Drawing::dot(const dealii::Point<2> &p,
+                  const std::string &classes,
+                  const std::string &attributes)
 {
   // A line without length has round ends that keep their size when zoomed.
-  line(p, p, classes);
+  line(p, p, classes, attributes);
+}
+
+void Drawing::append(const Drawing &other)
+{
+  content << other.elements();
+  drawn.insert(other.drawn.begin(), other.drawn.end());
+}
+
+double Drawing::length_of_unit() const
+{
+  return size / picture_size;
+}
+
+void Drawing::scale_bar(const std::string &unit)
+{
+  const double length = round_below(longest_scale_bar / picture_size * size);
+  const dealii::Point<2> start(box.lower_bound(0),
+                               box.lower_bound(1) -
+                                   scale_bar_below / picture_size * size);
+  const dealii::Point<2> end(start[0] + length, start[1]);
+  open("id=\"scale\"");
+  line(start, end, "");
+  content << "<text font-size=\"20\" dx=\"8\" dy=\"7\" x=\"";
+  number(picture_size * ((end[0] - box.lower_bound(0)) / size), content);
+  content << "\" y=\"";
+  number(picture_size * ((box.upper_bound(1) - end[1]) / size), content);
+  content << "\">" << html_text(text(length, unit.empty() ? "" : " ", unit))
+          << "</text>\n";
+  close();
+}
+
+bool Drawing::has(const std::string &words, const std::string &without) const
+{
+  const auto is_in = [](const std::string &classes, const std::string &one) {
+    return (' ' + classes + ' ').find(' ' + one + ' ') != std::string::npos;
+  };
+  return std::any_of(drawn.begin(), drawn.end(), [&](const auto &classes) {
+    return is_in(classes, words) &&
+           (without.empty() || !is_in(classes, without));
+  });
 }
 } // namespace Voussoir

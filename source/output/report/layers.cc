@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
+#include <voussoir/output/report/layer.h>
 #include <voussoir/output/report/layers.h>
 #include <voussoir/output/report/load_arrows.h>
-#include <voussoir/scene/proofs/displacement_jumps.h>
 #include <voussoir/stress/stress_invariants.h>
 
 #include <algorithm>
@@ -27,22 +28,12 @@ constexpr double resultant_in_cells = 1.2, cross_in_cells = 0.8;
 /** A force, over the largest, that bears nothing to look at. */
 constexpr double least_force = 1e-3;
 
-/** A jump, over the largest displacement, that is one. */
-constexpr double least_jump = 1e-6;
+/** The widths of lines of force. */
+constexpr unsigned int n_widths = 5;
 
-class Layer
-{
-public:
-  Layer(Drawing &drawing, const std::string &id, const std::string &views)
-      : drawing(drawing)
-  {
-    drawing.open("id=\"" + id + "\" class=\"layer " + views + '"');
-  }
-  ~Layer() { drawing.close(); }
-
-private:
-  Drawing &drawing;
-};
+/** What further joints bear, over the second most, beside which a block has two
+ * that matter. */
+constexpr double least_beside_two = 0.1;
 
 /** The resultant on the cell c- of an interface, and where it acts. */
 struct JointResultant
@@ -58,6 +49,14 @@ struct JointResultant
   Tensor<1, 2> force;
   Point<2> place;
 };
+
+/** The class of the width of a line that shows the size of a force. */
+std::string width_of(const double force, const double largest)
+{
+  const double share = largest > 0. ? force / largest : 0.;
+  return text(
+      'w', std::clamp<unsigned int>(std::ceil(n_widths * share), 1, n_widths));
+}
 
 std::vector<JointResultant> resultants_of(const Packing<2> &packing,
                                           const InterfaceForces &forces,
@@ -75,22 +74,6 @@ std::vector<JointResultant> resultants_of(const Packing<2> &packing,
   return all;
 }
 
-/** Where a point of a cell is after the motion, turned by the whole angle. */
-Point<2> moved(const Packing<2> &packing,
-               const Motion &motion,
-               const double factor,
-               const unsigned int c,
-               const Point<2> &x)
-{
-  const Point<2> &centre = packing.centre(c);
-  const double angle = motion.rotation.empty() ? 0. : motion.rotation[c];
-  const double turn = factor * angle;
-  const Tensor<1, 2> arm = x - centre;
-  Point<2> place = centre + factor * motion.displacement[c];
-  place[0] += std::cos(turn) * arm[0] - std::sin(turn) * arm[1];
-  place[1] += std::sin(turn) * arm[0] + std::cos(turn) * arm[1];
-  return place;
-}
 } // namespace
 
 dealii::BoundingBox<2> box_of(const Scene &scene)
@@ -153,10 +136,11 @@ void draw_links(Drawing &drawing,
       if (used > 1. - least_force)
         kind += " yields";
     }
-    drawing.line(link.on_minus, link.on_plus, kind);
+    const std::string number = text("data-link=\"", k, '"');
+    drawing.line(link.on_minus, link.on_plus, kind, number);
     if (!link.is_of_fill)
       for (const Point<2> &x : {link.on_minus, link.on_plus})
-        drawing.dot(x, "anchor");
+        drawing.dot(x, "anchor", number);
   }
 }
 
@@ -222,7 +206,8 @@ double draw_resultants(Drawing &drawing,
       continue;
     const Tensor<1, 2> half = 0.5 * longest / largest * all[e].force;
     drawing.line(all[e].place - half, all[e].place + half,
-                 forces.normal[e] > 0. ? "resultant tension" : "resultant");
+                 (forces.normal[e] > 0. ? "resultant tension " : "resultant ") +
+                     width_of(all[e].force.norm(), largest));
   }
   return largest;
 }
@@ -239,16 +224,21 @@ void draw_line_of_thrust(Drawing &drawing,
   double largest;
   const std::vector<JointResultant> all =
       resultants_of(packing, forces, largest);
-  std::vector<Point<2>> bearing;
+  // The joints of a block by the sizes of their resultants.
+  std::vector<std::pair<double, unsigned int>> bearing;
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
   {
     bearing.clear();
     for (const Packing<2>::Side &side : packing.sides(c))
-      if (!side.on_boundary &&
-          all[side.index].force.norm() > least_force * largest)
-        bearing.push_back(all[side.index].place);
-    if (bearing.size() == 2)
-      drawing.line(bearing[0], bearing[1], "thrust");
+      if (!side.on_boundary)
+        bearing.emplace_back(all[side.index].force.norm(), side.index);
+    std::sort(bearing.rbegin(), bearing.rend());
+    if (bearing.size() < 2 || bearing[1].first <= least_force * largest ||
+        (bearing.size() > 2 &&
+         bearing[2].first > least_beside_two * bearing[1].first))
+      continue;
+    drawing.line(all[bearing[0].second].place, all[bearing[1].second].place,
+                 "thrust " + width_of(bearing[0].first, largest));
   }
 }
 
@@ -290,42 +280,4 @@ void draw_principal_stresses(Drawing &drawing,
   }
 }
 
-void draw_motion(Drawing &drawing,
-                 const Packing<2> &packing,
-                 const Motion &motion,
-                 const double factor,
-                 const std::string &views)
-{
-  {
-    const Layer layer(drawing, "moved", views);
-    std::vector<Point<2>> corners;
-    for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    {
-      corners.clear();
-      for (unsigned int i = 0; i < packing.n_sides(c); ++i)
-        corners.push_back(
-            moved(packing, motion, factor, c, packing.vertex(c, i)));
-      drawing.polygon(corners, "");
-    }
-  }
-  const Layer layer(drawing, "jumps", views);
-  const InterfaceJumps jumps = jumps_of(packing, motion);
-  const double least = least_jump * jumps.largest_displacement;
-  const auto &interfaces = packing.interfaces();
-  for (unsigned int e = 0; e < interfaces.size(); ++e)
-  {
-    const Packing<2>::Interface &i = interfaces[e];
-    const auto place = [&](const Point<2> &x) {
-      return moved(packing, motion, factor, i.cell_minus, x);
-    };
-    const bool start = jumps.openings[e][0] > least,
-               end = jumps.openings[e][1] > least;
-    if (start || end)
-      drawing.line(place(i.start), place(i.end), "opens");
-    else if (std::abs(jumps.sliding[e]) > least)
-      drawing.line(place(i.start), place(i.end), "slides");
-    if (start != end)
-      drawing.dot(place(start ? i.end : i.start), "hinge");
-  }
-}
 } // namespace Voussoir

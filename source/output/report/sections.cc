@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/capacity/capacity_curve.h>
+#include <voussoir/analyses/ranges/ranges.h>
 #include <voussoir/base/text.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/html_table.h>
@@ -11,6 +12,7 @@
 #include <voussoir/output/summary/scene_summary.h>
 #include <voussoir/output/summary/versions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Voussoir
@@ -19,12 +21,36 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** Two numbers of a summary as a text. */
-std::string pair(const Json &json)
+/** A number, over the largest of its kind, that is rounding. */
+constexpr double rounding = 1e-10;
+
+/** A number, or zero if it is rounding beside @p largest. */
+double shown(const double number, const double largest)
+{
+  return std::abs(number) <= rounding * largest ? 0. : number;
+}
+
+/** Two numbers of a summary as a text. @param largest of their kind. */
+std::string pair(const Json &json, const double largest)
 {
   return json.is_null() ? ""
-                        : text('(', json[0].get<double>(), ", ",
-                               json[1].get<double>(), ')');
+                        : text('(', shown(json[0].get<double>(), largest), ", ",
+                               shown(json[1].get<double>(), largest), ')');
+}
+
+double largest_reaction(const Results &results)
+{
+  double largest = 0.;
+  for (const Reaction &reaction : results.reactions)
+    largest = std::max(largest, reaction.force.norm());
+  return largest;
+}
+
+/** The larger side of the box around the packing. */
+double extent_of(const RunRecord &run)
+{
+  const dealii::BoundingBox<2> box = run.scene.packing.box();
+  return std::max(box.side_length(0), box.side_length(1));
 }
 
 /** The names and values of the run as a whole. */
@@ -43,8 +69,9 @@ HtmlTable table_of_run(const RunRecord &run, const UnitNames &names)
   table.row({"Model", run.scene.turns() ? "blocks slide and turn"
                                         : "blocks slide and do not turn"});
   const Json loads = loads_summary(run.scene);
-  table.row({"Loads", html_text(UnitNames::labelled(
-                          pair(loads.at("total")) + " in all", names.force))});
+  table.row(
+      {"Loads", html_text(UnitNames::labelled(
+                    pair(loads.at("total"), 0.) + " in all", names.force))});
   return table;
 }
 
@@ -58,12 +85,16 @@ std::string table_of_reactions(const Results &results, const UnitNames &names)
                    with("force on the packing", names.force),
                    with("at", names.length)});
   const Json ground = ground_summary(results);
+  const double extent = extent_of(results), largest = largest_reaction(results);
   for (const Json &support : ground.at("supports"))
-    table.row({pair(support.at("from")), pair(support.at("to")),
-               pair(support.at("reaction")), pair(support.at("at"))});
-  table.row({"all", "", pair(ground.at("reaction")),
-             text("the loads to ", ground.at("imbalance").get<double>(),
-                  " of their sizes")});
+    table.row({pair(support.at("from"), extent), pair(support.at("to"), extent),
+               pair(support.at("reaction"), largest),
+               pair(support.at("at"), extent)});
+  const double imbalance = ground.at("imbalance");
+  table.row({"all", "", pair(ground.at("reaction"), largest),
+             imbalance <= rounding ? "which balances the loads"
+                                   : text("which misses the loads by ",
+                                          imbalance, " of their sizes")});
   return table.close();
 }
 
@@ -80,7 +111,7 @@ std::string table_of_most_used(const Results &results, const UnitNames &names)
         {text("<a href=\"#view=utilisation&amp;joint=", e, "\">", e, "</a>"),
          text(joint.at("cells")[0].get<int>(), " and ",
               other < 0 ? "the ground" : text(other)),
-         pair(joint.at("at")),
+         pair(joint.at("at"), extent_of(results)),
          joint.at("utilisation").is_null()
              ? "without bound"
              : text(joint.at("utilisation").get<double>())});
@@ -95,11 +126,65 @@ std::string table_of_links(const Results &results, const UnitNames &names)
                    UnitNames::labelled("force, tension positive", names.force),
                    "least", "most", "share of the bound"});
   for (const Json &link : links_summary(results))
-    table.row({html_text(link.at("name")), text(link.at("force").get<double>()),
-               text(link.at("least").get<double>()),
-               text(link.at("most").get<double>()),
-               text(link.at("utilisation").get<double>())});
+  {
+    const double least = link.at("least"), most = link.at("most");
+    table.row({html_text(link.at("name")),
+               text(shown(link.at("force").get<double>(), most - least)),
+               text(least), text(most),
+               text(shown(link.at("utilisation").get<double>(), 1.))});
+  }
   return table.close();
+}
+
+/** The cells of a row with the ends of a range. */
+void add_range(const Range &range,
+               const Ranges &ranges,
+               std::vector<std::string> &row)
+{
+  for (const double end : {range.least, range.greatest})
+    row.push_back(std::isfinite(end) ? text(shown(end, ranges.reference))
+                                     : "without bound");
+}
+
+/** The ranges of reactions and of ties over all states. */
+std::string tables_of_ranges(const Results &results, const UnitNames &names)
+{
+  const auto *const ranges = results.data<Ranges>();
+  if (ranges == nullptr)
+    return {};
+  const auto force = [&](const std::string &name) {
+    return UnitNames::labelled(name, names.force);
+  };
+  const auto place = [&](const dealii::Point<2> &x) {
+    return pair(Json::array({x[0], x[1]}), extent_of(results));
+  };
+  HtmlTable reactions("ranges-of-reactions",
+                      "Reactions in all states that carry the loads",
+                      {UnitNames::labelled("from", names.length),
+                       UnitNames::labelled("to", names.length), "along",
+                       force("least"), force("greatest")});
+  for (unsigned int s = 0; s < ranges->reactions.size(); ++s)
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      std::vector<std::string> row = {place(ranges->supports[s].start),
+                                      place(ranges->supports[s].end),
+                                      d == 0 ? "x" : "y"};
+      add_range(ranges->reactions[s][d], *ranges, row);
+      reactions.row(row);
+    }
+  HtmlTable links("ranges-of-links",
+                  "Ties, props and fill in all states that carry the loads",
+                  {"name", UnitNames::labelled("at", names.length),
+                   force("force, least"), "greatest"});
+  for (unsigned int k = 0; k < ranges->links.size(); ++k)
+  {
+    const Link &link = results.scene.links[k];
+    std::vector<std::string> row = {html_text(link.name), place(link.on_minus)};
+    add_range(ranges->links[k], *ranges, row);
+    links.row(row);
+  }
+  return (ranges->reactions.empty() ? "" : reactions.close()) +
+         (ranges->links.empty() ? "" : links.close());
 }
 
 /** The plot of a capacity curve. */
@@ -113,45 +198,6 @@ std::string plot_of(const CapacityCurve &curve, const UnitNames &names)
                   "factor of the live loads", points, false) +
          "<p>" + html_text("It ends where " + curve.end + ".") +
          "</p>\n</section>\n";
-}
-
-std::string certificate_of(const Results &results)
-{
-  const Certificate &of = results.certificate;
-  std::string words =
-      text("Computed from the forces alone: the forces on each block add up to "
-           "zero within ",
-           of.equilibrium_residual,
-           " of the largest load on a block, and no joint bears more than its "
-           "limits by more than ",
-           of.admissibility_violation, " of it.");
-  if (results.scene.turns())
-    words += text(" Their moments add up to zero within ", of.moment_residual,
-                  " of that load times the size of the block.");
-  else
-    words += text(" Blocks do not turn, and moments up to ", of.max_torque,
-                  " of that load times the size of the block remain.");
-  return words;
-}
-
-std::string certificate_of(const Collapse &collapse)
-{
-  const MechanismCertificate &of = collapse.proof;
-  return text(
-      "Computed from the motion alone: no joint closes by more than ",
-      of.closing_violation, " of the largest displacement, and the loads do ",
-      std::isfinite(of.work_over_dissipation)
-          ? text(of.work_over_dissipation, " times the work that the joints "
-                                           "can dissipate.")
-          : "work that the joints do not resist.");
-}
-
-std::string section(const std::string &id,
-                    const std::string &heading,
-                    const std::string &words)
-{
-  return "<section id=\"" + id + "\">\n<h2>" + heading + "</h2>\n<p>" +
-         html_text(words) + "</p>\n</section>\n";
 }
 
 /** What the user has set, and with what the results were made. */
@@ -172,28 +218,6 @@ std::string closing_tables(const RunRecord &run, const ReportDetails &details)
 }
 } // namespace
 
-std::string verdict_of(const Results &results)
-{
-  for (const AnalysisResult &analysis : results.analyses)
-    if (analysis.is_verdict)
-      return analysis.sentence.empty()
-                 ? analysis.title + ": " + analysis.description + "."
-                 : analysis.sentence;
-  if (results.status.kind == Status::Kind::carried_within)
-    return text("The loads are carried to within ", results.status.within,
-                " of the largest: whether they are carried exactly is open.");
-  return results.scene.packing.n_supports() == 0
-             ? "The loads are carried: forces within the limits of all joints "
-               "balance them."
-             : "The loads are carried: forces within the limits of all joints "
-               "and supports balance them.";
-}
-
-std::string verdict_of(const Collapse &collapse)
-{
-  return message_of(collapse, "");
-}
-
 std::string sections_of(const Results &results, const ReportDetails &details)
 {
   HtmlTable run = table_of_run(results, details.units);
@@ -212,8 +236,8 @@ std::string sections_of(const Results &results, const ReportDetails &details)
          (results.scene.links.empty()
               ? ""
               : table_of_links(results, details.units)) +
+         tables_of_ranges(results, details.units) +
          table_of_most_used(results, details.units) +
-         section("certificate", "Certificate", certificate_of(results)) +
          closing_tables(results, details);
 }
 
@@ -225,9 +249,8 @@ std::string sections_of(const Collapse &collapse, const ReportDetails &details)
   for (const LoadPart &part : collapse.parts)
     all += std::max(0., part.work);
   for (const LoadPart &part : collapse.parts)
-    parts.row({html_text(part.name), text(part.work / all)});
+    parts.row({html_text(part.name), text(shown(part.work / all, 1.))});
   return table_of_run(collapse, details.units).close() + parts.close() +
-         section("certificate", "Certificate", certificate_of(collapse)) +
          closing_tables(collapse, details);
 }
 } // namespace Voussoir

@@ -4,6 +4,7 @@
 #include <voussoir/output/fields/tables.h>
 #include <voussoir/output/report/colour_scale.h>
 #include <voussoir/output/report/layers.h>
+#include <voussoir/output/report/motion_layer.h>
 #include <voussoir/output/report/views.h>
 #include <voussoir/scene/proofs/displacement_jumps.h>
 
@@ -27,6 +28,9 @@ constexpr double motion_in_cells = 0.5;
 
 /** A motion is drawn as it is if that is within this factor of readable. */
 constexpr double readable = 5.;
+
+/** The largest factor of a motion, over that which is readable or drawn. */
+constexpr double most_over_readable = 4., most_over_drawn = 2.;
 
 /** A value for each cell or interface, as a class of a scale. */
 struct Layering
@@ -129,6 +133,7 @@ Picture PictureMaker::finish(const bool in_full)
   drawing.close();
   draw_supports(drawing, packing, "in-all");
   drawing.append(overlays);
+  drawing.scale_bar(names.length);
   return std::move(picture);
 }
 
@@ -160,6 +165,27 @@ std::string swatch(const std::string &kind, const std::string &words)
          "</p>";
 }
 
+/** A number with its unit, in HTML. */
+std::string amount(const double number, const std::string &unit)
+{
+  std::ostringstream words;
+  words.precision(4);
+  words << number << (unit.empty() ? "" : " ") << unit;
+  return html_text(words.str());
+}
+
+/** What links without forces look like. */
+std::string legend_of_links(const Scene &scene)
+{
+  bool has_bars = false, has_fill = false;
+  for (const Link &link : scene.links)
+    (link.is_of_fill ? has_fill : has_bars) = true;
+  return has_bars && has_fill ? swatch("of-link", "tie, prop, or side of fill")
+         : has_bars           ? swatch("of-link", "tie or prop")
+         : has_fill           ? swatch("of-link", "side of fill")
+                              : "";
+}
+
 /** The structure with its supports and loads. */
 void add_structure(PictureMaker &maker)
 {
@@ -172,17 +198,15 @@ void add_structure(PictureMaker &maker)
   std::string legend = legend_of_groups(maker.packing);
   if (maker.packing.n_supports() > 0)
     legend += swatch("of-support", "support");
-  legend += largest > 0. ? swatch("of-load",
-                                  text("loads; the longest arrow is ",
-                                       html_text(UnitNames::labelled(
-                                           text(largest), maker.names.force))))
-                         : "<p>no loads</p>";
+  legend += largest > 0.
+                ? swatch("of-load", "loads; the longest arrow is " +
+                                        amount(largest, maker.names.force))
+                : "<p>no loads</p>";
   draw_fill(drawing, maker.scene, "in-structure");
-  draw_links(drawing, maker.scene, nullptr, "in-structure in-motion");
+  draw_links(drawing, maker.scene, nullptr, "in-structure");
   if (!maker.scene.fill_columns.empty())
     legend += swatch("of-fill", "fill");
-  if (!maker.scene.links.empty())
-    legend += swatch("of-link", "tie, prop, or side of fill");
+  legend += legend_of_links(maker.scene);
   if (!maker.packing.gaps().empty())
     legend += swatch("of-gap", "narrow gap that was left open");
   maker.add_view("structure", "Structure", legend);
@@ -195,22 +219,31 @@ void add_forces(PictureMaker &maker, const InterfaceForces &forces)
       draw_resultants(drawing, maker.scene, forces, "in-forces");
   draw_line_of_thrust(drawing, maker.scene, forces, "in-forces");
   draw_links(drawing, maker.scene, &forces, "in-forces");
-  const std::string of_links =
-      maker.scene.links.empty()
-          ? ""
-          : swatch("of-pulls", "link in tension; thick where it yields") +
-                swatch("of-pushes", "in compression");
-  maker.add_view(
-      "forces", "Forces",
-      swatch("of-resultant", text("resultants of the joints; the longest is ",
-                                  html_text(UnitNames::labelled(
-                                      text(largest), maker.names.force)))) +
-          (maker.scene.turns()
-               ? swatch("of-thrust", "line of thrust, where a block has two "
-                                     "joints that bear")
-               : "<p>Blocks do not turn in this run: forces are drawn at the "
-                 "middle of the joints.</p>") +
-          of_links);
+  std::string legend;
+  if (drawing.has("resultant"))
+    legend += swatch("of-resultant",
+                     "resultants of the joints, as long and as wide as they "
+                     "are large; the largest is " +
+                         amount(largest, maker.names.force));
+  else
+    legend += "<p>no forces</p>";
+  if (drawing.has("resultant tension"))
+    legend += swatch("of-pulls", "those that pull");
+  if (drawing.has("thrust"))
+    legend += swatch("of-thrust",
+                     "line of thrust, where two joints of a block bear most");
+  if (!maker.scene.turns())
+    legend += "<p>Blocks do not turn in this run: forces are drawn at the "
+              "middle of the joints.</p>";
+  if (drawing.has("pulls"))
+    legend += swatch("of-pulls", "tie in tension");
+  if (drawing.has("pushes"))
+    legend += swatch("of-pushes", maker.scene.fill_columns.empty()
+                                      ? "prop in compression"
+                                      : "prop or fill that presses");
+  if (drawing.has("yields"))
+    legend += "<p>Those that yield are thicker.</p>";
+  maker.add_view("forces", "Forces", legend);
 }
 
 /** A view of one value of each joint. */
@@ -267,17 +300,21 @@ void add_stress(PictureMaker &maker, const Results &results)
   for (unsigned int c = 0; c < largest.size(); ++c)
     if (!(std::abs(largest[c]) > std::abs(smaller[c])))
       largest[c] = smaller[c];
+  draw_principal_stresses(maker.overlays, maker.packing, results.mean_stresses,
+                          "in-stress");
+  std::string marks;
+  if (maker.overlays.has("cross", "tension"))
+    marks += swatch("of-cross", "principal stresses, pressure");
+  if (maker.overlays.has("cross tension"))
+    marks += swatch("of-tension", "principal stresses, tension");
   Layering layer{ColourScale("s", largest), largest};
   maker.add_view("stress", "Stress",
                  layer.scale.legend(UnitNames::labelled(
                      "mean stress of the blocks: the principal stress of the "
                      "larger size, tension positive",
                      maker.names.stress)) +
-                     swatch("of-cross", "principal stresses, pressure") +
-                     swatch("of-tension", "tension"));
+                     marks);
   maker.colour(maker.of_cells, "stress", "#blocks", std::move(layer));
-  draw_principal_stresses(maker.overlays, maker.packing, results.mean_stresses,
-                          "in-stress");
 }
 
 /** @param name of the motion, as in "Mechanism". */
@@ -292,21 +329,31 @@ void add_motion(PictureMaker &maker,
   double factor = motion_in_cells * typical_size(maker.packing) / largest;
   if (has_size && factor < readable && factor > 1. / readable)
     factor = 1.;
-  draw_motion(maker.overlays, maker.packing, motion, factor, "in-motion");
-  const std::string scale =
+  Drawing &drawing = maker.overlays;
+  draw_motion(drawing, maker.scene, motion, factor, "in-motion");
+  std::string legend =
       has_size
-          ? html_text(UnitNames::labelled(
-                text("largest displacement ", largest), maker.names.length)) +
-                (factor == 1. ? ", drawn as large as it is"
-                              : text(", drawn ", factor, " times as large"))
-          : "a mechanism has no size: it is drawn so that it can be seen";
-  maker.add_view("motion", name,
-                 "<p>" + scale + "</p>" +
-                     swatch("of-opens", "joint that opens") +
-                     swatch("of-slides", "joint that slides") +
-                     (maker.scene.turns()
-                          ? swatch("of-hinge", "hinge: open at the other end")
-                          : ""));
+          ? "<p>largest displacement " + amount(largest, maker.names.length) +
+                (factor == 1.
+                     ? ", drawn as large as it is"
+                     : ", drawn " + amount(factor, "") + " times as large") +
+                "</p>"
+          : "<p>a mechanism has no size: it is drawn so that it can be "
+            "seen</p>";
+  if (drawing.has("opens"))
+    legend += swatch("of-opens", "joint that opens");
+  if (drawing.has("slides"))
+    legend += swatch("of-slides", "joint that slides");
+  if (drawing.has("hinge"))
+    legend += swatch("of-hinge", "hinge: open at the other end");
+  legend += legend_of_links(maker.scene);
+  maker.add_view("motion", name, legend);
+  maker.picture.motion =
+      DrawnMotion{&motion, factor,
+                  std::max(most_over_readable * motion_in_cells *
+                               typical_size(maker.packing) / largest,
+                           most_over_drawn * factor),
+                  largest, has_size};
 }
 } // namespace
 

@@ -12,6 +12,26 @@ namespace Voussoir
 {
 // What is said of Ranges and of SpaceRanges.
 
+/** How many interfaces have their ranges, and of which kinds they are. */
+struct CountOfRanges
+{
+  /** Of Ranges or SpaceRanges. */
+  template <typename RangesOf>
+  explicit CountOfRanges(const RangesOf &ranges)
+  {
+    for (unsigned int e = 0; e < ranges.wanted.size(); ++e)
+    {
+      wanted += ranges.wanted[e];
+      determined += ranges.is_determined(e);
+      unbounded += ranges.is_unbounded(e);
+    }
+  }
+
+  unsigned int wanted = 0;     /**< that were asked for */
+  unsigned int determined = 0; /**< with the same forces in all states */
+  unsigned int unbounded = 0;  /**< with forces of any size */
+};
+
 /**
  * A line for people on how many interfaces and supports have ranges.
  *

@@ -6,6 +6,7 @@
 #include <voussoir/packing/packing.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,22 +31,49 @@ public:
   /** The length in the packing that is as long as the picture is wide or high.
    */
   double extent() const { return size; }
+  /** The length in the packing of one unit of the picture. */
+  double length_of_unit() const;
+  /** The place in the packing that is at (0, 0) in the picture. */
+  dealii::Point<2> origin() const
+  {
+    return {box.lower_bound(0), box.upper_bound(1)};
+  }
 
   /** Begin a group of elements; @p attributes as in `id="blocks"`. */
   void open(const std::string &attributes);
   /** End it. */
   void close();
   /** @{ */
-  /** An element with the classes @p classes, "a b"; lengths of the packing. */
+  /**
+   * An element with the classes @p classes, "a b"; lengths of the packing.
+   * Lines and dots may have further attributes, as in `data-joint="3"`.
+   */
   void polygon(const std::vector<dealii::Point<2>> &corners,
                const std::string &classes);
   void polyline(const std::vector<dealii::Point<2>> &points,
                 const std::string &classes);
   void line(const dealii::Point<2> &from,
             const dealii::Point<2> &to,
-            const std::string &classes);
-  void dot(const dealii::Point<2> &place, const std::string &classes);
+            const std::string &classes,
+            const std::string &attributes = "");
+  void dot(const dealii::Point<2> &place,
+           const std::string &classes,
+           const std::string &attributes = "");
   /** @} */
+
+  /**
+   * A bar of a round length below the packing, in a group with the id
+   * `scale`. @param unit of lengths, or none.
+   */
+  void scale_bar(const std::string &unit);
+
+  /**
+   * True if an element was drawn that has the classes @p words, "a b" in the
+   * order in which it has them.
+   *
+   * @param without a class that it has not.
+   */
+  bool has(const std::string &words, const std::string &without = "") const;
 
   /**
    * Add a polygon, or a line, to those with the same classes that
@@ -57,7 +85,7 @@ public:
   /** Write what was added, one element for each set of classes. */
   void finish_paths();
   /** Add all elements of a drawing of the same packing. */
-  void append(const Drawing &other) { content << other.elements(); }
+  void append(const Drawing &other);
 
   /** All elements. */
   const std::string &elements() const { return content.text(); }
@@ -69,13 +97,15 @@ private:
   void many(const char *element,
             const std::vector<dealii::Point<2>> &points,
             const std::string &classes);
-  void end_with(const std::string &classes);
+  void end_with(const std::string &classes, const std::string &attributes = "");
 
   dealii::BoundingBox<2> box;
   double size;
   TextLines content;
   /** The directions of the paths that are begun, by their classes. */
   std::map<std::string, TextLines> paths;
+  /** The sets of classes of all elements. */
+  std::set<std::string> drawn;
 };
 } // namespace Voussoir
 

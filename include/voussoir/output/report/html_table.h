@@ -18,7 +18,7 @@ public:
             const std::string &heading,
             const std::vector<std::string> &columns = {})
       : html("<section id=\"" + id + "\">\n<h2>" + html_text(heading) +
-             "</h2>\n<table>\n")
+             "</h2>\n<div class=\"wide\"><table>\n")
   {
     if (columns.empty())
       return;
@@ -39,7 +39,7 @@ public:
   }
 
   /** All of it. */
-  std::string close() const { return html + "</table>\n</section>\n"; }
+  std::string close() const { return html + "</table></div>\n</section>\n"; }
 
 private:
   std::string html;

@@ -44,16 +44,17 @@ double
 draw_loads(Drawing &drawing, const Scene &scene, const std::string &views);
 /**
  * The resultant of each joint that bears more than a small part of the largest,
- * along its line of action. @return the largest.
+ * along its line of action, as long and as wide as it is large. @return the
+ * largest.
  */
 double draw_resultants(Drawing &drawing,
                        const Scene &scene,
                        const InterfaceForces &forces,
                        const std::string &views);
 /**
- * The line of thrust: a line through each block with two joints that bear, from
- * the point of application on one to that on the other. Only blocks that turn
- * have one.
+ * The line of thrust: a line through each block of which two joints bear most,
+ * and others a small part of that, from the point of application on one to that
+ * on the other, the wider the more. Only blocks that turn have one.
  */
 void draw_line_of_thrust(Drawing &drawing,
                          const Scene &scene,
@@ -64,15 +65,6 @@ void draw_principal_stresses(Drawing &drawing,
                              const Packing<2> &packing,
                              const std::vector<dealii::Tensor<2, 2>> &stresses,
                              const std::string &views);
-/**
- * Blocks in their moved places, and the joints that open, turn about an end or
- * slide. @param factor of the motion.
- */
-void draw_motion(Drawing &drawing,
-                 const Packing<2> &packing,
-                 const Motion &motion,
-                 double factor,
-                 const std::string &views);
 /** @} */
 } // namespace Voussoir
 

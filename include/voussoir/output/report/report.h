@@ -3,6 +3,7 @@
 #define voussoir_output_report_report_h
 
 #include <voussoir/output/report/details.h>
+#include <voussoir/output/report/page_data.h>
 #include <voussoir/output/results.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 
@@ -15,9 +16,6 @@ namespace Voussoir
 inline const std::string report_html = "report.html";
 /** The name of that of a drawing that is refused. */
 inline const std::string drawing_check_html = "drawing_check.html";
-
-/** The largest number of cells of which a page shows all. */
-constexpr unsigned int most_cells_in_full = 20000;
 
 /** @{ */
 /**

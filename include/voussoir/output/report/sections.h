@@ -10,12 +10,6 @@
 namespace Voussoir
 {
 /** @{ */
-/** The verdict as a sentence, without HTML. */
-std::string verdict_of(const Results &results);
-std::string verdict_of(const Collapse &collapse);
-/** @} */
-
-/** @{ */
 /** What stands below the picture, as HTML. */
 std::string sections_of(const Results &results, const ReportDetails &details);
 std::string sections_of(const Collapse &collapse, const ReportDetails &details);

@@ -7,6 +7,7 @@
 #include <voussoir/output/results.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,21 @@ struct View
   std::string id;     /**< for HTML, one word */
   std::string name;   /**< for the switch */
   std::string legend; /**< HTML */
+};
+
+/** The motion that a picture shows. */
+struct DrawnMotion
+{
+  /** Of the results, which must outlive this object. */
+  const Motion *motion;
+  /** What it is multiplied by as it is drawn. */
+  double factor;
+  /** By what the reader may multiply it at most. */
+  double most;
+  /** The largest displacement, a length if the motion has a size. */
+  double largest;
+  /** False if only its direction says something. */
+  bool has_size;
 };
 
 /** The picture of a run, with all that any view shows. */
@@ -32,6 +48,8 @@ struct Picture
   std::vector<View> views;
   /** Which layers and colours each view shows. */
   std::string style;
+  /** The motion of the view of that, if there is one. */
+  std::optional<DrawnMotion> motion;
 };
 
 /**
