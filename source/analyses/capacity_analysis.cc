@@ -19,10 +19,17 @@ Json summary_of(const CapacityCurve &curve)
 {
   Json points = Json::array();
   for (const CapacityPoint &point : curve.points)
+  {
     points.push_back({{"displacement", point.displacement},
                       {"carried", point.carried},
                       {"bound", point.bound},
                       {"error_of_state", point.error_of_state}});
+    if (curve.has_moving_supports)
+      points.back().update(
+          Json{{"of_supports", point.of_supports},
+               {"support_force", point.support_force},
+               {"least_support_force", point.least_support_force}});
+  }
   return {{"ultimate_displacement", curve.ultimate},
           {"end", curve.end},
           {"participation", curve.participation},
@@ -35,10 +42,13 @@ std::string sentence_of(const CapacityCurve &curve)
   words.precision(4);
   words << "At rest " << curve.points.front().carried
         << " times the live loads are carried, and ";
-  if (std::isfinite(curve.ultimate))
+  if (curve.has_moving_supports && std::isfinite(curve.ultimate))
+    words << "the dead loads until supports have moved by "
+          << curve.points.back().of_supports << "{L}.";
+  else if (std::isfinite(curve.ultimate))
     words << "none where the point has gone by " << curve.ultimate << "{L}.";
   else
-    words << curve.points.back().carried << " where it has gone by "
+    words << curve.points.back().carried << " where the point has gone by "
           << curve.points.back().displacement << "{L}: there " << curve.end
           << '.';
   return words.str();
@@ -50,10 +60,14 @@ std::string description_of(const CapacityCurve &curve)
       "from the factor ", curve.points.front().carried, " at rest over ",
       counted(curve.points.size(), "position"),
       std::isfinite(curve.ultimate)
-          ? text(" to zero at the displacement ", curve.ultimate)
+          ? text(" to ", curve.has_moving_supports ? "the fall" : "zero",
+                 " at the displacement ", curve.ultimate)
           : text(" to ", curve.points.back().carried, " at the displacement ",
                  curve.points.back().displacement, ", where ", curve.end),
-      "; ", 100. * curve.participation, " per cent of the mass take part");
+      curve.has_moving_supports
+          ? text("; supports move by up to ", curve.points.back().of_supports)
+          : text("; ", 100. * curve.participation,
+                 " per cent of the mass take part"));
 }
 } // namespace
 
@@ -71,7 +85,7 @@ void CapacityAnalysis::add_parameters(dealii::ParameterHandler &prm)
                     Anything());
   prm.add_parameter("Points", n_points,
                     "About so many positions from rest to where the factor is "
-                    "zero.",
+                    "zero, or to where 'Supports/Displacement' leads.",
                     Integer(2, 10000));
   prm.add_parameter("Largest displacement", largest,
                     "Where the curve ends if the factor is not zero before; a "
@@ -125,14 +139,15 @@ AnalysisOutcome CapacityAnalysis::answer(SceneData data,
   const Scene dead = context.parameters.scene_of(data);
   const Scene live = context.parameters.live_scene_of(data);
   check(dead);
-  warn_of_moving_supports(data, context);
   context.timer.enter_subsection("statics");
   context.terminal.begin("Statics");
   const SolverControls &common = context.solver.controls();
   const LoadFactorControls controls = {true, common.tolerance_of_factor,
                                        common.n_max_iterations};
-  CapacityAnswer capacity = find_capacity(dead, live, wanted(dead.packing),
-                                          controls, context.terminal);
+  CapacityWanted of_curve = wanted(dead.packing);
+  of_curve.of_supports = context.parameters.motion_of_supports(dead.packing);
+  CapacityAnswer capacity =
+      find_capacity(dead, live, of_curve, controls, context.terminal);
   context.timer.leave_subsection();
   SolverRecord record;
   double at_rest = 0.;

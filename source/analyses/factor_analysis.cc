@@ -92,6 +92,15 @@ FactorSearch search_loads(SceneData data,
           LiveLoads{live.load, live.load_torque}};
 }
 
+void warn_of_moving_supports(const SceneData &data,
+                             const AnalysisContext &context)
+{
+  if (!context.parameters.motion_of_supports(data.packing).empty())
+    context.terminal.warning(
+        "'Supports/Displacement' has no effect on a load factor; leave it "
+        "empty, or set 'Analysis = state'.");
+}
+
 /** How the forces at the factor were found. */
 SolverRecord record_of(const LoadFactor &factor, const CoulombState &coulomb)
 {

@@ -7,15 +7,6 @@
 
 namespace Voussoir
 {
-void warn_of_moving_supports(const SceneData &data,
-                             const AnalysisContext &context)
-{
-  if (!context.parameters.motion_of_supports(data.packing).empty())
-    context.terminal.warning(
-        "'Supports/Displacement' has no effect on a load factor; leave it "
-        "empty, or set 'Analysis = state'.");
-}
-
 AnalysisOutcome outcome_of(FactorSearch &found,
                            SolverRecord record,
                            const std::string &stage,

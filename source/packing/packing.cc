@@ -266,7 +266,9 @@ void Packing<2>::support(const std::vector<bool> &is_support)
 }
 
 Packing<2> Packing<2>::moved(
-    const std::function<Point<2>(unsigned int, const Point<2> &)> &place) const
+    const std::function<Point<2>(unsigned int, const Point<2> &)> &place,
+    const std::function<Point<2>(unsigned int, const Point<2> &)>
+        &place_of_ground) const
 {
   Packing other = *this;
   // Cells that move apart share no vertices.
@@ -292,7 +294,9 @@ Packing<2> Packing<2>::moved(
   {
     const Interface &i = interface_list[e];
     const auto between = [&](const Point<2> &x) {
-      const Point<2> one = place(i.cell_minus, x), two = place(i.cell_plus, x);
+      const Point<2> one = place(i.cell_minus, x);
+      const Point<2> two = i.cell_plus == ground() ? place_of_ground(e, x)
+                                                   : place(i.cell_plus, x);
       return one + 0.5 * (two - one);
     };
     lay(other.interface_list[e], between(i.start), between(i.end));

@@ -11,6 +11,15 @@ using dealii::Tensor;
 
 namespace
 {
+/** Where a rigid body has @p x that goes by u at a centre and turns. */
+Point<2> moved(const Point<2> &x,
+               const Point<2> &centre,
+               const Tensor<1, 2> &u,
+               const double angle)
+{
+  return centre + u + rotation_by(angle) * (x - centre);
+}
+
 /** The loads of a scene whose cells have turned. */
 Loads moved_loads(const Scene &at_rest, const Positions &positions)
 {
@@ -59,8 +68,19 @@ Point<2> Positions::of(const Packing<2> &packing,
 {
   if (cell == packing.ground())
     return x;
-  const Point<2> &centre = packing.centre(cell);
-  return centre + displacement[cell] + rotation_by(angle[cell]) * (x - centre);
+  return moved(x, packing.centre(cell), displacement[cell], angle[cell]);
+}
+
+Point<2> Positions::of_ground(const Packing<2> &packing,
+                              const unsigned int interface,
+                              const Point<2> &x) const
+{
+  if (of_supports.empty())
+    return x;
+  const unsigned int first = packing.interfaces().size() - packing.n_supports();
+  const SupportMotion &of = of_supports[interface - first];
+  return moved(x, packing.interfaces()[interface].midpoint(), of.displacement,
+               of.rotation);
 }
 
 Positions Positions::advanced(const Motion &motion, const double step) const
@@ -79,15 +99,19 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
                                      const Positions &positions)
 {
   std::vector<MovedJoint> joints;
-  for (const Packing<2>::Interface &i : packing.interfaces())
+  for (unsigned int e = 0; e < packing.interfaces().size(); ++e)
   {
+    const Packing<2>::Interface &i = packing.interfaces()[e];
     std::array<Tensor<1, 2>, 2> apart;
     Tensor<1, 2> along;
     for (unsigned int k = 0; k < 2; ++k)
     {
       const Point<2> &x = k == 0 ? i.start : i.end;
       const Point<2> minus = positions.of(packing, i.cell_minus, x);
-      apart[k] = positions.of(packing, i.cell_plus, x) - minus;
+      const Point<2> plus = i.cell_plus == packing.ground()
+                                ? positions.of_ground(packing, e, x)
+                                : positions.of(packing, i.cell_plus, x);
+      apart[k] = plus - minus;
       along += (k == 0 ? -1. : 1.) * (minus + 0.5 * apart[k]);
     }
     along /= along.norm();
@@ -100,9 +124,13 @@ std::vector<MovedJoint> moved_joints(const Packing<2> &packing,
 
 Packing<2> moved_packing(const Packing<2> &at_rest, const Positions &positions)
 {
-  return at_rest.moved([&](const unsigned int c, const Point<2> &x) {
-    return positions.of(at_rest, c, x);
-  });
+  return at_rest.moved(
+      [&](const unsigned int c, const Point<2> &x) {
+        return positions.of(at_rest, c, x);
+      },
+      [&](const unsigned int e, const Point<2> &x) {
+        return positions.of_ground(at_rest, e, x);
+      });
 }
 
 Scene moved_scene(const Scene &at_rest,

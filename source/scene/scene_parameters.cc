@@ -28,6 +28,7 @@ void SceneParameters::add_parameters(dealii::ParameterHandler &prm,
   supports.add_parameters(prm);
   loads.add_parameters(prm);
   live_loads.add_parameters(prm);
+  earthquake.add_parameters(prm);
   load_cases.add_parameters(prm, names_in(load_cases_section));
   friction.add_parameters(prm);
   contact.add_parameters(prm);
@@ -74,6 +75,8 @@ SceneData SceneParameters::data(Packing<2> blocks,
     data.live_loads = live_loads.loads(data.packing, soil.spreading);
     load_cases.add_combination("Live loads", data.packing, data.live_loads,
                                soil.spreading);
+    if (!earthquake.empty())
+      data.live_loads.add(1., earthquake.loads(data.packing, data.loads));
   }
   if (!fill.empty())
   {

@@ -38,14 +38,15 @@ SOLVED = STRESSES | {"principal", "chains", "resultants", "loads", "utilisation"
 PURE_SHEAR = SOLVED - {"chains"}
 IN_SPACE = {"blocks", "volume", "joints"}
 # Scenes with Rotations = true.
-TURNING = {"portal", "rocking_column", "semicircular_arch", "spreading_arch",
-           "tied_arch"}
+TURNING = {"arch_on_piers", "grains", "portal", "rocking_column", "semicircular_arch",
+           "sinking_pier", "spreading_arch", "tied_arch"}
 # Those of load factors, which turn, too, and have a state and a mechanism.
 FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_fill", "bridge_with_lorry",
-           "buttress", "dry_arch", "rocking_wall",
-           "dry_stone_wall", "ferris_tin_loi_1", "ferris_tin_loi_2", "two_span_bridge"}
+           "arch_until_it_falls", "buttress", "compas_arch", "dry_arch", "dry_stone_wall", "facade",
+           "ferris_tin_loi_1", "ferris_tin_loi_2", "floors_on_wall", "rocking_wall",
+           "through_stones", "two_leaf_wall", "two_ring_arch", "two_span_bridge"}
 # Those whose supports move: a state and a motion.
-MOVED = {"spreading_arch"}
+MOVED = {"sinking_pier", "spreading_arch"}
 
 
 def expect(what, condition):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Arches against closed forms: areas, perimeters, joints on the middle line,
-// mirror images to the last bit, piers and skewbacks; failures.
+// mirror images to the last bit, piers and skewbacks, rings; failures.
 
 #include <voussoir/base/text.h>
 #include <voussoir/packing/generators/arch.h>
@@ -160,6 +160,118 @@ void check_piers(const double embrace)
   check("  bed below the skewback horizontal", bed.normal[1] == 1.);
 }
 
+/** The length of the joints across an arch, without those of its piers. */
+double length_across(const Packing<2> &packing, const bool with_keystone)
+{
+  double length = 0.;
+  for (const auto &i : packing.interfaces())
+  {
+    const std::string &a = packing.group_name(i.cell_minus),
+                      &b = packing.group_name(i.cell_plus);
+    if (a != "abutment" && b != "abutment" && (with_keystone || a == b))
+      length += i.length;
+  }
+  return length;
+}
+
+/** Each cell of one ring, R = 2 and t = 0.6, is one of each of several. */
+void check_rings(const unsigned int n_rings,
+                 const unsigned int n,
+                 const std::string &shape)
+{
+  std::cout << n_rings << " rings of " << n << " voussoirs" << std::endl;
+  const unsigned int n_courses = 2;
+  const std::string settings =
+      text(shape,
+           "\nset Mean radius = 2\nset Span = 4\nset Thickness = 0.6\n"
+           "set Abutments = 2\nset Voussoirs = ",
+           n, "\n");
+  const Packing<2> whole(generate(settings));
+  const CellLoops cells = generate(text(settings, "set Rings = ", n_rings));
+  const Packing<2> packing(cells);
+  check("  cells", packing.n_cells() == n * n_rings + 2 * n_courses);
+  check("  joints along the arch, across it, at its foot and in the piers",
+        packing.interfaces().size() ==
+            n * (n_rings - 1) + (n + 1) * n_rings + 2 * (n_courses - 1));
+
+  double error = 0.;
+  bool named = true, stacked = true;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    double area = 0.;
+    for (unsigned int r = 0; r < n_rings; ++r)
+    {
+      const unsigned int c = n_courses + k * n_rings + r;
+      area += packing.area(c);
+      named &= cells.group_names[cells.group[c]] == text("ring ", r + 1);
+      stacked &=
+          r == 0 || packing.centre(c).norm() > packing.centre(c - 1).norm();
+    }
+    error = std::max(error, std::abs(area - whole.area(n_courses + k)));
+  }
+  check_error("  areas", error, 1e-14);
+  check("  named, from the inside to the outside", named && stacked);
+  named = true;
+  for (const unsigned int c : {0u, 1u, packing.n_cells() - 1})
+    named &= cells.group_names[cells.group[c]] == "abutment";
+  check("  piers are abutments", named);
+  check_error(
+      "  the joints across are whole",
+      std::abs(length_across(packing, false) - length_across(whole, true)),
+      1e-13);
+  check_error("  and so is the outline",
+              std::abs(boundary_length(packing) - boundary_length(whole)),
+              1e-13);
+}
+
+/** The joint between rings k and k+1 of five, R = 2 and t = 0.5, is a chord. */
+void check_chords()
+{
+  const unsigned int n = 12;
+  const CellLoops cells =
+      generate("set Mean radius = 2\nset Thickness = 0.5\nset Rings = 5\n"
+               "set Embrace = 90\nset Voussoirs = 12");
+  const Packing<2> packing(cells);
+  double error = 0.;
+  unsigned int n_chords = 0;
+  for (const auto &i : packing.interfaces())
+  {
+    const unsigned int a = cells.group[i.cell_minus],
+                       b = cells.group[i.cell_plus];
+    if (a == b)
+      continue;
+    ++n_chords;
+    const double radius = 1.75 + 0.1 * std::max(a, b);
+    error = std::max(
+        {error, std::abs(i.length - 2. * radius * std::sin(PI / 4. / n)),
+         std::abs(i.midpoint().norm() - radius * std::cos(PI / 4. / n))});
+  }
+  check("chords between five rings", n_chords == 4 * n);
+  check_error("  on circles", error, 1e-14);
+}
+
+/** Piers 1.2 wide and 1.5 high under R = 2, t = 0.5, as in check_piers(). */
+void check_wide_piers(const double embrace)
+{
+  const CellLoops cells =
+      generate(text("set Mean radius = 2\nset Thickness = 0.5\n"
+                    "set Voussoirs = 9\nset Abutments = 3\n"
+                    "set Abutment height = 1.5\nset Abutment width = 1.2\n"
+                    "set Embrace = ",
+                    embrace));
+  std::cout << "wide piers under " << embrace << " degrees" << std::endl;
+  check_arch(cells, 9, 3);
+  const Packing<2> packing(cells);
+  check_error("  courses of equal height",
+              std::abs(packing.area(0) - 0.6) + std::abs(packing.area(1) - 0.6),
+              1e-14);
+  const double half = embrace / 360. * PI;
+  const double rise = 0.5 * std::cos(half), run = 0.5 * std::sin(half);
+  check_error("  skewback",
+              std::abs(packing.area(2) - 0.6 - rise * (1.2 - 0.5 * run)),
+              1e-14);
+}
+
 void refuse(const std::string &settings)
 {
   show_refusal([&] { generate(settings); });
@@ -194,6 +306,17 @@ void run()
                                                   "set Embrace = 170"))
                                       .n_sides(0) == 4);
 
+  check_wide_piers(180.);
+  check_wide_piers(120.);
+
+  check_rings(2, 9, "set Embrace = 130");
+  check_rings(3, 10, "set Embrace = 180");
+  check_rings(4, 9, "set Shape = pointed");
+  check_rings(2, 10, "set Shape = pointed");
+  check_chords();
+
+  refuse("set Abutments = 1\nset Abutment width = 0.1");
+  refuse("set Voussoirs = 1000000\nset Rings = 1000");
   refuse("set Thickness = 0");
   refuse("set Mean radius = 0");
   refuse("set Embrace = 0");

@@ -96,6 +96,28 @@ void check_order()
   check("  sizes of the groups", group_sizes(cells) == expected);
 }
 
+/** Two rings: blocks overlap along each of them, and from one to the other. */
+void check_rings()
+{
+  const std::string settings =
+      "set Voussoirs = 5\nset Abutments = 1\nset Rings = 2\n"
+      "set Abutment width = 0.7\n";
+  const CellLoops plane = arch(settings);
+  const CellFaces cells =
+      generate(settings + "set Length = 3\nset Blocks per row = 2\n");
+  check_shell(cells, Packing<2>(plane).area() * 3., 0);
+  // Piers of two blocks, and at each place a row of two and one of three.
+  std::vector<unsigned int> in_row = {2};
+  for (unsigned int place = 0; place < 5; ++place)
+    for (const unsigned int ring : {0, 1})
+      in_row.push_back((place + ring) % 2 == 0 ? 3 : 2);
+  in_row.push_back(2);
+  std::vector<unsigned int> groups;
+  for (unsigned int row = 0; row < plane.n_cells(); ++row)
+    groups.insert(groups.end(), in_row.at(row), plane.group[row]);
+  check("  rows of two and of three in turn", cells.group == groups);
+}
+
 void refuse(const std::string &settings)
 {
   show_refusal([&] { generate(settings); });
@@ -130,6 +152,9 @@ void run()
 
   std::cout << "order" << std::endl;
   check_order();
+
+  std::cout << "two rings on wide piers" << std::endl;
+  check_rings();
 
   refuse("set Length = 0");
   refuse("set Thickness = 0");

@@ -2,7 +2,8 @@
 
 // Capacity curves: a block, a column of ten and a parapet that rock about an
 // edge of their foot against tan(b - theta), at any displacement; an arch whose
-// hinges go from joint to joint against itself with steps of other sizes. At
+// hinges go from joint to joint against itself with steps of other sizes; a
+// block and an arch on supports that turn. At
 // each position forces carry the factor and a mechanism bounds it. Moved scenes
 // have the loads of the scene at rest.
 
@@ -21,12 +22,14 @@ using dealii::Tensor;
 CapacityCurve curve_of(const Packing<2> &packing,
                        const unsigned int cell,
                        const Point<2> &place,
-                       const unsigned int n_points)
+                       const unsigned int n_points,
+                       const std::vector<SupportMotion> &of_supports = {})
 {
   const Scene dead = under_weight(packing, 0., 3., rotations());
   const Scene live =
       under_weight(packing, 0., 3., rotations(), Tensor<1, 2>({1., 0.}));
-  CapacityWanted wanted = {cell, place, Tensor<1, 2>({1., 0.}), n_points, 0.};
+  CapacityWanted wanted = {cell,     place, Tensor<1, 2>({1., 0.}),
+                           n_points, 0.,    of_supports};
   return find_capacity(dead, live, wanted, {}, Terminal::silent()).curve;
 }
 
@@ -80,6 +83,60 @@ void arch()
   for (std::size_t k = 1; k < many.points.size(); ++k)
     falls &= many.points[k].carried < many.points[k - 1].carried;
   check("an arch: the factor only falls", falls);
+}
+
+/** A block on ground that tilts by an angle t: tan(b - t), until it falls. */
+void tilts()
+{
+  const double slope = std::atan(1. / 3.);
+  const auto tilted_by = [&](const double angle) {
+    return curve_of(on_ground(wall(1, 1, 1., 3.)), 0, Point<2>(0., 3.), 20,
+                    {{Tensor<1, 2>(), -angle}});
+  };
+  const CapacityCurve curve = tilted_by(0.2);
+  double error = 0., of_point = 0.;
+  for (const CapacityPoint &point : curve.points)
+  {
+    const double turn = 2. * std::asin(point.of_supports);
+    error = std::max(error, std::abs(point.carried - std::tan(slope - turn)));
+    const double x = 0.5 - 0.5 * std::cos(turn) + 3. * std::sin(turn);
+    of_point = std::max(of_point, std::abs(point.displacement - x));
+  }
+  check_error("on ground that tilts: the factor at each", error, 1e-9);
+  check_error("on ground that tilts: the point", of_point, 1e-12);
+  check_error("on ground that tilts: by the whole angle",
+              std::abs(curve.points.back().of_supports - std::sin(0.1)), 1e-12);
+  std::cout << curve.end << std::endl;
+  const CapacityCurve fall = tilted_by(0.5);
+  check_error("it falls where its centre is above its edge",
+              std::abs(fall.points.back().of_supports - std::sin(slope / 2.)),
+              1e-9);
+  std::cout << fall.end << std::endl;
+}
+
+/** An arch whose support goes and turns, in steps of other sizes. */
+void turning_springing()
+{
+  const Packing<2> ring = on_ground(semicircle(20, 0.3));
+  const std::vector<SupportMotion> of_supports = {
+      {}, {Tensor<1, 2>({0.05, -0.03}), -0.04}};
+  const CapacityCurve few =
+      curve_of(ring, 10, Point<2>(-0.05, 1.), 5, of_supports);
+  const CapacityCurve many =
+      curve_of(ring, 10, Point<2>(-0.05, 1.), 40, of_supports);
+  std::cout << few.end << std::endl << many.end << std::endl;
+  const CapacityPoint &a = few.points.back(), &b = many.points.back();
+  check("a springing that turns: few and many steps",
+        few.points.size() < 10 && many.points.size() > 30);
+  check_error("a springing that turns: the point",
+              std::abs(a.displacement - b.displacement), 1e-9);
+  check_error("a springing that turns: the factor",
+              std::abs(a.carried - b.carried), 1e-8);
+  check_error("a springing that turns: the force of the support",
+              std::abs(a.support_force - b.support_force), 1e-9);
+  check_error("a springing that turns: and its proof",
+              std::abs(b.support_force - b.least_support_force), 1e-12);
+  check_proofs("a springing that turns", many);
 }
 
 /** Loads of all kinds on random cells, anywhere. */
@@ -209,6 +266,8 @@ void run()
   rocks("a block", on_ground(wall(1, 1, 1., 3.)), 1., 3.);
   rocks("a column of ten", on_ground(stack_of_squares(10)), 1., 10.);
   arch();
+  tilts();
+  turning_springing();
   moved();
   const Packing<2> block = on_ground(wall(1, 1));
   show_refusal([&] {

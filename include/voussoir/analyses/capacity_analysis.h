@@ -15,8 +15,9 @@ public:
   std::string meaning() const override
   {
     return "the factor of the live loads while the blocks go along their "
-           "mechanism, at displacements of any size, until it is zero; each "
-           "between two proofs.";
+           "mechanism, at displacements of any size, until it is zero; or "
+           "with supports that move as 'Supports/Displacement' says, while "
+           "the dead loads are carried; each between two proofs.";
   }
   std::string sections() const override { return "Live loads, Capacity"; }
   void add_parameters(dealii::ParameterHandler &prm) override;

@@ -21,10 +21,6 @@ struct FactorSearch
   std::optional<LiveLoads> live = {};
 };
 
-/** Warn that supports that move mean nothing to factors, if any do. */
-void warn_of_moving_supports(const SceneData &data,
-                             const AnalysisContext &context);
-
 /**
  * The state at the factor of a search, which is judged, or the collapse;
  * without results beside.

@@ -118,11 +118,15 @@ public:
    * where the two cells have its ends.
    *
    * @param place gives where a point of a cell is, at rest as a place of this
-   *   packing; of the ground it is asked, too.
+   *   packing.
+   * @param place_of_ground gives where the ground under an interface is.
    */
   Packing
   moved(const std::function<dealii::Point<2>(
-            unsigned int cell, const dealii::Point<2> &at_rest)> &place) const;
+            unsigned int cell, const dealii::Point<2> &at_rest)> &place,
+        const std::function<dealii::Point<2>(unsigned int interface,
+                                             const dealii::Point<2> &at_rest)>
+            &place_of_ground) const;
 
   /** The number F of cells, without the ground. */
   unsigned int n_cells() const { return mesh.n_cells(); }

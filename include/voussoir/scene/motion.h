@@ -68,6 +68,22 @@ struct Motion
   std::vector<SupportMotion> of_supports;
 };
 
+/** A motion in the plane or in space that is @p factor times as large. */
+template <typename MotionOfBlocks>
+MotionOfBlocks times(MotionOfBlocks motion, const double factor)
+{
+  for (auto &u : motion.displacement)
+    u *= factor;
+  for (auto &angle : motion.rotation)
+    angle *= factor;
+  for (auto &of : motion.of_supports)
+  {
+    of.displacement *= factor;
+    of.rotation *= factor;
+  }
+  return motion;
+}
+
 } // namespace Voussoir
 
 #endif

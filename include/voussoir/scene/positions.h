@@ -9,7 +9,10 @@
 
 namespace Voussoir
 {
-/** Where the cells of a packing are, as rigid bodies that moved from rest. */
+/**
+ * Where the cells of a packing and its supports are, as rigid bodies that moved
+ * from rest.
+ */
 struct Positions
 {
   /** At rest. */
@@ -21,12 +24,22 @@ struct Positions
   std::vector<dealii::Tensor<1, 2>> displacement;
   /** Of each cell, positive counterclockwise; radians, of any size. */
   std::vector<double> angle;
+  /**
+   * Of each support about its midpoint at rest, in the order of
+   * Motion::of_supports, with angles of any size; empty where the ground is at
+   * rest.
+   */
+  std::vector<SupportMotion> of_supports = {};
 
-  /** Where the point @p x of a cell at rest is; the ground does not move. */
+  /** Where the point @p x of a cell at rest is; of the ground it is there. */
   dealii::Point<2> of(const Packing<2> &packing,
                       unsigned int cell,
                       const dealii::Point<2> &x) const;
-  /** Go on by a motion times @p step, which is not small. */
+  /** Where the ground under an interface has the point @p x at rest. */
+  dealii::Point<2> of_ground(const Packing<2> &packing,
+                             unsigned int interface,
+                             const dealii::Point<2> &x) const;
+  /** Cells go on by a motion times @p step, which is not small. */
   Positions advanced(const Motion &motion, double step) const;
 };
 

@@ -8,6 +8,7 @@
 #include <voussoir/packing/packing_parameters.h>
 #include <voussoir/scene/links/fill.h>
 #include <voussoir/scene/links/ties.h>
+#include <voussoir/scene/loads/earthquake.h>
 #include <voussoir/scene/loads/load_cases.h>
 #include <voussoir/scene/loads/loads.h>
 #include <voussoir/scene/scene.h>
@@ -105,6 +106,7 @@ private:
   LoadParameters loads;
   LoadParameters live_loads = LoadParameters("Live loads");
   LoadCases load_cases;
+  Earthquake earthquake;
   Ties ties;
   Fill fill;
   FrictionParameters friction;

@@ -182,8 +182,10 @@ FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
   });
   factor.find();
   found.n_iterations += at_rest.n_iterations + factor.n_iterations();
-  found.collapses_without = at_rest.collapse.has_value();
   FactorAnswerOf<SceneOf> answer;
+  found.collapses_without = at_rest.collapse.has_value();
+  if (at_rest.collapse)
+    answer.collapse = std::move(*at_rest.collapse);
   keep(factor);
   if (factor.state() == SelfDual::State::unbounded)
     find_unbounded();
@@ -196,11 +198,7 @@ FactorAnswerOf<SceneOf> LoadFactorSearch<SceneOf>::find()
       return answer;
     }
   if (found.forces.empty() && found.collapses_without)
-  {
-    // No factor is known to help.
-    answer.collapse = std::move(*at_rest.collapse);
-    return answer;
-  }
+    return answer; // no factor is known to help
   check_found(factor);
   answer.factor = std::move(found);
   return answer;

@@ -45,17 +45,6 @@ by_interior_point(const FeasibleSetOf<SceneOf> &states,
   return std::move(*found);
 }
 
-/** A motion in another unit. */
-template <typename MotionOfBlocks>
-MotionOfBlocks times(MotionOfBlocks motion, const double factor)
-{
-  for (auto &u : motion.displacement)
-    u *= factor;
-  for (auto &angle : motion.rotation)
-    angle *= factor;
-  return motion;
-}
-
 /**
  * Of all motions that prove the value in @p found, those of least energy, the
  * one whose unknowns have the least sum of sizes.

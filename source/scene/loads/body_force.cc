@@ -260,6 +260,23 @@ double BodyForce::torque(const unsigned int cell) const
   return of[1][0] - of[0][1];
 }
 
+BodyForce BodyForce::transformed(const Packing<2> &packing,
+                                 const Tensor<2, 2> &A,
+                                 const std::vector<double> &share_of_cell) const
+{
+  BodyForce other = *this;
+  for (unsigned int c = 0; c < moment_of_cell.size(); ++c)
+  {
+    for (unsigned int i = 0; i < packing.n_sides(c); ++i)
+    {
+      Tensor<1, 2> &f = other.on_sub_cell[packing.first_side(c) + i];
+      f = share_of_cell[c] * (A * f);
+    }
+    other.moment_of_cell[c] = share_of_cell[c] * (A * moment_of_cell[c]);
+  }
+  return other;
+}
+
 BodyForce BodyForce::turned(const std::vector<double> &angles) const
 {
   BodyForce other = *this;

@@ -2,6 +2,7 @@
 #ifndef voussoir_analyses_capacity_capacity_curve_h
 #define voussoir_analyses_capacity_capacity_curve_h
 
+#include <voussoir/analyses/capacity/capacity_points.h>
 #include <voussoir/analyses/factors/load_factor.h>
 
 #include <string>
@@ -9,45 +10,28 @@
 
 namespace Voussoir
 {
-/** What is asked of a capacity curve. */
-struct CapacityWanted
-{
-  unsigned int cell;              /**< that has the point */
-  dealii::Point<2> place;         /**< of the point at rest */
-  dealii::Tensor<1, 2> direction; /**< of its displacement, a unit vector */
-  unsigned int n_points;          /**< about so many */
-  double largest;                 /**< displacement; L, zero for no limit */
-};
-
-/** A point of the curve. */
-struct CapacityPoint
-{
-  /** Of the point that is followed, in its direction; L. */
-  double displacement;
-  /** @{ */
-  /** The factor there, between its proofs; see LoadFactor. */
-  double carried, bound;
-  /** @} */
-  /** The largest Certificate::error() of the forces that carry it. */
-  double error_of_state;
-};
-
 /**
- * The factor of the live loads while the blocks go along their mechanism, at
- * displacements of any size.
+ * The factor of the live loads while the blocks go along their mechanism, or
+ * with supports that move, at displacements of any size.
  */
 struct CapacityCurve
 {
   /** From rest on, by ascending displacement. */
   std::vector<CapacityPoint> points;
-  /** Where the factor is zero; not a number if the curve does not get there. */
+  /** True if supports move. */
+  bool has_moving_supports = false;
+  /**
+   * Where the factor is zero, or with supports that move where the dead loads
+   * are carried last; not a number if the curve does not get there.
+   */
   double ultimate;
   /** Why the curve ends, as the end of a sentence. */
   std::string end;
   /**
    * The share of the mass that takes part in the first mechanism,
    * (sum P_c d_c)^2 / (sum P_c sum P_c d_c^2), with the dead loads P_c and the
-   * displacements d_c in the direction of the point.
+   * displacements d_c in the direction of the point; not a number with supports
+   * that move.
    */
   double participation;
 };
@@ -62,12 +46,14 @@ struct CapacityAnswer
 
 /**
  * Follow the mechanism of the greatest factor of the loads of @p live beside
- * those of @p dead. At each position the ends of joints that the mechanism has
- * opened are open, those that it turns about and those that it leaves at rest
- * touch exactly, and the factor is found anew, with both proofs.
+ * those of @p dead, or the settlement of the dead loads where supports move. At
+ * each position the ends of joints that the motion has opened are open, those
+ * that it turns about and those that it leaves at rest touch exactly, and the
+ * factor is found anew, with both proofs.
  *
- * @throws InputError if the point does not move in its direction.
- * @throws SolverError as find_load_factor().
+ * @throws InputError if the point does not move in its direction, and as
+ *   find_settlement().
+ * @throws SolverError as find_load_factor() and find_settlement().
  */
 CapacityAnswer find_capacity(const Scene &dead,
                              const Scene &live,

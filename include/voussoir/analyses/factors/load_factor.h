@@ -104,8 +104,8 @@ struct FactorAnswerOf
   std::optional<FactorOf<SceneOf>> factor;
   /**
    * The mechanism in which the dead loads collapse with any factor, since the
-   * live ones do no work, or alone if no factor is known with which they do
-   * not, as Mechanism::motion.
+   * live ones do no work, or alone, as Mechanism::motion; of size zero if
+   * neither is known.
    */
   typename SceneOf::MotionOfBlocks collapse;
   /** True if that is with any factor. */

@@ -71,6 +71,17 @@ public:
    */
   BodyForce turned(const std::vector<double> &angles) const;
 
+  /**
+   * The body force A b, times the share of each cell.
+   *
+   * @param packing has the cells.
+   * @param A a linear map.
+   * @param share_of_cell by cell.
+   */
+  BodyForce transformed(const Packing<2> &packing,
+                        const dealii::Tensor<2, 2> &A,
+                        const std::vector<double> &share_of_cell) const;
+
   /** True if there is none, and none was added. */
   bool empty() const { return on_sub_cell.empty(); }
 

@@ -27,13 +27,36 @@ std::array<std::vector<double>, 2> head_joints_of_rows(
   return joints;
 }
 
-/** The polygon of a cell of the arch, at a place along y. */
+/** The sine of the angle by which a straight side turns in rounding at most. */
+constexpr double straight = 1e-12;
+
+/** Whether a corner only divides a side, as joints of rings do that of a pier.
+ */
+bool divides_side(const CellLoops &arch,
+                  const unsigned int cell,
+                  const unsigned int i)
+{
+  const unsigned int n = arch.n_sides(cell);
+  const Point<2> &p = arch.vertices[arch.corner(cell, i)];
+  const auto before = p - arch.vertices[arch.corner(cell, (i + n - 1) % n)];
+  const auto after = arch.vertices[arch.corner(cell, (i + 1) % n)] - p;
+  return before * after > 0. &&
+         std::abs(before[0] * after[1] - before[1] * after[0]) <=
+             straight * before.norm() * after.norm();
+}
+
+/**
+ * The polygon of a cell of the arch, at a place along y, whose sides are whole:
+ * a face may touch several blocks.
+ */
 BlockBuilder::Loop
 section_of_vault(const CellLoops &arch, const unsigned int cell, const double y)
 {
   BlockBuilder::Loop loop;
   for (unsigned int i = 0; i < arch.n_sides(cell); ++i)
   {
+    if (divides_side(arch, cell, i))
+      continue;
     const Point<2> &p = arch.vertices[arch.corner(cell, i)];
     loop.emplace_back(p[0], y, p[1]);
   }
@@ -105,7 +128,7 @@ CellFaces VaultGenerator::generate(const std::filesystem::path &directory,
   builder.reserve_boxes(n_rows * (n_in_row + 1));
   for (unsigned int row = 0; row < n_rows; ++row)
   {
-    const std::vector<double> &y = joints[row % 2];
+    const std::vector<double> &y = joints[arch.rank_of(row) % 2];
     for (unsigned int k = 0; k + 1 < y.size(); ++k)
       builder.add_frustum(section_of_vault(profile, row, y[k]),
                           section_of_vault(profile, row, y[k + 1]),

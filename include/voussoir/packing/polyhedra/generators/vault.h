@@ -21,8 +21,8 @@ namespace Voussoir
  *
  * Cells are numbered row by row over the arch, from the ground at x < 0 up and
  * down again to that at x > 0, and in a row along y. They belong to the groups
- * "voussoir", "keystone" (the row at the crown, if the number of voussoirs is
- * odd) and "abutment".
+ * of the arch. In running bond rows that touch overlap, also those of two
+ * rings.
  */
 class VaultGenerator : public PackingGenerator<3>
 {
