@@ -92,7 +92,7 @@ def check_like_the_program():
         expect(name, np.array_equal(columns("arch/cells.csv", name)[0], of))
     expect("force and normal", np.allclose(
         found.normal_force, (found.force * found.normals).sum(axis=1), atol=1e-12))
-    expect("no ranges", "with `Ranges` only" in raised(
+    expect("no ranges", "with `Ranges` of interfaces only" in raised(
         AttributeError, "ranges", lambda: found.p_min))
     expect("help", type(found).p_min.__doc__.endswith("S L."))
     expect("summary", found.summary["certificate"]["equilibrium_residual"] < 1e-9)
