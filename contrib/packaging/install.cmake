@@ -56,7 +56,9 @@ if(VOUSSOIR_PYTHON)
   set(VOUSSOIR_PYTHON_DIRECTORY lib/python3/dist-packages CACHE STRING
     "Where the module of Python is installed, below the prefix")
   install(TARGETS python_module COMPONENT python
-    LIBRARY DESTINATION ${VOUSSOIR_PYTHON_DIRECTORY})
+    LIBRARY DESTINATION ${VOUSSOIR_PYTHON_DIRECTORY}/voussoir)
+  install(DIRECTORY source/python/voussoir COMPONENT python
+    DESTINATION ${VOUSSOIR_PYTHON_DIRECTORY} FILES_MATCHING PATTERN "*.py")
 endif()
 
 # The packages of Debian, one for each component.
@@ -99,6 +101,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libvoussoir-dev)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-voussoir)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${_packaging}/python/postinst ${_packaging}/python/prerm)
 # Libraries that dpkg-shlibdeps does not see: the BLAS has a directory of its own
 # (see doc/developers.md), and GDAL is loaded when a file asks for it.
 set(_depends "")

@@ -8,6 +8,7 @@
 #include <voussoir/formula/integrals/inaccuracies.h>
 #include <voussoir/formula/integrals/simplex_integral.h>
 #include <voussoir/formula/place_variables.h>
+#include <voussoir/formula/value_list.h>
 #include <voussoir/packing/cell_groups.h>
 #include <voussoir/packing/group_names.h>
 
@@ -22,36 +23,69 @@ namespace Voussoir
 {
 namespace
 {
+/** True of a value that a joint may have; not a number is none. */
+bool admits(const JointQuantity &quantity, const double value)
+{
+  const bool is_finite =
+      std::isfinite(value) || (quantity.may_be_empty && std::isinf(value));
+  return is_finite && !(value < 0.) && !(quantity.is_positive && value == 0.);
+}
+
+/** Where interface @p e is, and what its value must be. */
+template <int dim>
+std::string on_interface(const Packing<dim> &packing,
+                         const unsigned int e,
+                         const JointQuantity &quantity)
+{
+  const auto &i = packing.interfaces()[e];
+  return text("on the interface of ", packing.describe(i.cell_minus), " and ",
+              packing.describe(i.cell_plus), "; a ", quantity.word,
+              " must be finite and ",
+              quantity.is_positive ? "positive." : "not negative.");
+}
+
+/** The values that a user lists for the interfaces, one by one. */
+template <int dim>
+std::vector<double> listed_values(const Packing<dim> &packing,
+                                  const JointQuantity &quantity)
+{
+  const std::string parameter = quantity.section + "/" + quantity.parameter;
+  const std::vector<double> values = numbers_of_list(
+      quantity.everywhere, parameter, packing.interfaces().size(), "interface");
+  for (unsigned int e = 0; e < values.size(); ++e)
+    if (!admits(quantity, values[e]))
+      throw InputError(text("The parameter '", parameter, "' lists ",
+                            text_of_number(values[e]), " for interface ", e,
+                            ", ", on_interface(packing, e, quantity)));
+  return values;
+}
+
 /** A quantity as an expression, from one of the parameters. */
 template <int dim>
 class QuantityFormula
 {
 public:
-  using Interface = typename Packing<dim>::Interface;
   QuantityFormula(const std::string &formula,
                   const std::string &parameter,
                   const JointQuantity &quantity)
       : value(formula, variables_on_sides<dim>(), parameter),
         jumps(jumps_of(value)), formula(formula), parameter(parameter),
-        word(quantity.word), is_positive(quantity.is_positive),
+        quantity(quantity),
         inaccuracies(parameter, dim == 2 ? 1e-6 : largest_error_in_space)
   {}
 
   /** The mean over interface @p e. */
   double mean(const Packing<dim> &packing, const unsigned int e)
   {
-    const Interface &i = packing.interfaces()[e];
+    const auto &i = packing.interfaces()[e];
     const auto value_at = [&](const dealii::Point<dim> &p) {
       std::vector<double> values(p.begin_raw(), p.end_raw());
       values.insert(values.end(), i.normal.begin_raw(), i.normal.end_raw());
       const double at_p = value(values);
-      if (!std::isfinite(at_p) || at_p < 0. || (is_positive && at_p == 0.))
-        throw InputError(text(
-            "'", parameter, "' = '", formula, "' is ", text_of_number(at_p),
-            " at ", text_of_point(p), ", on the interface of ",
-            packing.describe(i.cell_minus), " and ",
-            packing.describe(i.cell_plus), "; a ", word, " must be finite and ",
-            is_positive ? "positive." : "not negative."));
+      if (!std::isfinite(at_p) || !admits(quantity, at_p))
+        throw InputError(text("'", parameter, "' = '", formula, "' is ",
+                              text_of_number(at_p), " at ", text_of_point(p),
+                              ", ", on_interface(packing, e, quantity)));
       return at_p;
     };
     if (value.is_constant())
@@ -104,8 +138,8 @@ private:
 
   Expression value;
   Discontinuities jumps;
-  std::string formula, parameter, word;
-  bool is_positive;
+  std::string formula, parameter;
+  const JointQuantity &quantity;
   Inaccuracies inaccuracies;
 };
 
@@ -154,7 +188,10 @@ std::vector<double> means(const Packing<dim> &packing,
                           std::vector<std::string> &warnings)
 {
   std::optional<QuantityFormula<dim>> everywhere;
-  if (!quantity.everywhere.empty() || !quantity.may_be_empty)
+  std::vector<double> listed;
+  if (is_value_list(quantity.everywhere))
+    listed = listed_values(packing, quantity);
+  else if (!quantity.everywhere.empty() || !quantity.may_be_empty)
     everywhere.emplace(quantity.everywhere,
                        quantity.section + "/" + quantity.parameter, quantity);
   const std::string parameter =
@@ -183,8 +220,9 @@ std::vector<double> means(const Packing<dim> &packing,
             : of_pair.find(std::minmax(
                   {packing.group(i.cell_minus), packing.group(i.cell_plus)}));
     if (found == of_pair.end())
-      result.push_back(everywhere ? everywhere->mean(packing, e)
-                                  : std::numeric_limits<double>::infinity());
+      result.push_back(!listed.empty() ? listed[e]
+                       : everywhere    ? everywhere->mean(packing, e)
+                                    : std::numeric_limits<double>::infinity());
     else
     {
       result.push_back(found->second.formula.mean(packing, e));

@@ -14,10 +14,10 @@ void write_interfaces_csv(std::ostream &out, const SpaceResults &answer)
               answer.scene.packing().interfaces().size());
 }
 
-void write_boundary_csv(std::ostream &out, const Packing<3> &packing)
+void write_boundary_csv(std::ostream &out, const SpaceResults &answer)
 {
-  write_table(out, boundary_face_fields().columns(packing),
-              packing.boundary_faces().size());
+  write_table(out, boundary_face_fields().columns(answer),
+              answer.scene.packing().boundary_faces().size());
 }
 
 void write_cells_csv(std::ostream &out, const SpaceResults &answer)

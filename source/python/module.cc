@@ -38,6 +38,15 @@ const auto n_faces = [](const auto &data) {
 const auto n_polyhedra = [](const auto &data) -> std::size_t {
   return part_of<Packing<3>>(data).polyhedra().n_cells();
 };
+const auto n_boundary_edges = [](const Scene &scene) {
+  return scene.packing.boundary_edges().size();
+};
+const auto n_boundary_faces = [](const SpaceResults &answer) {
+  return answer.scene.packing().boundary_faces().size();
+};
+const auto n_positions = [](const CapacityCurve &curve) {
+  return curve.points.size();
+};
 const auto n_points = [](const ForcePoints &data) { return data.list.size(); };
 
 /** A function of an object and of a name that needs no name. */
@@ -49,6 +58,25 @@ auto without_name(const Get &get)
   };
 }
 
+/** The numbers of joints and of blocks, which arrays of a user must have. */
+template <typename Class, typename Get>
+void add_numbers(Class &of, const Get &packing)
+{
+  of.def_property_readonly(
+        "n_joints",
+        [packing](typename Class::type &self) {
+          return packing(self)->interfaces().size();
+        },
+        "The number of joints, supports among them: the length of arrays of "
+        "strengths.")
+      .def_property_readonly(
+          "n_blocks",
+          [packing](typename Class::type &self) {
+            return packing(self)->n_cells();
+          },
+          "The number of blocks that move: the length of arrays of loads.");
+}
+
 /**
  * All that a packing in the plane has, and what follows from it alone.
  *
@@ -57,6 +85,7 @@ auto without_name(const Get &get)
 template <typename Class, typename Get>
 void add_packing(Class &of, const Get &packing)
 {
+  add_numbers(of, packing);
   of.def_property_readonly(
       "polygons",
       [packing](typename Class::type &self) {
@@ -72,6 +101,7 @@ void add_packing(Class &of, const Get &packing)
 template <typename Class, typename Get>
 void add_space_packing(Class &of, const Get &packing)
 {
+  add_numbers(of, packing);
   of.def_property_readonly(
         "polyhedra",
         [packing](typename Class::type &self) {
@@ -108,6 +138,16 @@ void add_results(Class &of)
   add_fields(of, interface_fields(), state, n_interfaces);
   add_fields(of, cell_fields(), state, n_cells);
   add_fields(of, link_fields(), state, n_links);
+  add_fields(of, boundary_fields(),
+             without_name<Class>(
+                 [](const PyPlaneResults &self) { return self.scene(); }),
+             n_boundary_edges);
+  add_fields(
+      of, capacity_fields(),
+      [](const PyPlaneResults &self, const std::string &name) {
+        return self.curve(name);
+      },
+      n_positions);
 }
 
 /** All other quantities of the results in space. */
@@ -121,6 +161,7 @@ void add_space_results(Class &of)
   add_fields(of, face_interface_fields(), answer, n_faces);
   add_fields(of, polyhedron_fields(), answer, n_polyhedra);
   add_fields(of, force_point_fields(), points, n_points);
+  add_fields(of, boundary_face_fields(), answer, n_boundary_faces);
 }
 
 using Path = std::optional<std::filesystem::path>;
@@ -147,7 +188,8 @@ py::object new_scene(const py::object &type,
   if (!polyhedra.empty())
     of_blocks.push_back(dimension_entry + "=3");
   const bool in_space =
-      dimension_of(PySources{file, text, settings}.with(of_blocks)) == 3;
+      dimension_of(
+          PySources{file, text, settings}.before_dimension(of_blocks)) == 3;
   if (in_space && !polygons.empty())
     throw InputError("'polygons' are blocks in the plane, and 'Dimension' is "
                      "3; give 'polyhedra'.");
@@ -176,9 +218,13 @@ void add_scene_class(py::module_ &module)
           "blocks: polygons, arrays of shape (n, 2), or polyhedra, "
           "pairs of an array of vertices, of shape (n, 3), and the "
           "faces, lists of the numbers of vertices; settings are "
-          "entries by their names, as in {'Friction/Strength': 0.5}.")
+          "entries by their names, as in {'Friction/Strength': 0.5}. See "
+          "set() for arrays.")
       .def("set", &PyScene::set, py::arg("name"), py::arg("value"),
-           "Change an entry, such as 'Loads/Body force'.")
+           "Change an entry, such as 'Loads/Body force'. Strengths may be "
+           "arrays "
+           "with a number for each of the n_joints, and 'Body force' and "
+           "'Cell forces' arrays with a row for each of the n_blocks.")
       .def("__setitem__", &PyScene::set)
       .def("__getitem__", &PyScene::get, py::arg("name"),
            "The text of an entry.");
@@ -235,8 +281,16 @@ void add_results_classes(py::module_ &module)
                              "others; None "
                              "stands for what is not finite, such as a load "
                              "factor without bound.")
-      .def_readonly("warnings", &PyResults::warnings,
-                    "Sentences: what the program would print.");
+      .def_property_readonly("warnings", &PyResults::warnings,
+                             "Sentences: what the program would print.")
+      .def("write", &PyResults::write, py::arg("directory"),
+           "Write the files that the program writes, into a directory; what is "
+           "written is by 'Output' and 'Accuracy', as they were when this was "
+           "solved.")
+      .def("report", &PyResults::write_page, py::arg("file"),
+           "Write the page with pictures and numbers, report.html, to a file.")
+      .def("_repr_html_", &PyResults::view_in_notebook,
+           "The page, for notebooks.");
   py::class_<PyPlaneResults, PyResults> in_plane(
       module, "ResultsInPlane", "What was found of a SceneInPlane.");
   add_packing(in_plane,
@@ -251,9 +305,10 @@ void add_results_classes(py::module_ &module)
 } // namespace
 } // namespace Voussoir
 
-PYBIND11_MODULE(voussoir, module)
+PYBIND11_MODULE(_voussoir, module)
 {
   using namespace Voussoir;
+  module.attr("__name__") = "voussoir"; // where users find the classes
   module.doc() =
       "Contact forces between, and stresses inside, the rigid blocks of a "
       "packing. Numbers are in the user's units: L is a length, S a stress, "

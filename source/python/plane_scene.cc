@@ -12,9 +12,8 @@ namespace Voussoir
 {
 namespace py = pybind11;
 
-PyPlaneResults::PyPlaneResults(RunResult found,
-                               std::vector<std::string> warnings)
-    : PyResults(std::move(warnings)),
+PyPlaneResults::PyPlaneResults(RunResult found, PySolvedWith with)
+    : PyResults(std::move(with)),
       findings(std::make_shared<RunResult>(std::move(found)))
 {}
 
@@ -36,7 +35,7 @@ std::shared_ptr<const MovingScene> PyPlaneResults::moving() const
     MovingScene moving;
   };
   const auto kept = std::make_shared<const Kept>(
-      Kept{findings, MovingScene(*findings->scene, motion())});
+      Kept{findings, MovingScene(*findings->scene, motion(), live_loads())});
   return {kept, &kept->moving};
 }
 
@@ -47,6 +46,39 @@ const Motion &PyPlaneResults::motion() const
     return std::get<Collapse>(findings->found).motion;
   const MotionBeside *const beside = of->motion_beside();
   return beside ? beside->motion : of->motion;
+}
+
+const LiveLoads *PyPlaneResults::live_loads() const
+{
+  const Results *const of = std::get_if<Results>(&findings->found);
+  const MotionBeside *const beside = of ? of->motion_beside() : nullptr;
+  return beside && beside->live ? &*beside->live : nullptr;
+}
+
+std::shared_ptr<const CapacityCurve>
+PyPlaneResults::curve(const std::string &what) const
+{
+  const CapacityCurve *const of = state(what)->data<CapacityCurve>();
+  if (of == nullptr)
+    throw py::attribute_error("there is no '" + what +
+                              "': it is there with `Analysis = capacity` only");
+  return {findings, of};
+}
+
+void PyPlaneResults::write(const std::filesystem::path &results)
+{
+  const py::gil_scoped_release others_may_go_on;
+  PyWritingRun<AnalysisRun> writing(solved_with,
+                                    {"Output directory=" + results.string()});
+  writing.run.write(solved_with.directory, *findings);
+}
+
+std::string PyPlaneResults::page()
+{
+  const py::gil_scoped_release others_may_go_on;
+  std::ostringstream out;
+  PyWritingRun<AnalysisRun>(solved_with).run.write_page(out, *findings);
+  return out.str();
 }
 
 nlohmann::ordered_json PyPlaneResults::json() const
@@ -65,7 +97,7 @@ PyPlaneScene::PyPlaneScene(const PySources &sources,
     run.give(list_of(polygons));
     assignments.push_back("Packing/Generator=polygons");
   }
-  run.read(sources.with(std::move(assignments)));
+  run.read(sources.with(std::move(assignments), run.dimension()));
 }
 
 std::shared_ptr<const Packing<2>> PyPlaneScene::get_packing()
@@ -83,6 +115,6 @@ PyPlaneResults PyPlaneScene::solve()
     results->torques = residual_torques(*found.scene, results->forces);
     results->mean_stresses = cell_mean_stresses(*found.scene, results->forces);
   }
-  return {std::move(found), take_warnings()};
+  return {std::move(found), solved_with()};
 }
 } // namespace Voussoir

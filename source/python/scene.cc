@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameter_tree.h>
+#include <voussoir/base/text.h>
+#include <voussoir/python/entry_text.h>
 #include <voussoir/python/scene.h>
 
+#include <fstream>
 #include <pybind11/pybind11.h>
 
 namespace Voussoir
@@ -10,13 +14,14 @@ namespace py = pybind11;
 
 namespace
 {
-/** A value of Python's as it stands in a .prm file. */
-std::string text_of(const py::handle &value)
+/** The blocks of a page that every notebook shows at once. */
+constexpr std::size_t most_blocks_in_notebook = 2000;
+
+std::string assignment_of(const std::string &name,
+                          const py::handle &value,
+                          const unsigned int dimension)
 {
-  if (py::isinstance<py::bool_>(value))
-    return value.cast<bool>() ? "true" : "false";
-  // repr: the shortest digits that are the same double.
-  return py::isinstance<py::float_>(value) ? py::repr(value) : py::str(value);
+  return name + '=' + entry_text(name, value, dimension);
 }
 } // namespace
 
@@ -27,11 +32,43 @@ py::object PyResults::summary() const
   return py::module_::import("json").attr("loads")(text);
 }
 
-ParameterSources PySources::with(std::vector<std::string> assignments) const
+void PyResults::write_page(const std::filesystem::path &file)
+{
+  const std::string html = page();
+  std::ofstream out(file);
+  if (!(out << html << std::flush))
+    throw InputError("The page '" + file.string() +
+                     "' cannot be written; is there such a directory, and may "
+                     "you write there?");
+}
+
+std::string PyResults::view_in_notebook()
+{
+  if (n_blocks() > most_blocks_in_notebook)
+    return text("<p>", status(), ": ", counted(n_blocks(), "block"),
+                ", too many to be shown here; <code>report(\"page.html\")"
+                "</code> writes the page.</p>");
+  const py::object escape = py::module_::import("html").attr("escape");
+  return "<iframe srcdoc=\"" + escape(page()).cast<std::string>() +
+         "\" width=\"100%\" height=\"700\" frameborder=\"0\"></iframe>";
+}
+
+ParameterSources PySources::with(std::vector<std::string> assignments,
+                                 const unsigned int dimension) const
 {
   for (const auto &[name, value] : settings)
-    assignments.push_back(py::str(name).cast<std::string>() + '=' +
-                          text_of(value));
+    assignments.push_back(
+        assignment_of(py::str(name).cast<std::string>(), value, dimension));
+  return {file, text, std::move(assignments)};
+}
+
+ParameterSources
+PySources::before_dimension(std::vector<std::string> assignments) const
+{
+  for (const auto &[name, value] : settings)
+    if (const auto entry = py::str(name).cast<std::string>();
+        entry == dimension_entry)
+      assignments.push_back(assignment_of(entry, value, 0));
   return {file, text, std::move(assignments)};
 }
 
@@ -48,9 +85,14 @@ std::vector<std::string> PyScene::take_warnings()
   return terminal.take_warnings();
 }
 
+PySolvedWith PyScene::solved_with()
+{
+  return {parameters().as_written(), directory, take_warnings()};
+}
+
 void PyScene::set(const std::string &name, const py::handle &value)
 {
-  parameters().assign(name + '=' + text_of(value));
+  parameters().assign(assignment_of(name, value, parameters().dimension()));
 }
 
 std::string PyScene::get(const std::string &name) const

@@ -9,13 +9,28 @@ namespace Voussoir
 {
 namespace py = pybind11;
 
-PySpaceResults::PySpaceResults(SpaceResult found,
-                               std::vector<std::string> warnings)
-    : PyResults(std::move(warnings))
+PySpaceResults::PySpaceResults(SpaceResult found, PySolvedWith with)
+    : PyResults(std::move(with))
 {
   ForcePoints points(found.answer);
-  findings = std::make_shared<const Findings>(
-      Findings{std::move(found), std::move(points)});
+  findings =
+      std::make_shared<Findings>(Findings{std::move(found), std::move(points)});
+}
+
+void PySpaceResults::write(const std::filesystem::path &results)
+{
+  const py::gil_scoped_release others_may_go_on;
+  PyWritingRun<SpaceRun> writing(solved_with,
+                                 {"Output directory=" + results.string()});
+  writing.run.write(solved_with.directory, findings->result);
+}
+
+std::string PySpaceResults::page()
+{
+  const py::gil_scoped_release others_may_go_on;
+  std::ostringstream out;
+  PyWritingRun<SpaceRun>(solved_with).run.write_page(out, findings->result);
+  return out.str();
 }
 
 nlohmann::ordered_json PySpaceResults::json() const
@@ -33,7 +48,7 @@ PySpaceScene::PySpaceScene(const PySources &sources,
     run.give(meshes_of(polyhedra));
     assignments.push_back("Packing/Generator=model");
   }
-  run.read(sources.with(std::move(assignments)));
+  run.read(sources.with(std::move(assignments), run.dimension()));
 }
 
 std::shared_ptr<const Packing<3>> PySpaceScene::get_packing()
@@ -47,6 +62,6 @@ PySpaceResults PySpaceScene::solve()
   const py::gil_scoped_release others_may_go_on;
   take_warnings(); // of a look at the packing, or an exception
   SpaceResult found = run.answer(directory, packings);
-  return {std::move(found), take_warnings()};
+  return {std::move(found), solved_with()};
 }
 } // namespace Voussoir

@@ -64,7 +64,28 @@ RunResult AnalysisRun::answer(const std::filesystem::path &directory,
                               SharedPackings<Packing<2>> &packings)
 {
   show_settings();
-  return find(directory, nullptr, &packings);
+  RunResult result = find(directory, nullptr, &packings);
+  std::visit(
+      [&](auto &found) {
+        found.timings =
+            timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+      },
+      result.found);
+  return result;
+}
+
+void AnalysisRun::write(const std::filesystem::path &directory,
+                        RunResult &result)
+{
+  const std::unique_ptr<ResultDirectory> files = open(directory);
+  std::visit([&](auto &found) { writer.write(*files, found, prm); },
+             result.found);
+}
+
+void AnalysisRun::write_page(std::ostream &out, RunResult &result) const
+{
+  std::visit([&](auto &found) { writer.write_page(out, found, prm); },
+             result.found);
 }
 
 RunResult AnalysisRun::find(const std::filesystem::path &directory,

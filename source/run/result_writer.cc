@@ -213,8 +213,9 @@ std::string ResultWriter::write(ResultDirectory &files,
 
 std::optional<StressPart> ResultWriter::find_stresses(Results &results)
 {
-  if (writes(ResultFiles::csv) || writes(ResultFiles::vtu) ||
-      reports(results.scene.packing))
+  const bool has_them = !results.mean_stresses.empty(); // and others see them
+  if (!has_them && (writes(ResultFiles::csv) || writes(ResultFiles::vtu) ||
+                    reports(results.scene.packing)))
   {
     results.torques = residual_torques(results.scene, results.forces);
     results.mean_stresses = cell_mean_stresses(results.scene, results.forces);
@@ -346,6 +347,22 @@ void ResultWriter::write_packing(ResultDirectory &files,
 }
 
 template <typename Found>
+void ResultWriter::write_page(std::ostream &out,
+                              Found &found,
+                              const dealii::ParameterHandler &prm) const
+{
+  found.title = entries.title;
+  write_report(out, found, {units, changed_settings(prm), terminal.warnings()});
+}
+
+template void ResultWriter::write_page(std::ostream &,
+                                       Results &,
+                                       const dealii::ParameterHandler &) const;
+template void ResultWriter::write_page(std::ostream &,
+                                       Collapse &,
+                                       const dealii::ParameterHandler &) const;
+
+template <typename Found>
 void ResultWriter::publish(ResultDirectory &files,
                            Found &found,
                            const dealii::ParameterHandler &prm)
@@ -353,13 +370,13 @@ void ResultWriter::publish(ResultDirectory &files,
   write_packing(files, found.scene.packing);
   write_parameters(files, prm);
   timer.leave_subsection();
-  found.timings = timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  for (const auto &[stage, seconds] :
+       timer.get_summary_data(dealii::TimerOutput::total_wall_time))
+    found.timings[stage] = seconds; // others are from before, as of Python
   const bool has_page = reports(found.scene.packing);
   if (has_page)
-    files.write(report_html, [&](std::ostream &out) {
-      write_report(out, found,
-                   {units, changed_settings(prm), terminal.warnings()});
-    });
+    files.write(report_html,
+                [&](std::ostream &out) { write_page(out, found, prm); });
   files.write(summary_json, [&](std::ostream &out) {
     write_summary_json(out, found); // last: it marks a complete set
   });

@@ -11,22 +11,22 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 namespace Voussoir
 {
 namespace
 {
-/** The names that the sources give to sections. */
-NamedSections named_sections_in(const std::vector<ParameterInput> &inputs,
-                                const ParameterSources &sources)
+/** The names that users have given to sections. */
+NamedSections named_sections_in(const WrittenParameters &written)
 {
   NamedSections names;
   for (const std::string &of_users : SceneParameters::sections_of_users())
   {
     std::set<std::string> &found = names[of_users];
-    for (const ParameterInput &input : inputs)
+    for (const ParameterInput &input : written.inputs)
       found.merge(input.sections_in(of_users));
-    for (const std::string &text : sources.assignments)
+    for (const std::string &text : written.assignments)
       if (const SectionPath section = assignment_of_text(text).to.section;
           section.size() > 1 && section[0] == of_users)
         found.insert(section[1]);
@@ -51,10 +51,9 @@ Run::Run(Terminal &terminal)
                                 dealii::TimerOutput::wall_times)
 {}
 
-void Run::read(const ParameterSources &sources)
+void Run::read_written(WrittenParameters parameters)
 {
-  inputs = sources.inputs();
-  assignments = sources.assignments;
+  written = std::move(parameters);
   prm.declare_entry(dimension_entry, "2", dealii::Patterns::Integer(2, 3),
                     "2: the blocks are polygons in the plane. 3: they are "
                     "polyhedra in space, with parameters of their own, which "
@@ -62,7 +61,7 @@ void Run::read(const ParameterSources &sources)
                     "its states, load factors and ranges are found as in the "
                     "plane.");
   declare_variables();
-  declare(named_sections_in(inputs, sources));
+  declare(named_sections_in(written));
   assigned.watch(prm);
   assign_all();
   check_dimension();
@@ -72,10 +71,10 @@ void Run::read(const ParameterSources &sources)
 template <typename F>
 void Run::for_each_variable(const F &f) const
 {
-  for (const ParameterInput &input : inputs)
+  for (const ParameterInput &input : written.inputs)
     for (const auto &[name, expression] : input.entries_in(variables_section))
       f(name, expression);
-  for (const std::string &text : assignments)
+  for (const std::string &text : written.assignments)
     if (const auto [to, value] = assignment_of_text(text);
         to.section == SectionPath{variables_section})
       f(to.entry, value);
@@ -100,7 +99,7 @@ void Run::assign_all()
     variables.set(name, of_name);
   });
   variables.evaluate();
-  for (ParameterInput input : inputs)
+  for (ParameterInput input : written.inputs)
   {
     input.replace_values(variables_section, [&](const std::string &text,
                                                 const std::string &place) {
@@ -112,7 +111,7 @@ void Run::assign_all()
       assigned.forget_unchanged();
     }
   }
-  for (const std::string &text : assignments)
+  for (const std::string &text : written.assignments)
     carry_out(text);
 }
 
@@ -129,6 +128,7 @@ void Run::assign(const std::string &text)
 {
   const EntryPath to = assignment_of_text(text).to;
   const bool is_variable = to.section == SectionPath{variables_section};
+  std::vector<std::string> &assignments = written.assignments;
   const std::vector<std::string> before = assignments;
   assignments.erase(std::remove_if(assignments.begin(), assignments.end(),
                                    [&](const std::string &other) {

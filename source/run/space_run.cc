@@ -117,13 +117,8 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
                                PackingsOfRuns *const packings)
 {
   show_settings();
-  std::optional<ResultDirectory> files;
-  if (writes)
-  {
-    files.emplace(output.directory, files_of_all_runs(), terminal);
-    for (const auto &file : input_files(directory))
-      files->protect(file);
-  }
+  const std::unique_ptr<ResultDirectory> files =
+      writes ? open(directory) : nullptr;
   SpaceResult result =
       find(directory, packings ? &packings->in_space : nullptr);
   const SpaceResults &answer = result.answer;
@@ -141,6 +136,28 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
           blocks_vtu + " in ParaView.";
   }
   return outcome;
+}
+
+std::unique_ptr<ResultDirectory>
+SpaceRun::open(const std::filesystem::path &directory)
+{
+  auto files = std::make_unique<ResultDirectory>(output.directory,
+                                                 files_of_all_runs(), terminal);
+  for (const auto &file : input_files(directory))
+    files->protect(file);
+  return files;
+}
+
+void SpaceRun::write(const std::filesystem::path &directory,
+                     SpaceResult &result)
+{
+  write(*open(directory), result);
+}
+
+void SpaceRun::write_page(std::ostream &out, const SpaceResult &result) const
+{
+  write_packing_report(out, result.answer, output.title, terminal.warnings(),
+                       result.defects);
 }
 
 SpaceResult SpaceRun::answer(const std::filesystem::path &directory,
@@ -194,8 +211,9 @@ void SpaceRun::find_stress(SpaceResults &results) const
 
 void SpaceRun::keep_timings(SpaceResults &results)
 {
-  results.timings =
-      timer.get_summary_data(dealii::TimerOutput::total_wall_time);
+  for (const auto &[stage, seconds] :
+       timer.get_summary_data(dealii::TimerOutput::total_wall_time))
+    results.timings[stage] = seconds;
 }
 
 std::shared_ptr<const CheckedPacking>
@@ -232,15 +250,13 @@ void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
   timer.enter_subsection("output");
   SpaceResults &answer = result.answer;
   const std::vector<CellDefect> &defects = result.defects;
-  const Packing<3> &packing = answer.scene.packing();
   using Writer = void (*)(std::ostream &, const SpaceResults &);
   const auto add = [&](const std::string &name, const Writer writer) {
     files.write(name, [&](std::ostream &out) { writer(out, answer); });
   };
   add(interfaces_csv, write_interfaces_csv);
   add(cells_csv, write_cells_csv);
-  files.write(boundary_csv,
-              [&](std::ostream &out) { write_boundary_csv(out, packing); });
+  add(boundary_csv, write_boundary_csv);
   if (answer.is_analysed)
     add(interface_points_csv, write_interface_points_csv);
   add(blocks_vtu, write_blocks_vtu);
@@ -261,10 +277,8 @@ void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
   write_packing(files, answer);
   write_parameters(files, prm);
   if (reports)
-    files.write(report_html, [&](std::ostream &out) {
-      write_packing_report(out, answer, output.title, terminal.warnings(),
-                           defects);
-    });
+    files.write(report_html,
+                [&](std::ostream &out) { write_page(out, result); });
   timer.leave_subsection();
   keep_timings(answer);
   files.write(summary_json, [&](std::ostream &out) { // last: a complete set

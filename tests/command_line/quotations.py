@@ -22,6 +22,7 @@ NOT_RUN = {
     r"git clone": "needs the address of the repository",
     r"sudo apt install": "changes the machine",
     r"cmake -S|make -C|cd build/debug && ctest": "builds the program, or the module of Python",
+    r"cmake --install": "installs the module for the user",
     r"export PYTHONPATH=": "goes with them; the test python/examples runs what follows",
     r"xvfb-run -a pvbatch contrib/paraview/render.py|contrib/pictures$":
         "needs ParaView; the test output/pictures makes each kind of picture",

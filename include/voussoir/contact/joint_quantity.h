@@ -24,7 +24,7 @@ struct JointQuantity
   /** The section. */
   std::string section;
   /** @{ */
-  /** The value for all interfaces, and its parameter. */
+  /** The value for all interfaces, or a list for each, and its parameter. */
   std::string everywhere;
   std::string parameter;
   /** @} */
@@ -50,8 +50,8 @@ struct JointQuantity
  * @param warnings on means that are not exact are added.
  * @throws InputError naming the interface if a value is negative, or zero where
  *   that is refused, or not a finite number, or varies too fast for its mean;
- *   if a formula cannot be parsed; or naming a pair of groups that does not
- *   exist, is given twice or meets nowhere.
+ *   if a formula cannot be parsed; if a list has not one number for each; or
+ * naming a pair of groups that does not exist, is given twice or meets nowhere.
  */
 template <int dim>
 std::vector<double> means(const Packing<dim> &packing,

@@ -3,7 +3,6 @@
 #define voussoir_output_polyhedra_csv_h
 
 #include <voussoir/output/space_results.h>
-#include <voussoir/packing/polyhedra/packing.h>
 
 #include <iosfwd>
 #include <string>
@@ -16,7 +15,7 @@ namespace Voussoir
 void write_interfaces_csv(std::ostream &out, const SpaceResults &answer);
 
 /** One line per boundary face, with boundary_face_fields(). */
-void write_boundary_csv(std::ostream &out, const Packing<3> &packing);
+void write_boundary_csv(std::ostream &out, const SpaceResults &answer);
 
 /** One line per cell, then one per fixed cell, with polyhedron_fields(). */
 void write_cells_csv(std::ostream &out, const SpaceResults &answer);

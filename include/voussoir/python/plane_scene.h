@@ -2,6 +2,7 @@
 #ifndef voussoir_python_plane_scene_h
 #define voussoir_python_plane_scene_h
 
+#include <voussoir/analyses/capacity/capacity_curve.h>
 #include <voussoir/output/fields/moving_scene.h>
 #include <voussoir/python/scene.h>
 #include <voussoir/run/analysis_run.h>
@@ -17,8 +18,8 @@ namespace Voussoir
 class PyPlaneResults : public PyResults
 {
 public:
-  /** @param warnings what the program would print. */
-  PyPlaneResults(RunResult found, std::vector<std::string> warnings);
+  /** @param with see PyResults. */
+  PyPlaneResults(RunResult found, PySolvedWith with);
 
   /** The packing of the scene; the pointer keeps all that was found. */
   std::shared_ptr<const Packing<2>> packing() const
@@ -34,13 +35,29 @@ public:
   std::shared_ptr<const Results> state(const std::string &what) const;
   /** The scene with its displacements, or the mechanism, kept likewise. */
   std::shared_ptr<const MovingScene> moving() const;
+  /** The scene, kept likewise. */
+  std::shared_ptr<const Scene> scene() const
+  {
+    return {findings, findings->scene.get()};
+  }
+  /**
+   * The capacity curve, of which @p what is a quantity; kept likewise.
+   *
+   * @throws pybind11::attribute_error if there is none.
+   */
+  std::shared_ptr<const CapacityCurve> curve(const std::string &what) const;
   std::string status() const override { return findings->status().word(); }
+  void write(const std::filesystem::path &results) override;
+  std::string page() override;
 
 protected:
   nlohmann::ordered_json json() const override;
+  std::size_t n_blocks() const override { return packing()->n_cells(); }
 
 private:
   const Motion &motion() const;
+  /** Those of which the motion bounds the factor, or null. */
+  const LiveLoads *live_loads() const;
 
   std::shared_ptr<RunResult> findings;
 };

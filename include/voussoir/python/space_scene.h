@@ -17,8 +17,8 @@ namespace Voussoir
 class PySpaceResults : public PyResults
 {
 public:
-  /** @param warnings what the program would print. */
-  PySpaceResults(SpaceResult found, std::vector<std::string> warnings);
+  /** @param with see PyResults. */
+  PySpaceResults(SpaceResult found, PySolvedWith with);
 
   /** @{ */
   /** Parts of what was found; the pointers keep all of it. */
@@ -35,9 +35,12 @@ public:
     return {findings, &findings->points};
   }
   /** @} */
+  void write(const std::filesystem::path &results) override;
+  std::string page() override;
 
 protected:
   nlohmann::ordered_json json() const override;
+  std::size_t n_blocks() const override { return packing()->n_cells(); }
 
 private:
   struct Findings
@@ -46,7 +49,7 @@ private:
     ForcePoints points;
   };
 
-  std::shared_ptr<const Findings> findings;
+  std::shared_ptr<Findings> findings;
 };
 
 /** A scene in space, of which the packing is kept. */

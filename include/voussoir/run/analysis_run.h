@@ -9,6 +9,7 @@
 #include <voussoir/terminal/terminal.h>
 
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
 #include <set>
 #include <utility>
@@ -63,7 +64,15 @@ public:
    */
   RunResult answer(const std::filesystem::path &directory,
                    SharedPackings<Packing<2>> &packings);
+  /**
+   * Write what a run with the same parameters has found, as this one would.
+   *
+   * @throws InputError if that cannot be written.
+   */
+  void write(const std::filesystem::path &directory, RunResult &result);
   /** @} */
+  /** Write the page of what a run with the same parameters has found. */
+  void write_page(std::ostream &out, RunResult &result) const;
 
 protected:
   void declare(const NamedSections &names) override;

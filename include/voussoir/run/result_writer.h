@@ -15,6 +15,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/timer.h>
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 
@@ -67,6 +68,16 @@ public:
                     Collapse &collapse,
                     const dealii::ParameterHandler &prm);
   /** @} */
+  /**
+   * Write the page alone.
+   *
+   * @tparam Found Results, with torques and mean stresses, or Collapse; it gets
+   *   its title.
+   */
+  template <typename Found>
+  void write_page(std::ostream &out,
+                  Found &found,
+                  const dealii::ParameterHandler &prm) const;
 
   /** How the user names the units. */
   const UnitNames &unit_names() const { return units; }

@@ -41,6 +41,13 @@ struct ParameterSources
   std::vector<ParameterInput> inputs() const;
 };
 
+/** What parameters were written as, in the order in which they are read. */
+struct WrittenParameters
+{
+  std::vector<ParameterInput> inputs;   /**< files and texts */
+  std::vector<std::string> assignments; /**< as in --set */
+};
+
 /** What a run ends with that has found an answer. */
 struct RunOutcome
 {
@@ -76,7 +83,15 @@ public:
    * @throws InputError as ParameterInput and assign() do; that of make_run() is
    *   of the right kind.
    */
-  void read(const ParameterSources &sources);
+  void read(const ParameterSources &sources)
+  {
+    read_written({sources.inputs(), sources.assignments});
+  }
+  /** The same of what another run has read(), and assign() has changed since.
+   */
+  void read_written(WrittenParameters parameters);
+  /** What has been read, with what assign() has changed since. */
+  const WrittenParameters &as_written() const { return written; }
   /**
    * Carry out one more assignment "Section/Name=value"; of a variable, all are
    * carried out again.
@@ -157,9 +172,7 @@ private:
   void check_dimension();
 
   AssignedEntries assigned;
-  /** What was written, as it was written. */
-  std::vector<ParameterInput> inputs;
-  std::vector<std::string> assignments;
+  WrittenParameters written;
   Variables variables;
   /** True if values may stand in the places of variables already. */
   bool has_listing = false;

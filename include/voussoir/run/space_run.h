@@ -9,6 +9,7 @@
 #include <voussoir/scene/space/space_scene_parameters.h>
 
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
 #include <set>
 #include <utility>
@@ -70,7 +71,15 @@ public:
    */
   SpaceResult answer(const std::filesystem::path &directory,
                      SharedPackings<CheckedPacking> &packings);
+  /**
+   * Write what a run with the same parameters has found, as this one would.
+   *
+   * @throws InputError if that cannot be written.
+   */
+  void write(const std::filesystem::path &directory, SpaceResult &result);
   /** @} */
+  /** Write the page of what a run with the same parameters has found. */
+  void write_page(std::ostream &out, const SpaceResult &result) const;
 
 protected:
   void declare(const NamedSections &names) override;
@@ -100,10 +109,12 @@ private:
                    SharedPackings<CheckedPacking> *packings);
   /** The stress inside, as it is asked for. */
   void find_stress(SpaceResults &results) const;
+  /** Where results go, with the files protected that the scene is read from. */
+  std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
   void write(ResultDirectory &files, SpaceResult &result);
   void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 
-  /** The times so far, into what is written. */
+  /** The times of this run so far, into what is written. */
   void keep_timings(SpaceResults &results);
 
   const ProcessGroup processes;

@@ -12,7 +12,8 @@ void Tresca::add_parameters(dealii::ParameterHandler &prm)
       "A stress, not negative; an expression in x, y and the "
       "unit normal nx, ny of the interface, in space in z and nz too, whose "
       "sign is arbitrary: abs(ny) > 0.5 ? 1 : 0.2 is one strength for "
-      "bed joints and another for head joints.",
+      "bed joints and another for head joints. Or a number for each "
+      "interface, in their order, as in list 1, 0.2, 1.",
       "Other strengths where two groups of cells meet, \"name, "
       "name: expression | name, name: expression\", as in "
       "brick, lintel: 0.3 | brick, ground: 1 + x; one name alone "

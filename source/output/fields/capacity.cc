@@ -36,6 +36,10 @@ Fields<CapacityCurve> capacity_points()
           {"least_support_force", "S L",
            "what the motion proves to be the least",
            member(&CapacityPoint::least_support_force)}});
-  return together<CapacityCurve>({of_factor, of_supports});
+  Fields<CapacityCurve> points =
+      together<CapacityCurve>({of_factor, of_supports});
+  for (Field<CapacityCurve> &field : points)
+    field.with_attribute("capacity_" + field.name);
+  return points;
 }
 } // namespace Voussoir

@@ -24,10 +24,15 @@ Field<InSpace> vector_in_columns(Field<InSpace> field,
 const std::vector<std::string> place_columns = {"x", "y", "z"};
 const std::vector<std::string> normal_columns = {"nx", "ny", "nz"};
 
-/** Centroid, unit normal and area of what @p list(packing) lists. */
+/**
+ * Centroid, unit normal and area of what @p list(packing) lists.
+ *
+ * @param prefix of the attributes of Python.
+ */
 template <typename Surface>
 Fields<InSpace>
 places_and_normals(const std::vector<Surface> &(InSpace::*const list)() const,
+                   const std::string &prefix,
                    const std::string &what,
                    const std::string &normal)
 {
@@ -37,12 +42,12 @@ places_and_normals(const std::vector<Surface> &(InSpace::*const list)() const,
   return {
       vector_in_columns(
           {"centroid", "L", "the centroid " + what, member(&Surface::centroid)},
-          place_columns, "centroids")
+          place_columns, prefix + "centroids")
           .only_in_table(),
       vector_in_columns({"normal", "", normal, member(&Surface::normal)},
-                        normal_columns, "normals"),
+                        normal_columns, prefix + "normals"),
       Field<InSpace>("area", "L^2", "the area " + what, member(&Surface::area))
-          .with_attribute("areas")};
+          .with_attribute(prefix + "areas")};
 }
 
 int number_of(const InSpace &, const unsigned int c)
@@ -136,7 +141,7 @@ Fields<InSpace> face_interfaces()
       {{{"cell_minus", "", cells, cell_minus_of},
         {"cell_plus", "", cells, cell_plus_of},
         {"support", "", "1 if it is a support", is_support}},
-       places_and_normals(&InSpace::interfaces, "x_e of the polygon",
+       places_and_normals(&InSpace::interfaces, "", "x_e of the polygon",
                           "n_e, from c- to c+"),
        {{"distance", "L", "d_e, of the centres along n_e", distance_of}}});
 }
@@ -173,17 +178,20 @@ const FieldTable<Packing<3>> &packing_face_fields()
   return table;
 }
 
-const FieldTable<Packing<3>> &boundary_face_fields()
+const FieldTable<SpaceResults> &boundary_face_fields()
 {
-  static const FieldTable<InSpace> table(
+  static const FieldTable<SpaceResults> table(
       "cell",
-      Fields<InSpace>{{"cell", "", "the cell that has the face",
-                       [](const InSpace &p, const unsigned int b) {
-                         return int(p.boundary_faces()[b].cell);
-                       }}},
-      places_and_normals(&InSpace::boundary_faces,
+      Fields<InSpace>{
+          Field<InSpace>("cell", "", "the cell that has the face",
+                         [](const InSpace &p, const unsigned int b) {
+                           return int(p.boundary_faces()[b].cell);
+                         })
+              .with_attribute("boundary_cells")},
+      places_and_normals(&InSpace::boundary_faces, "boundary_",
                          "of what is free of the face",
-                         "the unit normal out of the cell"));
+                         "the unit normal out of the cell"),
+      loads_on_faces());
   return table;
 }
 } // namespace Voussoir

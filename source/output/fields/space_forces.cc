@@ -206,6 +206,27 @@ Fields<SpaceResults> polyhedron_loads()
            .with_attribute("load_torque")});
 }
 
+Fields<SpaceResults> loads_on_faces()
+{
+  using OnFace = SpaceLoads::OnFace;
+  const auto of_face = [](Tensor<1, 3> OnFace::*const of) {
+    return [of](const SpaceResults &a) {
+      return Stored(a.scene.loads.on_faces, of);
+    };
+  };
+  return only_in_table(when<SpaceResults>(
+      {"with loads on the boundary",
+       [](const SpaceResults &a) {
+         return a.is_analysed && !a.scene.loads.on_faces.empty();
+       }},
+      {vector_field("force", "S L^2", "the force of the traction on it",
+                    of_face(&OnFace::force))
+           .with_attribute("boundary_forces"),
+       vector_field("moment", "S L^3", "the moment of that about the centroid",
+                    of_face(&OnFace::moment))
+           .with_attribute("boundary_moments")}));
+}
+
 Fields<SpaceResults> polyhedron_live_loads()
 {
   return only_in_table(when<SpaceResults>(

@@ -200,13 +200,22 @@ std::string plot_of(const CapacityCurve &curve, const UnitNames &names)
          "</p>\n</section>\n";
 }
 
+/** A value, or of a long list what it begins with. */
+std::string beginning_of(const std::string &value)
+{
+  constexpr std::size_t longest = 300;
+  return value.size() <= longest
+             ? value
+             : value.substr(0, longest) + "... (all in parameters.prm)";
+}
+
 /** What the user has set, and with what the results were made. */
 std::string closing_tables(const RunRecord &run, const ReportDetails &details)
 {
   HtmlTable parameters("parameters",
                        "Parameters that differ from their defaults");
   for (const auto &[name, value] : details.parameters)
-    parameters.row({html_text(name), html_text(value)});
+    parameters.row({html_text(name), html_text(beginning_of(value))});
   HtmlTable times("times", "Time", {"stage", "seconds"});
   for (const auto &[stage, seconds] : run.timings)
     times.row({html_text(stage), text(seconds)});

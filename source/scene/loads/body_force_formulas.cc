@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/integrals/inaccuracies.h>
+#include <voussoir/formula/value_list.h>
 #include <voussoir/formula/vector_expression.h>
 #include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/group_names.h>
@@ -17,6 +18,32 @@ using dealii::Tensor;
 
 namespace
 {
+/** Add the body force @p b, the same everywhere in cell @p c. */
+void add_evenly(const Packing<2> &packing,
+                const unsigned int c,
+                const Tensor<1, 2> &b,
+                BodyForce &force,
+                Resultant &requested)
+{
+  const Tensor<1, 2> f = packing.area(c) * b;
+  force.add(packing, c, f);
+  requested.add(packing.centre(c) + area_moments(packing, c).centroid(), f);
+}
+
+/** Add the body forces on some cells of the lists of all. */
+void add_lists(const Packing<2> &packing,
+               const std::vector<unsigned int> &cells,
+               const TextOfParameter &lists,
+               BodyForce &force,
+               Resultant &requested)
+{
+  const auto b = vectors_of_lists(lists.value, lists.parameter, 2,
+                                  packing.n_cells(), "cell");
+  for (const unsigned int c : cells)
+    if (const Tensor<1, 2> of_c({b[0][c], b[1][c]}); of_c.norm() > 0.)
+      add_evenly(packing, c, of_c, force, requested);
+}
+
 /** Add the body force @p b on some cells. */
 void add_formula(const Packing<2> &packing,
                  const std::vector<unsigned int> &cells,
@@ -38,11 +65,7 @@ void add_formula(const Packing<2> &packing,
   if (b.is_constant())
   {
     for (const unsigned int c : cells)
-    {
-      const Tensor<1, 2> f = packing.area(c) * value(packing.centre(c), c);
-      force.add(packing, c, f);
-      requested.add(packing.centre(c) + area_moments(packing, c).centroid(), f);
-    }
+      add_evenly(packing, c, value(packing.centre(c), c), force, requested);
     return;
   }
   Inaccuracies inaccuracies(parameter);
@@ -80,10 +103,13 @@ BodyForce body_force_of_formulas(const Packing<2> &packing,
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
     if (!has_own[c])
       others.push_back(c);
-  add_formula(
-      packing, others,
-      VectorExpression(everywhere.value, {"x", "y"}, everywhere.parameter),
-      everywhere.parameter, force, warnings, requested);
+  if (is_value_list(everywhere.value))
+    add_lists(packing, others, everywhere, force, requested);
+  else
+    add_formula(
+        packing, others,
+        VectorExpression(everywhere.value, {"x", "y"}, everywhere.parameter),
+        everywhere.parameter, force, warnings, requested);
   return force;
 }
 } // namespace Voussoir

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/formula/value_list.h>
 #include <voussoir/packing/area_moments.h>
 #include <voussoir/packing/cells_at.h>
 #include <voussoir/packing/group_names.h>
@@ -73,6 +74,20 @@ CellForce force_in_cell(const Packing<2> &packing,
                           text_of_point(packing.centre(c)), "."));
   return {name, {c}, force, x};
 }
+
+/** Forces on cells of which the components are lists. */
+std::vector<CellForce> forces_of_lists(const Packing<2> &packing,
+                                       const std::string &lists,
+                                       const std::string &parameter)
+{
+  const auto f =
+      vectors_of_lists(lists, parameter, 2, packing.n_cells(), "cell");
+  std::vector<CellForce> forces;
+  for (unsigned int c = 0; c < packing.n_cells(); ++c)
+    if (const Tensor<1, 2> of_c({f[0][c], f[1][c]}); of_c.norm() > 0.)
+      forces.push_back({text("cell ", c), {c}, of_c});
+  return forces;
+}
 } // namespace
 
 Point<2> CellForce::place_in(const Packing<2> &packing,
@@ -92,6 +107,8 @@ std::vector<CellForce> cell_forces_of_text(const Packing<2> &packing,
                                            const std::string &list,
                                            const std::string &parameter)
 {
+  if (is_value_list(list))
+    return forces_of_lists(packing, list, parameter);
   std::vector<CellForce> forces;
   for (const auto &[name, value] : split_named_list(list, parameter))
   {

@@ -80,7 +80,8 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Body force", body,
                     "The components \"b_x; b_y\" of a force per unit area and "
                     "thickness, such as weight: 0; -20 in kN/m^3. Expressions "
-                    "in x and y.",
+                    "in x and y; or lists with a number for each cell, in "
+                    "their order, as in list 0, 0; list -20, -18.",
                     List(Anything(), 2, 2, ";"));
   prm.add_parameter("Group body forces", body_of_groups,
                     "The same for groups of cells, or cells by number, in "
@@ -93,7 +94,8 @@ void LoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "in keystone: 0, -10, on each cell of the group of that "
                     "name, or on the cell with a number, as in cell 12: 0, "
                     "-5, spread evenly over it or acting at a place, as in "
-                    "cell 12: 0, -5 at 0.3, 1. Per unit thickness.",
+                    "cell 12: 0, -5 at 0.3, 1; or lists as for 'Body force'. "
+                    "Per unit thickness.",
                     Anything());
   vehicle.add_parameters(prm);
   prm.leave_subsection();

@@ -3,6 +3,7 @@
 #include <voussoir/base/parameters/parameters.h>
 #include <voussoir/base/text.h>
 #include <voussoir/formula/place_variables.h>
+#include <voussoir/formula/value_list.h>
 #include <voussoir/packing/group_names.h>
 #include <voussoir/scene/loads/loaded_cells.h>
 #include <voussoir/scene/space/integrated_forces.h>
@@ -69,6 +70,29 @@ VectorExpression vector_in_space(const std::string &formulas,
   return expression;
 }
 
+/** The vectors of lists of their components, one for each cell that moves. */
+std::vector<Tensor<1, 3>> vectors_on_cells(const Packing<3> &packing,
+                                           const std::string &lists,
+                                           const std::string &parameter)
+{
+  const auto of =
+      vectors_of_lists(lists, parameter, 3, packing.n_cells(), "cell");
+  std::vector<Tensor<1, 3>> vectors(packing.n_cells());
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      vectors[c][i] = of[i][c];
+  return vectors;
+}
+
+/** Add a force at the centroid of a cell. */
+void add_at_centroid(const Packing<3> &packing,
+                     const unsigned int c,
+                     const Tensor<1, 3> &force,
+                     SpaceLoads &loads)
+{
+  loads.add(c, force, packing.moments(c).centroid - packing.centre(c));
+}
+
 /** The largest distance at which @p x is outside of a face, over the size. */
 double distance_outside(const Packing<3> &packing,
                         const unsigned int cell,
@@ -115,7 +139,9 @@ void SpaceLoadParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Body force", body,
                     "The components \"b_x; b_y; b_z\" of a force per volume, "
                     "such as weight: 0; 0; -20 in kN/m^3. Expressions in x, y "
-                    "and z.",
+                    "and z; or lists with a number for each cell that moves, "
+                    "in their order, as in list 0, 0; list 0, 0; list -20, "
+                    "-18.",
                     List(Anything(), 3, 3, ";"));
   prm.add_parameter("Group body forces", body_of_groups,
                     "The same for groups of cells, or cells by number, in "
@@ -128,7 +154,7 @@ void SpaceLoadParameters::add_parameters(dealii::ParameterHandler &prm)
                     "keystone: 0, 0, -10, on each cell of the group of that "
                     "name, or on the cell with a number, as in cell 12: 0, 0, "
                     "-5, at its centroid or at a place, as in cell 12: 0, 0, "
-                    "-5 at 0.3, 0.2, 1.",
+                    "-5 at 0.3, 0.2, 1; or lists as for 'Body force'.",
                     Anything());
   prm.leave_subsection();
 }
@@ -229,14 +255,30 @@ void SpaceLoadParameters::add_body_forces(
     if (!has_own[c])
       others.push_back(c);
   const std::string everywhere = name + "/Body force";
-  add_body_force(packing, others, vector_in_space(body, places, everywhere),
-                 everywhere, loads, warnings);
+  if (is_value_list(body))
+  {
+    const auto b = vectors_on_cells(packing, body, everywhere);
+    for (const unsigned int c : others)
+      if (b[c].norm() > 0.)
+        add_at_centroid(packing, c, packing.volume(c) * b[c], loads);
+  }
+  else
+    add_body_force(packing, others, vector_in_space(body, places, everywhere),
+                   everywhere, loads, warnings);
 }
 
 void SpaceLoadParameters::add_cell_forces(const Packing<3> &packing,
                                           SpaceLoads &loads) const
 {
   const std::string parameter = name + "/Cell forces";
+  if (is_value_list(cell_forces))
+  {
+    const auto forces = vectors_on_cells(packing, cell_forces, parameter);
+    for (unsigned int c = 0; c < packing.n_cells(); ++c)
+      if (forces[c].norm() > 0.)
+        add_at_centroid(packing, c, forces[c], loads);
+    return;
+  }
   for (const auto &[who, value] : split_named_list(cell_forces, parameter))
   {
     const std::size_t at = value.find(" at ");
@@ -277,7 +319,7 @@ void SpaceLoadParameters::add_cell_forces(const Packing<3> &packing,
     if (at == std::string::npos)
     {
       for (const unsigned int c : cells)
-        loads.add(c, force, packing.moments(c).centroid - packing.centre(c));
+        add_at_centroid(packing, c, force, loads);
       continue;
     }
     const Point<3> x(three_or_refuse(value.substr(at + 4), "x, y, z",

@@ -18,8 +18,8 @@ const FieldTable<SpaceResults> &face_interface_fields();
 const FieldTable<Packing<3>> &packing_polyhedron_fields();
 /** The quantities of interfaces that a packing alone has. */
 const FieldTable<Packing<3>> &packing_face_fields();
-/** The quantities of boundary faces, and in grids of their parts. */
-const FieldTable<Packing<3>> &boundary_face_fields();
+/** The quantities of boundary faces. */
+const FieldTable<SpaceResults> &boundary_face_fields();
 } // namespace Voussoir
 
 #endif

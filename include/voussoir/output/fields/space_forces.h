@@ -19,6 +19,8 @@ Fields<SpaceResults> face_jumps();
 Fields<SpaceResults> polyhedron_loads();
 /** Of cells: the live loads of which a mechanism bounds the factor. */
 Fields<SpaceResults> polyhedron_live_loads();
+/** Of boundary faces: what acts on them. */
+Fields<SpaceResults> loads_on_faces();
 /** Of cells: their motion. */
 Fields<SpaceResults> polyhedron_motion();
 } // namespace Voussoir

@@ -23,7 +23,8 @@ struct TextOfParameter
 /**
  * The body force that a user gives by formulas in x and y.
  *
- * @param everywhere "b_x; b_y" of the cells that have no other; S/L.
+ * @param everywhere "b_x; b_y" of the cells that have no other, or lists with a
+ *   number for each cell; S/L.
  * @param of_groups "name: b_x; b_y | ..." of those of groups, or of cells by
  *   number.
  * @param warnings on integrals that are not exact are added.

@@ -45,9 +45,13 @@ struct CellForce
  * - "at x, y: F_x, F_y" on the cell at that place; where several touch there
  *   each takes the same share.
  *
+ * or as lists "list F_x, ...; list F_y, ..." with a number for each cell, at
+ * its centroid.
+ *
  * @param parameter its name, for messages.
- * @throws InputError if an element has none of these forms, a name is that of
- *   no cell, or a place is in no cell or not in that one.
+ * @throws InputError as vectors_of_lists() does; if an element has none of
+ * these forms, a name is that of no cell, or a place is in no cell or not in
+ * that one.
  */
 std::vector<CellForce> cell_forces_of_text(const Packing<2> &packing,
                                            const std::string &list,
