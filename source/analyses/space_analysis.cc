@@ -47,8 +47,12 @@ void show_loads(Terminal &terminal,
 /** Judge the forces at a factor, and say what it is. */
 void keep_factor(SpaceAnswer &answer,
                  FactorOf<SpaceScene> found,
+                 const FactorEntries::Factor multiplied,
                  Terminal &terminal)
 {
+  answer.sentence = sentence_of(found, multiplied);
+  if (answer.sentence.empty())
+    answer.sentence = "Load factor: " + description_of(found) + '.';
   answer.summary["load_factor"] = json_of(found);
   answer.summary["solver"] = {{"iterations", found.n_iterations}};
   terminal.stage("Load factor", description_of(found));
@@ -264,7 +268,7 @@ SpaceAnswer SpaceAnalysis::factor_of(SpaceScene dead,
     return answer;
   }
   answer.scene.loads = sum_of(dead.loads, found.factor->carried, live.loads);
-  keep_factor(answer, std::move(*found.factor), terminal);
+  keep_factor(answer, std::move(*found.factor), factor.multiplied, terminal);
   // Only what does not depend on the pressure is cut into cells.
   const auto &strength = dead.blocks->strengths.of_interface;
   if (answer.is_mechanism && dead.blocks->turns() &&
@@ -296,7 +300,7 @@ SpaceAnswer SpaceAnalysis::strength_factor_of(SpaceScene scene,
   }
   if (!found.factor->is_unbounded)
     answer.scene = with_strengths_divided(answer.scene, found.factor->carried);
-  keep_factor(answer, std::move(*found.factor), terminal);
+  keep_factor(answer, std::move(*found.factor), factor.multiplied, terminal);
   return answer;
 }
 } // namespace Voussoir

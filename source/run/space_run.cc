@@ -112,6 +112,26 @@ void SpaceRun::validate(const std::filesystem::path &directory) const
   terminal.stage("Valid", "nothing was solved, and nothing written");
 }
 
+namespace
+{
+/** What is said of the loads, in a sentence or some. */
+std::string verdict_of(const SpaceResults &answer)
+{
+  if (!answer.is_analysed)
+    return "No load acts: nothing but the packing was made.";
+  if (!answer.message.empty())
+    return answer.message;
+  if (!answer.sentence.empty())
+    return answer.sentence;
+  return answer.status.kind == Status::Kind::carried_within
+             ? text("The loads are carried to within ", answer.status.within,
+                    " of the largest: whether they are carried exactly is "
+                    "open.")
+             : "The loads are carried: forces within the limits of all joints "
+               "and supports balance them.";
+}
+} // namespace
+
 RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
                                const bool writes,
                                PackingsOfRuns *const packings)
@@ -126,6 +146,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   if (answer.is_analysed)
     outcome.status = answer.status;
   outcome.summary = summary_of(answer, result.defects);
+  outcome.verdict = verdict_of(answer);
   if (files)
   {
     write(*files, result);

@@ -60,6 +60,8 @@ struct RunOutcome
    * them show it. Empty otherwise.
    */
   std::string message;
+  /** What the page of the run says of the loads, in a sentence or some. */
+  std::string verdict;
 };
 
 /**

@@ -2,6 +2,7 @@
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/analyses/factors/changed_strengths.h>
 #include <voussoir/analyses/factors/load_factor.h>
+#include <voussoir/analyses/factors/no_live_loads.h>
 #include <voussoir/base/beside.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
@@ -118,9 +119,9 @@ LoadFactorSearch<SceneOf>::LoadFactorSearch(const SceneOf &dead,
 {
   const double live_size = largest_component(program.live);
   if (!(live_size > 0.))
-    throw InputError("'Analysis' is 'load factor', and there are no loads to "
-                     "be multiplied: 'Live loads' gives them, or 'Loads' with "
-                     "'Load factor/Factor = all loads'.");
+    throw NoLiveLoads("'Analysis' is 'load factor', and there are no loads to "
+                      "be multiplied: 'Live loads' gives them, or 'Loads' with "
+                      "'Load factor/Factor = all loads'.");
   const double dead_size =
       largest_component(by_rows.loads(discretise_loads(problem, dead), false));
   // Or else those of what joints bear, which are one.

@@ -32,7 +32,8 @@ po::options_description visible_options(Arguments &arguments)
       "repeatable for all combinations")(
       "find", po::value(&arguments.find)->value_name("RANGE"),
       "look for the value at which the answer changes, as in --find "
-      "\"Friction/Strength=0:1:1e-6\", to this share of it")(
+      "\"Friction/Strength=0:1:1e-6\", to this share of it, and write the "
+      "results of both ends, into carried and collapses")(
       "result", po::value(&arguments.results)->value_name("NAME"),
       "a number of summary.json for sweep.csv, such as ground/reaction/1; "
       "repeatable")("directories", po::bool_switch(&arguments.has_directories),

@@ -6,6 +6,7 @@
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
 #include <voussoir/run/make_run.h>
+#include <voussoir/run/sweep/search.h>
 #include <voussoir/run/sweep/sweep.h>
 #include <voussoir/run/variables.h>
 #include <voussoir/scene/scene_parameters.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/analyses/factors/no_live_loads.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/repeated_run.h>
@@ -12,6 +13,17 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** A value of a tree of entries; empty if it has no such entry. */
+std::string value_in(const nlohmann::ordered_json &tree,
+                     const std::string &place)
+{
+  const nlohmann::ordered_json::json_pointer at(place);
+  return tree.contains(at) ? tree.at(at).get<std::string>() : "";
+}
+} // namespace
+
 RepeatedRun::RepeatedRun(std::filesystem::path file_in,
                          std::vector<std::string> assignments_in,
                          std::vector<ChangingEntry> changing_in)
@@ -27,6 +39,7 @@ RepeatedRun::RepeatedRun(std::filesystem::path file_in,
   of_scene = scene->entries().get("Title");
   directory = scene->entries().get("Output directory");
   inputs = scene->input_files(origin);
+  of_forces = value_in(scene->tree(), "/Forces from/value");
 }
 
 SweepRun RepeatedRun::run(const std::vector<std::string> &values,
@@ -46,11 +59,19 @@ SweepRun RepeatedRun::run(const std::vector<std::string> &values,
   try
   {
     const std::unique_ptr<Run> scene = make_run({file, {}, all}, terminal);
+    outcome.seeks_least =
+        value_in(scene->tree(), "/Load factor/Direction/value") == "least";
     RunOutcome found = scene->carry_out(origin, !results.empty(), &packings);
     outcome.has_answer = true;
     if (found.status)
       outcome.verdict = found.status->kind;
     outcome.summary = std::move(found.summary);
+    outcome.sentence = std::move(found.verdict);
+  }
+  catch (const NoLiveLoads &none)
+  {
+    outcome.is_unloaded = true;
+    outcome.reason = none.what();
   }
   catch (const InputError &error)
   {

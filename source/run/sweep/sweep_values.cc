@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <regex>
+#include <utility>
 
 namespace Voussoir
 {
@@ -65,6 +66,19 @@ struct NameAndValues
   std::string values;
 };
 
+/**
+ * The values of a list, or none: between "||", if values have "|" in them, or
+ * between "|". One value alone is a list, too.
+ */
+std::vector<std::string> list_in(const std::string &values)
+{
+  for (const std::string bar : {"||", "|"})
+    if (values.find(bar) != values.npos)
+      return split_string_list(values, bar);
+  return values.find(':') == values.npos ? split_string_list(values, '|')
+                                         : std::vector<std::string>();
+}
+
 /** The finite numbers between colons, or none of them. */
 std::vector<double> numbers(const std::vector<std::string> &words)
 {
@@ -99,12 +113,12 @@ std::string ChangingEntry::assignment(const std::string &value) const
 SweepAxis read_sweep_axis(const std::string &text)
 {
   const NameAndValues given("--sweep", text, forms_of_sweep);
+  if (std::vector<std::string> list = list_in(given.values); !list.empty())
+    return {given.of, std::move(list)};
   std::vector<std::string> words = split_string_list(given.values, ':');
   const bool by_ratio = words.size() == 4 && words.back() == "log";
   if (by_ratio)
     words.pop_back();
-  if (words.size() == 1)
-    return {given.of, split_string_list(given.values, '|')};
   const std::vector<double> of = numbers(words);
   if (of.size() != 3 || of[2] < 2. || of[2] > most_values ||
       of[2] != std::floor(of[2]) || (by_ratio && !(of[0] * of[1] > 0.)))

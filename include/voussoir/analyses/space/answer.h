@@ -52,6 +52,8 @@ struct SpaceAnswer
   nlohmann::ordered_json summary = {};
   /** If the loads are not carried by what, for the user. */
   std::string message = {};
+  /** A factor as a sentence with few digits. */
+  std::string sentence = {};
 
   /** Whether forces were found; without joints there are none, and it is. */
   bool is_carried() const

@@ -28,12 +28,6 @@ std::string plot_svg(const std::string &x_name,
                      const std::string &y_name,
                      const std::vector<PlotPoint> &points,
                      bool by_ratio);
-
-/**
- * Round numbers within [low, high], about @p n of them; only @p low if both are
- * the same but for rounding.
- */
-std::vector<double> ticks_of(double low, double high, unsigned int n);
 } // namespace Voussoir
 
 #endif

@@ -15,20 +15,28 @@
 
 namespace Voussoir
 {
-/** What one of many runs found. */
+/** What one of many runs found: an answer, a solver that failed, or nothing to
+ * be solved. */
 struct SweepRun
 {
   /** The values that were assigned. */
   std::vector<std::string> values;
   /** False if the solver failed. */
   bool has_answer = false;
-  /** RunOutcome::status; none either if the solver failed. */
+  /** True if the load factor has nothing to multiply, and there is no answer.
+   */
+  bool is_unloaded = false;
+  /** True if the least load factor is looked for. */
+  bool seeks_least = false;
+  /** RunOutcome::status; none either without an answer. */
   std::optional<Status::Kind> verdict;
+  /** RunOutcome::verdict. */
+  std::string sentence;
   /** RunOutcome::summary. */
   nlohmann::ordered_json summary;
   /** What a run alone would print. */
   std::vector<std::string> warnings;
-  /** The message of a solver that failed. */
+  /** The message of a solver that failed, or of a scene without live loads. */
   std::string reason;
   /** The page of its results, from the directory of sweep.csv; or none. */
   std::string page;
@@ -62,6 +70,8 @@ public:
   {
     return inputs;
   }
+  /** The entry `Forces from`; empty if there is none. */
+  const std::string &forces_from() const { return of_forces; }
 
   /**
    * Run it with @p values, one for each that changes.
@@ -79,7 +89,7 @@ private:
   const std::vector<ChangingEntry> changing;
   /** Where relative paths begin. */
   std::filesystem::path origin;
-  std::string of_scene, directory;
+  std::string of_scene, directory, of_forces;
   std::vector<std::filesystem::path> inputs;
   PackingsOfRuns packings;
 };

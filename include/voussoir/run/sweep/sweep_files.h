@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,30 +18,17 @@ inline const std::string sweep_csv = "sweep.csv";
 inline const std::string sweep_html = "sweep.html";
 /** @} */
 
+/** A column of numbers: its name, and where summary.json has them. */
+using SweepColumn = std::pair<std::string, std::string>;
+
+/** The columns of every sweep. */
+extern const std::vector<SweepColumn> sweep_columns;
+
 /** The status of a run in one word. */
 std::string word_of(const SweepRun &run);
 
 /** How often each status is there: "12 solved, 8 collapse". */
 std::string counts_of(const std::vector<SweepRun> &runs);
-
-/** The least and the greatest load factor of some runs. */
-struct ExtremeFactors
-{
-  /** @{ */
-  /** The factor and the number of the first run that has it. */
-  std::pair<double, std::size_t> least;
-  std::pair<double, std::size_t> greatest;
-  /** @} */
-};
-
-/**
- * The extremes of the factors that are carried. Factors that differ by a
- * millionth are the same.
- *
- * @return nothing if no run has a finite one.
- */
-std::optional<ExtremeFactors>
-extreme_factors(const std::vector<SweepRun> &runs);
 
 /** A warning that some of many runs have. */
 struct SharedWarning
@@ -76,19 +62,6 @@ void write_sweep_csv(std::ostream &out,
                      const std::vector<std::string> &names,
                      const std::vector<std::string> &results,
                      const std::vector<SweepRun> &runs);
-
-/**
- * Write a page with that table in fewer digits, and with plots of its numbers
- * if there is one parameter whose values are numbers.
- *
- * @param title of the scene; may be empty.
- * @param names, results, runs as in write_sweep_csv().
- */
-void write_sweep_html(std::ostream &out,
-                      const std::string &title,
-                      const std::vector<std::string> &names,
-                      const std::vector<std::string> &results,
-                      const std::vector<SweepRun> &runs);
 } // namespace Voussoir
 
 #endif

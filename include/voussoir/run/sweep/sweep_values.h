@@ -35,7 +35,8 @@ struct SweepAxis
 
 /**
  * Read "Section/Name=VALUES", where VALUES are "start:end:n", n values with
- * equal steps; "start:end:n:log", with equal ratios; or a list "a | b | c". Or
+ * equal steps; "start:end:n:log", with equal ratios; or a list "a | b | c", of
+ * values that have a bar in them "a || b || c". Or
  * "Section/Name=TEXT for a=VALUES", where each value stands for the word a in
  * the text.
  *
