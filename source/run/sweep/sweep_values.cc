@@ -9,7 +9,10 @@
 
 #include <cmath>
 #include <regex>
+<<<<<<< HEAD
 #include <sstream>
+=======
+>>>>>>> draw
 #include <utility>
 
 namespace Voussoir
