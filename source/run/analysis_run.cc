@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-<<<<<<< HEAD
 #include <voussoir/output/report/verdict.h>
-=======
-#include <voussoir/output/report/sections.h>
->>>>>>> draw
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
@@ -73,12 +69,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
         [&](auto &of) { return writer.write(*files, of, prm); }, result.found);
   outcome.summary =
       std::visit([](const auto &of) { return summary_of(of); }, result.found);
-<<<<<<< HEAD
   outcome.verdict = sentence_of(result, writer.unit_names());
-=======
-  outcome.verdict =
-      std::visit([](const auto &of) { return verdict_of(of); }, result.found);
->>>>>>> draw
   return outcome;
 }
 

@@ -9,10 +9,7 @@
 
 #include <cmath>
 #include <regex>
-<<<<<<< HEAD
 #include <sstream>
-=======
->>>>>>> draw
 #include <utility>
 
 namespace Voussoir
