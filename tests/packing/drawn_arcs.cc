@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Arcs of drawings: their bulges and areas, the chords that take their place,
+// Arcs of drawings: their bulges, the chords that take their place,
 // and that blocks along an arc have the same vertices on it and are neighbours,
 // whichever way each was drawn.
 
+#include <voussoir/packing/polygons/arc.h>
 #include <voussoir/packing/polygons/arc_chords.h>
 #include <voussoir/packing/polygons/drawn_arcs.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
@@ -26,8 +27,8 @@ Point<2> on_circle(const double radius, const double angle)
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-PolygonList list_with(const std::vector<std::pair<Points, std::vector<double>>>
-                          &rings_and_bulges)
+PolygonList list_with(
+    const std::vector<std::pair<Points, std::vector<double>>> &rings_and_bulges)
 {
   PolygonList polygons;
   polygons.file = "drawing.dxf";
@@ -65,28 +66,9 @@ void bulges()
                                        1.));
     }
   check_error("bulges through three points", error, 1e-11);
-
-  // A square with half a disc on the side at the right, of radius 1.
-  PolygonList polygons =
-      list_with({{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {0, 1, 0, 0}},
-                 {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {0, -1, 0, 0}},
-                 {{{0, 0}, {2, 0}}, {1, 1}}});
-  const double half_disc = 0.5 * pi;
-  check_error("area with half a disc more",
-              std::abs(area_with_arcs(polygons.polygons[0]) - 4. - half_disc),
-              1e-14);
-  check_error("area with half a disc less",
-              std::abs(area_with_arcs(polygons.polygons[1]) - 4. + half_disc),
-              1e-14);
-  check_error("area of a disc",
-              std::abs(area_with_arcs(polygons.polygons[2]) - pi), 1e-14);
-  turn_round(polygons.polygons[0]);
-  check_error("area run clockwise",
-              std::abs(area_with_arcs(polygons.polygons[0]) + 4. + half_disc),
-              1e-14);
 }
 
-/** The chains of an arc that GDAL would make, and the straight sides around. */
+/** The chains that GDAL would make of arcs, and of straight sides around. */
 void chains()
 {
   const auto arc_of = [](const double from, const double to, const unsigned n) {
@@ -95,28 +77,49 @@ void chains()
       points.push_back(on_circle(1., from + (to - from) * k / n));
     return points;
   };
-  Points fine = {{3, 0}};
-  const Points arc = arc_of(0., 2., 1000);
-  fine.insert(fine.end(), arc.begin(), arc.end());
-  fine.emplace_back(-2, 3);
-  const Points coarse = {{3, 0}, arc.front(), arc.back(), {-2, 3}};
-  const DrawnChain chain = chain_between(coarse, fine);
+  const auto with_ends = [](Points points) {
+    points.insert(points.begin(), {3, 0});
+    points.emplace_back(-2, 3);
+    return points;
+  };
+  const Points fine = with_ends(arc_of(0., 2., 1000)),
+               usual = with_ends(arc_of(0., 2., 29)),
+               coarse = with_ends(arc_of(0., 2., 1));
+  const auto off = [](const DrawnChain &chain) {
+    return std::abs(chain.bulges[0]) +
+           std::abs(chain.bulges[1] - std::tan(0.5)) +
+           std::abs(chain.bulges[2]);
+  };
+  const DrawnChain chain = chain_between(coarse, fine, usual);
   check("vertices of a chain", chain.points == coarse);
-  check_error("its bulges",
-              std::abs(chain.bulges[0]) +
-                  std::abs(chain.bulges[1] - std::tan(0.5)) +
-                  std::abs(chain.bulges[2]),
-              1e-13);
+  check_error("its bulges", off(chain), 1e-13);
   check("it has no other curves", !chain.has_other_curves);
 
-  const DrawnChain straight = chain_between(coarse, coarse);
+  // The ends of the arc differ by rounding, and are beside drawn vertices.
+  Points rounded = fine, beside = coarse, of_both = usual;
+  rounded[1] += Point<2>(1e-13, 2e-13);
+  rounded[1001] -= Point<2>(2e-13, 1e-13);
+  for (Points *points : {&rounded, &beside, &of_both})
+  {
+    points->insert(points->begin() + 1, (*points)[1] + Point<2>(0, 3e-13));
+    points->insert(points->end() - 1, (*points).end()[-2] - Point<2>(3e-13, 0));
+  }
+  const DrawnChain joined = chain_between(beside, rounded, of_both);
+  check_error("an arc between vertices that rounding sets beside its ends",
+              joined.points.size() == 4 ? off(joined) : 1., 1e-11);
+
+  const DrawnChain straight = chain_between(coarse, coarse, coarse);
   check("a chain without arcs",
         straight.points == coarse &&
             straight.bulges == std::vector<double>(3, 0.));
+  const Points repeated = {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 0}};
+  check("a vertex that is drawn twice stays twice",
+        chain_between(repeated, repeated, repeated).points == repeated);
 
   Points circle = arc_of(0., -2. * pi, 3600);
   circle.back() = circle.front();
-  const DrawnChain whole = chain_between({circle[0], circle[0]}, circle);
+  const DrawnChain whole =
+      chain_between({circle[0], circle[0]}, circle, circle);
   check_error("a circle is two halves",
               whole.points.size() == 3 && whole.points[0] == whole.points[2]
                   ? whole.points[1].distance(-1. * whole.points[0]) +
@@ -125,14 +128,19 @@ void chains()
                   : 1.,
               1e-11);
 
-  Points ellipse = arc_of(0., 2., 1000);
-  for (Point<2> &p : ellipse)
-    p[1] *= 0.5;
-  const DrawnChain other =
-      chain_between({ellipse.front(), ellipse.back()}, ellipse);
-  check("an ellipse is a chain of straight sides",
-        other.has_other_curves && other.points.size() == 26 &&
-            other.bulges == std::vector<double>(25, 0.));
+  const auto flat = [&](const unsigned int n) {
+    Points ellipse = arc_of(0., 2., n);
+    for (Point<2> &p : ellipse)
+      p[1] *= 0.5;
+    return ellipse;
+  };
+  const DrawnChain other = chain_between(flat(1), flat(1000), flat(29));
+  check("an ellipse is a chain of straight sides, as usual",
+        other.has_other_curves && other.points == flat(29) &&
+            !other.has_arcs());
+  const DrawnChain lost = chain_between({{0, 0}, {5, 5}}, fine, usual);
+  check("chains that do not fit are as usual",
+        lost.has_other_curves && lost.points == usual && !lost.has_arcs());
 }
 
 /** Half a disc of radius r on a square of 2r, with a given deviation. */
@@ -166,8 +174,8 @@ void flat_arcs()
   double error = 0.;
   for (const double rise : {1e-2, 1e-4, 1e-6})
   {
-    PolygonList polygons = list_with(
-        {{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {0, 0, rise, 0}}});
+    PolygonList polygons =
+        list_with({{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}, {0, 0, rise, 0}}});
     replace_arcs(polygons, rise / 100., 1e-12);
     // On the circle through (0, 1), (1, 1 + rise) and (2, 1).
     const double radius = 0.5 * (1. + rise * rise) / rise;
@@ -191,9 +199,9 @@ void shared_arc()
   for (const bool is_first_turned : {false, true})
     for (const bool is_second_turned : {false, true})
     {
-      PolygonList polygons = list_with(
-          {{{{0, 0}, {3, 0}, {3, 1}, {0, 1.1}}, {0, 0, bulge, 0}},
-           {{{0, 1.1}, {3, 1}, {3, 3}, {0, 3}}, {-bulge, 0, 0, 0}}});
+      PolygonList polygons =
+          list_with({{{{0, 0}, {3, 0}, {3, 1}, {0, 1.1}}, {0, 0, bulge, 0}},
+                     {{{0, 1.1}, {3, 1}, {3, 3}, {0, 3}}, {-bulge, 0, 0, 0}}});
       if (is_first_turned)
         turn_round(polygons.polygons[0]);
       if (is_second_turned)
@@ -229,11 +237,9 @@ void divided_arc()
                           std::vector<double>({0, bulge, 0, -bulge}));
   };
   // Two rings of an arch with joints that do not meet.
-  PolygonList polygons = list_with({sector(2, 3, 0.2, 1.2),
-                                    sector(2, 3, 1.2, 2.6),
-                                    sector(3, 4, 0.2, 0.9),
-                                    sector(3, 4, 0.9, 1.9),
-                                    sector(3, 4, 1.9, 2.6)});
+  PolygonList polygons = list_with(
+      {sector(2, 3, 0.2, 1.2), sector(2, 3, 1.2, 2.6), sector(3, 4, 0.2, 0.9),
+       sector(3, 4, 0.9, 1.9), sector(3, 4, 1.9, 2.6)});
   turn_round(polygons.polygons[1]);
   turn_round(polygons.polygons[3]);
   PolygonGenerator generator;

@@ -38,9 +38,8 @@ struct LineDrawing
     polygon.detail = "layer '" + layer + "'";
     list.polygons.push_back(polygon);
   }
-  void line(const Point<2> &a,
-            const Point<2> &b,
-            const std::string &layer = "stone")
+  void
+  line(const Point<2> &a, const Point<2> &b, const std::string &layer = "stone")
   {
     add({a, b}, true, layer);
   }
@@ -66,9 +65,9 @@ std::vector<std::array<double, 3>> shape_of(const Packing<2> &packing)
   std::vector<std::array<double, 3>> shape;
   const auto rounded = [](const double x) { return std::round(1e8 * x) / 1e8; };
   for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    shape.push_back({{rounded(packing.centre(c)[0]),
-                      rounded(packing.centre(c)[1]),
-                      rounded(packing.area(c))}});
+    shape.push_back(
+        {{rounded(packing.centre(c)[0]), rounded(packing.centre(c)[1]),
+          rounded(packing.area(c))}});
   for (const auto &joint : packing.interfaces())
     shape.push_back({{rounded(joint.midpoint()[0]),
                       rounded(joint.midpoint()[1]), rounded(joint.length)}});
@@ -335,8 +334,9 @@ void failures()
   std::cout << "Layers where there are none" << std::endl;
   show_refusal([&] { drawing.cells({{"Layers", "stone"}}); });
   write_file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
-  show_refusal(
-      [] { imported_cells("square.wkt", {{"Layer groups", "a: b"}}); });
+  show_refusal([] {
+    imported_cells("square.wkt", {{"Layer groups", "a: b"}});
+  });
 }
 
 void run()

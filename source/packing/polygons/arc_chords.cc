@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/polygons/arc.h>
 #include <voussoir/packing/polygons/arc_chords.h>
+#include <voussoir/packing/polygons/drawn_lines.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
@@ -19,12 +20,11 @@ namespace Voussoir
 namespace
 {
 using dealii::Point;
-using dealii::Tensor;
 using Polygon = PolygonList::Polygon;
 using Points = std::vector<Point<2>>;
 using Box = dealii::BoundingBox<2>;
 
-/** The deviation of chords over the mean size, if none is given. */
+/** The deviation of chords over the size of what is drawn, if none is given. */
 constexpr double usual_deviation = 1e-3;
 
 /** The largest angle of a chord. */
@@ -35,47 +35,6 @@ constexpr double most_chords = 1e4;
 
 /** Rounding of a number of chords, which must not add one. */
 constexpr double rounding_of_number = 1e-9;
-
-/** An arc from one point to another; lengths. */
-struct Arc
-{
-  Point<2> start, end;
-  double bulge;
-
-  /** The angle that it turns by, positive to the left. */
-  double angle() const { return 4. * std::atan(bulge); }
-  double chord() const { return start.distance(end); }
-  double radius() const
-  {
-    return 0.5 * chord() / std::sin(0.5 * std::abs(angle()));
-  }
-  /** The point where a part of the angle is turned by. */
-  Point<2> at(const double turned) const
-  {
-    // By half-angles from the start: flat arcs have a distant centre.
-    const double half = 0.5 * angle();
-    return start + std::sin(0.5 * turned) / std::sin(half) *
-                       (rotation_by(0.5 * turned - half) * (end - start));
-  }
-  Point<2> middle() const { return at(0.5 * angle()); }
-  /** The angle at which @p p lies, from 0 on; unsigned. */
-  double angle_to(const Point<2> &p) const
-  {
-    const Tensor<1, 2> from_start = start - centre(), to_p = p - centre();
-    const double turned =
-        std::atan2(cross(from_start, to_p), from_start * to_p);
-    const double forward = bulge > 0. ? turned : -turned;
-    return forward < 0. ? forward + 2. * dealii::numbers::PI : forward;
-  }
-  Point<2> centre() const
-  {
-    const Tensor<1, 2> along = end - start;
-    // Of a turn to the left it lies to the left of the chord, up to a half.
-    return start + 0.5 * along +
-           0.25 * (1. / bulge - bulge) * Tensor<1, 2>({-along[1], along[0]});
-  }
-  Arc reversed() const { return {end, start, -bulge}; }
-};
 
 /** The least number of chords of an arc that are nowhere too far from it. */
 double number_of_chords(const Arc &arc, const double deviation)
@@ -149,9 +108,10 @@ private:
     const double angle = std::abs(arc.angle()), radius = arc.radius();
     // Of an arc up to a half, as far as it rises; of more, the whole circle.
     Box box(std::array<Point<2>, 2>{{arc.start, arc.end}});
-    box.extend(tolerance + (std::abs(arc.bulge) > 1.
-                                ? 2. * radius
-                                : 0.5 * std::abs(arc.bulge) * arc.chord()));
+    box.extend(tolerance +
+               (std::abs(arc.bulge) > 1.
+                    ? 2. * radius
+                    : 0.5 * std::abs(arc.bulge) * arc.start.distance(arc.end)));
     std::vector<std::pair<double, Point<2>>> cuts;
     for (auto p = corner_tree.qbegin(boost::geometry::index::intersects(box));
          p != corner_tree.qend(); ++p)
@@ -214,7 +174,7 @@ private:
                " chords of the arc from ", text_of_point(arc.start), " to ",
                text_of_point(arc.end), " of '", polygons.file.string(),
                "'; give more, a length after 'Scale', or 0 for a thousandth "
-               "of the mean size of a cell."));
+               "of the mean size of a line."));
     Points points;
     for (unsigned int k = 1; k < n; ++k)
       points.push_back(canonical.at(k / n * canonical.angle()));
@@ -233,79 +193,7 @@ private:
   std::size_t n_arcs = 0, n_chords = 0;
 };
 
-/** Leave out straight sides beside arcs that come from rounding. */
-void leave_out_rounding(Polygon &polygon, const double tolerance)
-{
-  const std::size_t n = polygon.ring.size();
-  std::vector<bool> is_left_out(n, false);
-  const auto is_arc = [&](const std::size_t side) {
-    return side < polygon.n_sides() && polygon.bulges[side] != 0.;
-  };
-  for (std::size_t i = 0; i < polygon.n_sides(); ++i)
-  {
-    const std::size_t next = (i + 1) % n, before = (i + n - 1) % n;
-    if (is_arc(i) || is_left_out[i] || is_left_out[next] ||
-        polygon.ring[i].distance(polygon.ring[next]) > tolerance)
-      continue;
-    // The end of an arc is computed, and a vertex beside it was drawn.
-    if (is_arc(next))
-    {
-      polygon.bulges[i] = polygon.bulges[next];
-      is_left_out[next] = true;
-    }
-    else if (is_arc(before))
-      is_left_out[i] = true;
-  }
-  Points ring;
-  std::vector<double> bulges;
-  for (std::size_t i = 0; i < n; ++i)
-    if (!is_left_out[i])
-    {
-      ring.push_back(polygon.ring[i]);
-      bulges.push_back(polygon.bulges[i]);
-    }
-  polygon.ring = ring;
-  polygon.bulges = bulges;
-}
-
-/** The root of the mean area of what is closed, else the mean length. */
-double mean_drawn_size(const PolygonList &polygons)
-{
-  double area = 0., length = 0.;
-  unsigned int n_closed = 0, n_open = 0;
-  for (const Polygon &polygon : polygons.polygons)
-    if (polygon.is_broken || !polygon.is_finite())
-      continue;
-    else if (polygon.is_open)
-    {
-      for (std::size_t i = 0; i < polygon.n_sides(); ++i)
-        length += polygon.ring[i].distance(polygon.ring[i + 1]);
-      ++n_open;
-    }
-    else
-    {
-      area += std::abs(area_with_arcs(polygon));
-      ++n_closed;
-    }
-  return n_closed > 0 ? std::sqrt(area / n_closed)
-                      : length / std::max(n_open, 1u);
-}
 } // namespace
-
-double area_with_arcs(const Polygon &polygon)
-{
-  double area = signed_area(polygon.ring);
-  for (std::size_t i = 0; i < polygon.bulges.size(); ++i)
-    if (polygon.bulges[i] != 0.)
-    {
-      const Arc arc = {polygon.ring[i], polygon.end_of_side(i),
-                       polygon.bulges[i]};
-      // Between the arc and its chord, to the right of it if it turns left.
-      area += 0.5 * arc.radius() * arc.radius() *
-              (arc.angle() - std::sin(arc.angle()));
-    }
-  return area;
-}
 
 void replace_arcs(PolygonList &polygons,
                   const double deviation,
@@ -316,16 +204,13 @@ void replace_arcs(PolygonList &polygons,
   {
     if (polygon.is_broken || !polygon.is_finite())
       polygon.bulges.clear();
-    if (!polygon.bulges.empty())
-      leave_out_rounding(polygon, tolerance);
     has_arcs |= !polygon.bulges.empty();
   }
-  if (!has_arcs)
-    return;
-  ArcReplacer(polygons,
-              deviation > 0. ? deviation
-                             : usual_deviation * mean_drawn_size(polygons),
-              tolerance)
-      .replace();
+  if (has_arcs)
+    ArcReplacer(polygons,
+                deviation > 0. ? deviation
+                               : usual_deviation * drawn_size(polygons),
+                tolerance)
+        .replace();
 }
 } // namespace Voussoir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/base/geometry.h>
+#include <voussoir/packing/polygons/arc.h>
 #include <voussoir/packing/polygons/drawn_arcs.h>
 
 #include <algorithm>
@@ -15,49 +15,129 @@ using Points = std::vector<Point<2>>;
 /** The difference of bulges by which a curve is no arc, relative to them. */
 constexpr double noncircular = 1e-6;
 
-/** The step along curves that are no arcs, in degrees: that of GDAL. */
-constexpr double usual_step = 4.;
+/** The rounding of vertices that are computed, over the largest coordinate. */
+constexpr double relative_rounding = 1e-11;
 
-/** True if the points from @p first to @p last lie on one arc. */
-bool is_arc(const Points &points,
-            const std::size_t first,
-            const std::size_t last)
+/** Goes from one vertex of a coarse chain to the next. */
+class ChainReader
 {
-  const auto bulge_at = [&](const std::size_t quarters) {
-    return bulge_through(points[first],
-                         points[first + quarters * (last - first) / 4],
-                         points[last]);
-  };
-  if (last - first < 4)
-    return true; // too short to tell
-  const double bulge = bulge_at(2);
-  return std::max(std::abs(bulge_at(1) - bulge),
-                  std::abs(bulge_at(3) - bulge)) <=
-         noncircular * (1. + bulge * bulge);
-}
-
-/** Go on along fine points, from the one where @p chain ends. */
-void add_curve(DrawnChain &chain,
-               const Points &fine,
-               const std::size_t first,
-               const std::size_t last)
-{
-  const std::size_t n = last - first, middle = first + n / 2;
-  const bool is_whole = fine[first] == fine[last];
-  if (!is_whole && is_arc(fine, first, last))
-    return chain.add_arc(fine[middle], fine[last]);
-  if (is_whole && is_arc(fine, first, middle) && is_arc(fine, middle, last))
+public:
+  ChainReader(const Points &fine, const Points &usual)
+      : fine(fine), usual(usual)
   {
-    chain.add_arc(fine[(first + middle) / 2], fine[middle]);
-    return chain.add_arc(fine[(middle + last) / 2], fine[last]);
+    for (const Point<2> &p : usual)
+      rounding = std::max({rounding, std::abs(p[0]), std::abs(p[1])});
+    rounding *= relative_rounding;
   }
-  chain.has_other_curves = true;
-  const std::size_t n_steps =
-      std::max(1., std::ceil(n * fine_step / usual_step));
-  for (std::size_t k = 1; k <= n_steps; ++k)
-    chain.add(fine[first + k * n / n_steps]);
-}
+
+  /** False if @p coarse does not lead through the other chains. */
+  bool read(const Points &coarse)
+  {
+    std::size_t in_fine = 0, in_usual = 0;
+    for (const Point<2> &p : coarse)
+    {
+      const bool is_first = chain.points.empty();
+      const std::size_t next = place_of(p, fine, is_first ? 0 : in_fine + 1),
+                        other = place_of(p, usual, is_first ? 0 : in_usual + 1);
+      if (next == fine.size() || other == usual.size())
+        return false;
+      if (is_first)
+        chain.add(p);
+      else if (next == in_fine + 1)
+        add_side(p);
+      else if (!add_curve(in_fine, next))
+        add_chords(in_usual, other);
+      in_fine = next;
+      in_usual = other;
+    }
+    return true;
+  }
+
+  DrawnChain chain;
+
+private:
+  bool are_one(const Point<2> &p, const Point<2> &q) const
+  {
+    return p.distance(q) <= rounding;
+  }
+
+  std::size_t place_of(const Point<2> &p,
+                       const Points &among,
+                       const std::size_t first) const
+  {
+    std::size_t k = first;
+    while (k < among.size() && !are_one(p, among[k]))
+      ++k;
+    return std::min(k, among.size());
+  }
+
+  /** A straight side, but none from the end of an arc, which is computed, to
+   * the vertex that was drawn there. */
+  void add_side(const Point<2> &end)
+  {
+    if (chain.bulges.empty() || chain.bulges.back() == 0. ||
+        !are_one(chain.points.back(), end))
+      chain.add(end);
+  }
+
+  /** Go on along an arc or a circle in fine points; false if it is neither. */
+  bool add_curve(const std::size_t first, const std::size_t last)
+  {
+    const std::size_t middle = (first + last) / 2;
+    const bool is_whole = are_one(fine[first], fine[last]);
+    if (is_whole ? !is_arc(first, middle) || !is_arc(middle, last)
+                 : !is_arc(first, last))
+      return false;
+    // Nor one from a vertex to the start of an arc.
+    if (const std::size_t n = chain.points.size();
+        n > 1 && chain.bulges.back() == 0. &&
+        are_one(chain.points[n - 2], chain.points[n - 1]))
+    {
+      chain.points.pop_back();
+      chain.bulges.pop_back();
+    }
+    if (is_whole)
+    {
+      chain.add_arc(fine[(first + middle) / 2], fine[middle]);
+      chain.add_arc(fine[(middle + last) / 2], fine[last]);
+    }
+    else
+      chain.add_arc(fine[middle], fine[last]);
+    return true;
+  }
+
+  bool is_arc(const std::size_t first, const std::size_t last) const
+  {
+    const std::size_t n = last - first;
+    if (n < 4)
+      return true; // too short to tell
+    const auto bulge_at = [&](const std::size_t quarters) {
+      return bulge_through(fine[first], fine[first + quarters * n / 4],
+                           fine[last]);
+    };
+    const double bulge = bulge_at(2);
+    return std::max(std::abs(bulge_at(1) - bulge),
+                    std::abs(bulge_at(3) - bulge)) <=
+           noncircular * (1. + bulge * bulge);
+  }
+
+  void add_chords(const std::size_t first, const std::size_t last)
+  {
+    chain.has_other_curves = true;
+    for (std::size_t k = first + 1; k <= last; ++k)
+      chain.add(usual[k]);
+  }
+
+  const Points &fine, &usual;
+  double rounding = 0.;
+};
 } // namespace
+
+bool DrawnChain::has_arcs() const
+{
+  return std::any_of(bulges.begin(), bulges.end(),
+                     [](const double bulge) { return bulge != 0.; });
+}
 
 void DrawnChain::add(const Point<2> &point, const double bulge)
 {
@@ -88,36 +168,16 @@ void DrawnChain::append(const DrawnChain &other)
   has_other_curves |= other.has_other_curves;
 }
 
-double bulge_through(const Point<2> &start,
-                     const Point<2> &middle,
-                     const Point<2> &end)
+DrawnChain
+chain_between(const Points &coarse, const Points &fine, const Points &usual)
 {
-  // Half of the angle of the arc is what the chain of chords turns by.
-  const dealii::Tensor<1, 2> first = middle - start, second = end - middle;
-  return std::tan(0.5 * std::atan2(cross(first, second), first * second));
-}
-
-DrawnChain chain_between(const Points &coarse, const Points &fine)
-{
-  DrawnChain chain;
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < coarse.size(); ++i)
-  {
-    if (i == 0)
-    {
-      chain.add(coarse[0]);
-      continue;
-    }
-    const auto end = std::find(fine.begin() + std::min(j + 1, fine.size()),
-                               fine.end(), coarse[i]);
-    const std::size_t k = end - fine.begin();
-    if (end == fine.end() || k == j + 1)
-      chain.add(coarse[i]);
-    else
-      add_curve(chain, fine, j, k);
-    if (end != fine.end())
-      j = k;
-  }
-  return chain;
+  ChainReader reader(fine, usual);
+  if (reader.read(coarse))
+    return reader.chain;
+  DrawnChain straight;
+  for (const Point<2> &p : usual)
+    straight.add(p);
+  straight.has_other_curves = true;
+  return straight;
 }
 } // namespace Voussoir

@@ -78,7 +78,7 @@ void add_open_lines(dealii::ParameterHandler &prm, OpenLines &lines)
 {
   add_choice<OpenLines>(
       prm, "Lines", lines,
-      {{OpenLines::refuse, "closed",
+      {{OpenLines::refuse, "refuse",
         "each line of a drawing must be closed, and is a cell."},
        {OpenLines::ignore, "ignore",
         "those that are not closed are left out, such as dimensions."},
@@ -92,7 +92,7 @@ void add_open_lines(dealii::ParameterHandler &prm, OpenLines &lines)
       "What lines of drawings, in files that GDAL reads, stand for.");
 }
 
-double drawn_tolerance(const PolygonList &polygons)
+double drawn_size(const PolygonList &polygons)
 {
   double sum = 0.;
   unsigned int n = 0;
@@ -104,7 +104,12 @@ double drawn_tolerance(const PolygonList &polygons)
       sum += low.distance(high);
       ++n;
     }
-  return tolerance_of(polygons, sum / std::max(n, 1u));
+  return sum / std::max(n, 1u);
+}
+
+double drawn_tolerance(const PolygonList &polygons)
+{
+  return tolerance_of(polygons, drawn_size(polygons));
 }
 
 void close_rings(PolygonList &polygons,

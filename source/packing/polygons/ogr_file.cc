@@ -8,9 +8,7 @@
 #include <voussoir/packing/polygons/ogr_dataset.h>
 #endif
 
-#include <algorithm>
 #include <optional>
-#include <regex>
 #include <utility>
 
 namespace Voussoir
@@ -30,14 +28,6 @@ std::string value_of(const OGRFeatureH feature, const int field)
   return field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(feature, field)
              ? ""
              : gdal().OGR_F_GetFieldAsString(feature, field);
-}
-
-/** True of what DXF has on layers that are off or frozen: its ink is clear. */
-bool is_clear(const OGRFeatureH feature)
-{
-  const char *const style = gdal().OGR_F_GetStyleString(feature);
-  static const std::regex clear_ink("#[0-9a-fA-F]{6}00\\b");
-  return style != nullptr && std::regex_search(style, clear_ink);
 }
 
 /** A geometry as GDAL has it, and with few and many chords for its arcs. */
@@ -85,8 +75,8 @@ public:
       read_layer(dataset, i);
     layers.check(list.file.string());
     if (list.polygons.empty())
-      refuse_file("has no polygons and no closed lines" + layers.hint() +
-                  messages.error() + "; a packing needs at least one.");
+      refuse_file("has no polygons and no closed lines" + messages.error() +
+                  "; a packing needs at least one.");
     give_notices();
     return std::move(list);
   }
@@ -136,7 +126,7 @@ private:
       ++feature;
       const std::string name =
           is_dxf ? value_of(next.get(), layer_field) : layer_name;
-      if (!layers.takes(name, is_dxf && is_clear(next.get())))
+      if (!layers.takes(name))
         continue;
       group = layers.group_of(name, value_of(next.get(), group_field));
       const std::string handle = value_of(next.get(), handle_field);
@@ -213,10 +203,11 @@ private:
   /** The vertices and arcs of a line. */
   DrawnChain chain(const Drawn &line)
   {
-    if (line.coarse == nullptr || line.fine == nullptr)
-      return chain_of(line.usual);
-    const DrawnChain drawn =
-        chain_between(chain_of(line.coarse).points, chain_of(line.fine).points);
+    const DrawnChain usual = chain_of(line.usual);
+    if (usual.has_arcs() || line.coarse == nullptr || line.fine == nullptr)
+      return usual;
+    const DrawnChain drawn = chain_between(
+        chain_of(line.coarse).points, chain_of(line.fine).points, usual.points);
     has_other_curves |= drawn.has_other_curves;
     return drawn;
   }
@@ -225,8 +216,7 @@ private:
   {
     PolygonList::Polygon polygon;
     polygon.ring = drawn.points;
-    if (std::any_of(drawn.bulges.begin(), drawn.bulges.end(),
-                    [](const double bulge) { return bulge != 0.; }))
+    if (drawn.has_arcs())
       polygon.bulges = drawn.bulges;
     const bool returns =
         polygon.ring.size() > 1 && polygon.ring.front() == polygon.ring.back();
@@ -250,9 +240,6 @@ private:
     if (has_other_curves)
       list.notices.push_back("The curves" + of_file +
                              "are replaced by chains of straight sides.");
-    const std::string left_out = layers.left_out(list.file.string());
-    if (!left_out.empty())
-      list.notices.push_back(left_out);
     if (n_left_out > 0)
       list.notices.push_back(
           text(n_left_out, " geometries", of_file,

@@ -62,9 +62,7 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       "Layers", layers,
       "The layers of a drawing that are read, \"pier, arch *\": names with the "
       "wildcards *, ? and [abc], upper and lower case told apart. For files "
-      "that GDAL reads, whose layers are those of DXF or tables. Empty: all "
-      "but "
-      "those of DXF that are off or frozen.",
+      "that GDAL reads, whose layers are those of DXF or tables. Empty: all.",
       Anything());
   prm.add_parameter(
       "Layer groups", layer_groups,
@@ -80,8 +78,8 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       "them, a length after 'Scale': there are as few as that allows, none of "
       "more than a right angle. An arc is cut where vertices of others lie on "
       "it, and neighbours along it have the same vertices, whichever way each "
-      "was drawn. 0: a thousandth of the mean size of a cell, the root of its "
-      "area, or where all cells are made of lines of the mean length of these.",
+      "was drawn. 0: a thousandth of the mean size of what is drawn, the "
+      "diagonal of the box around a line.",
       Double(0.));
   prm.add_parameter(
       "Matching tolerance", tolerance,

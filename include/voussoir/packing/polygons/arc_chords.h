@@ -7,11 +7,6 @@
 namespace Voussoir
 {
 /**
- * The area of a ring with its arcs, positive if it runs counterclockwise; L^2.
- */
-double area_with_arcs(const PolygonList::Polygon &polygon);
-
-/**
  * Replace all arcs by chords, so that nothing has bulges any more, with a
  * notice.
  *
@@ -21,12 +16,9 @@ double area_with_arcs(const PolygonList::Polygon &polygon);
  * in one direction whichever way the arc was drawn, and once of arcs that are
  * the same, so that cells on both sides of an arc have the same vertices on it.
  *
- * @param deviation a length; 0: a thousandth of the root of the mean area of
- *   what is closed, or of the mean length of lines if nothing is.
+ * @param deviation a length; 0: a thousandth of drawn_size().
  * @param tolerance how far apart the ends and middles of arcs that are the
  *   same, and vertices and arcs on which they lie, are at most; a length.
- *   Straight sides that are shorter, beside arcs, come from rounding and are
- *   left out.
  * @throws InputError if @p deviation asks for more than 10,000 chords.
  */
 void replace_arcs(PolygonList &polygons, double deviation, double tolerance);

@@ -13,11 +13,13 @@ struct DrawnChain
 {
   /** In their order; lengths. */
   std::vector<dealii::Point<2>> points;
-  /** Of the side from each vertex to the next; see bulge_through(). */
+  /** Of the side from each vertex to the next, as Arc::bulge; 0: straight. */
   std::vector<double> bulges;
   /** True if a curve that is no arc was replaced by straight sides. */
   bool has_other_curves = false;
 
+  /** True if a side is an arc. */
+  bool has_arcs() const;
   /** Go on to @p point, the first one too, along a straight side or an arc. */
   void add(const dealii::Point<2> &point, double bulge = 0.);
   /**
@@ -29,27 +31,21 @@ struct DrawnChain
   void append(const DrawnChain &other);
 };
 
-/**
- * The bulge of the arc from @p start through @p middle to @p end: the tangent
- * of a quarter of the angle that it turns by, positive if to the left, as DXF
- * has it. The three points differ.
- */
-double bulge_through(const dealii::Point<2> &start,
-                     const dealii::Point<2> &middle,
-                     const dealii::Point<2> &end);
-
 /** The angle of a step along an arc in fine points, in degrees. */
 constexpr double fine_step = 0.1;
 
 /**
- * What was drawn, from two chains of chords that a library makes of it.
+ * What was drawn, from three chains of chords that a library makes of it, each
+ * with the vertices of the first among its own, but for rounding. A curve that
+ * is no arc has the vertices of the last, and straight sides.
  *
  * @param coarse with one chord for each arc; lengths.
- * @param fine with a vertex on arcs every fine_step degrees, and the vertices
- *   of @p coarse among its own, to the bit.
+ * @param fine with a vertex on arcs every fine_step degrees.
+ * @param usual as many as the library makes by itself.
  */
 DrawnChain chain_between(const std::vector<dealii::Point<2>> &coarse,
-                         const std::vector<dealii::Point<2>> &fine);
+                         const std::vector<dealii::Point<2>> &fine,
+                         const std::vector<dealii::Point<2>> &usual);
 } // namespace Voussoir
 
 #endif

@@ -4,6 +4,8 @@
 
 #include <voussoir/packing/polygons/polygon_list.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 namespace Voussoir
 {
 /** What is done with the lines of a drawing that are not closed. */
@@ -21,10 +23,12 @@ enum class OpenLines
 void add_open_lines(dealii::ParameterHandler &prm, OpenLines &lines);
 
 /**
- * The matching tolerance of what was drawn, before cells are made of it; a
- * length. It is 1e-10 of the mean size of a line or polygon, the diagonal of
- * its box, or 16 units of rounding of the largest coordinate if that is more.
+ * The mean size of a polygon or line that is not broken, the diagonal of the
+ * box around its vertices, before cells are made of it; a length.
  */
+double drawn_size(const PolygonList &polygons);
+
+/** The matching tolerance for it, see tolerance_of(); a length. */
 double drawn_tolerance(const PolygonList &polygons);
 
 /**

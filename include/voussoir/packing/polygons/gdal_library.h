@@ -59,7 +59,6 @@ public:
   VOUSSOIR_OF_GDAL(OGR_F_GetFID);
   VOUSSOIR_OF_GDAL(OGR_F_GetFieldAsString);
   VOUSSOIR_OF_GDAL(OGR_F_GetGeometryRef);
-  VOUSSOIR_OF_GDAL(OGR_F_GetStyleString);
   VOUSSOIR_OF_GDAL(OGR_F_IsFieldSetAndNotNull);
   VOUSSOIR_OF_GDAL(OGR_GT_Flatten);
   VOUSSOIR_OF_GDAL(OGR_GT_IsSubClassOf);

@@ -15,11 +15,10 @@ namespace Voussoir
 class LayerChoice
 {
 public:
-  /** All layers but those that are off or frozen, without other names. */
+  /** All layers, without other names. */
   LayerChoice() = default;
   /**
-   * @param names "pier, arch *": only these, and also if they are off or
-   *   frozen; empty: all that are not.
+   * @param names "pier, arch *": only these; empty: all.
    * @param groups "arch ?: voussoir | pier: abutment": the groups of the cells
    *   on some layers, of which the first that fits counts.
    * @throws InputError if these are not of this form.
@@ -29,13 +28,8 @@ public:
   /** True unless all is read, under the names that it has. */
   bool asks() const { return !names.empty() || !groups.empty(); }
 
-  /**
-   * Whether a feature of @p layer is read; keeps the names of layers for
-   * messages.
-   *
-   * @param is_hidden true if it is off, frozen or invisible.
-   */
-  bool takes(const std::string &layer, bool is_hidden);
+  /** Whether a feature of @p layer is read; keeps its name for messages. */
+  bool takes(const std::string &layer);
   /** The group of cells on @p layer, if none is named @p otherwise. */
   std::string group_of(const std::string &layer,
                        const std::string &otherwise) const;
@@ -46,23 +40,17 @@ public:
    * @throws InputError naming the first that was none, and all layers.
    */
   void check(const std::string &file) const;
-  /** A notice on features that were left out as hidden; empty if none were. */
-  std::string left_out(const std::string &file) const;
-  /** What to do if nothing was read, as a part of a sentence. */
-  std::string hint() const;
 
 private:
-  /** A layer, and how many features of it were met. */
+  /** A layer of which a feature was met. */
   struct Layer
   {
     std::string name;
     bool is_taken = false;
-    unsigned int n_hidden = 0;
   };
 
   /** The names of layers, in the order of the file, that are @p taken. */
   std::string listed(bool only_taken) const;
-  std::string listed_hidden() const;
 
   std::vector<std::string> names;
   std::vector<std::pair<std::string, std::string>> groups;
