@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/geometry.h>
-#include <voussoir/base/lowest_in_sets.h>
 #include <voussoir/packing/polygons/line_work.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -33,17 +32,24 @@ std::vector<std::size_t> points_near(const Tree &tree,
   return found;
 }
 
-/** For each point the first one that is the same vertex. */
-std::vector<unsigned int>
+/**
+ * For each point the first one no further away that is a vertex, maybe itself:
+ * no point moves by more than the tolerance, whatever chain it is in.
+ */
+std::vector<std::size_t>
 vertices_of(const Points &points, const Tree &tree, const double tolerance)
 {
-  boost::disjoint_sets_with_storage<> sets(points.size());
+  std::vector<std::size_t> vertex(points.size());
   for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    vertex[p] = p;
     for (const std::size_t q :
          points_near(tree, points[p], points[p], tolerance))
-      if (q < p && points[p].distance(points[q]) <= tolerance)
-        sets.union_set(p, q);
-  return lowest_in_sets(sets, points.size());
+      if (q < vertex[p] && vertex[q] == q &&
+          points[p].distance(points[q]) <= tolerance)
+        vertex[p] = q;
+  }
+  return vertex;
 }
 } // namespace
 
@@ -55,14 +61,14 @@ std::vector<LinePiece> pieces_of_lines(const PolygonList &polygons,
     if (!polygon.is_broken)
       points.insert(points.end(), polygon.ring.begin(), polygon.ring.end());
   const Tree tree = dealii::pack_rtree_of_indices(points);
-  const std::vector<unsigned int> vertex = vertices_of(points, tree, tolerance);
+  const std::vector<std::size_t> vertex = vertices_of(points, tree, tolerance);
 
   std::vector<LinePiece> pieces;
   /** Cut the side from one vertex to another, both by their numbers. */
-  const auto cut = [&](const unsigned int a, const unsigned int b,
+  const auto cut = [&](const std::size_t a, const std::size_t b,
                        const unsigned int source) {
     const dealii::Tensor<1, 2> along = points[b] - points[a];
-    std::vector<std::pair<double, unsigned int>> on_side = {{0., a}};
+    std::vector<std::pair<double, std::size_t>> on_side = {{0., a}};
     for (const std::size_t p :
          points_near(tree, points[a], points[b], tolerance))
     {
@@ -91,7 +97,7 @@ std::vector<LinePiece> pieces_of_lines(const PolygonList &polygons,
       continue;
     const std::size_t n = polygon.ring.size();
     for (std::size_t i = 0; i < polygon.n_sides(); ++i)
-      if (const unsigned int a = vertex[first + i],
+      if (const std::size_t a = vertex[first + i],
           b = vertex[first + (i + 1) % n];
           a != b)
         cut(a, b, c);

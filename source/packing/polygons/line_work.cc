@@ -49,8 +49,13 @@ public:
 
   void join()
   {
+    // Of what ends freely follows that others bound no cell.
+    const bool some_end = std::any_of(
+        found.loose.begin(), found.loose.end(), [&](const LooseLine &line) {
+          return line.ends_freely && is_open(line.source);
+        });
     for (const LooseLine &line : found.loose)
-      if (is_open(line.source))
+      if (is_open(line.source) && line.ends_freely == some_end)
         refuse_loose(line);
     polygons.refuse_faults();
     add_faces();
@@ -75,8 +80,7 @@ private:
     const std::string what = "The line from " +
                              text_of_point(polygon.ring.front()) + " to " +
                              text_of_point(polygon.ring.back()) + " (" +
-                             polygons.record_of(line.source) + " of '" +
-                             polygons.file.string() + "') ";
+                             polygons.record_of(line.source, true) + ") ";
     double nearest = 0.;
     std::string fault;
     if (line.ends_freely)
@@ -172,20 +176,22 @@ private:
   static Point<2> point_inside(const Ring &ring)
   {
     Ring piece;
-    for (const unsigned int v : convex_pieces(ring).front())
+    const auto pieces = convex_pieces(ring);
+    for (const unsigned int v : pieces.front())
       piece.push_back(ring[v]);
     return centroid(piece);
   }
 
-  /** The line that is the longest part of a face's boundary, the first of two.
-   */
+  /** The open line that is the longest part of a cell's boundary, the first of
+   * those as long. */
   unsigned int longest_part(const LineFace &face) const
   {
     std::map<unsigned int, double> lengths;
     for (std::size_t i = 0; i < face.ring.size(); ++i)
       for (const unsigned int source : face.sources[i])
-        lengths[source] +=
-            face.ring[i].distance(face.ring[(i + 1) % face.ring.size()]);
+        if (is_open(source))
+          lengths[source] +=
+              face.ring[i].distance(face.ring[(i + 1) % face.ring.size()]);
     return std::max_element(lengths.begin(), lengths.end(),
                             [&](const auto &a, const auto &b) {
                               return a.second < b.second * (1. - tie);

@@ -108,8 +108,11 @@ DrawnChain chain_of(const OGRGeometryH curve)
       gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(curve));
   DrawnChain chain;
   if (type == wkbCompoundCurve)
+  {
     for (int i = 0; i < gdal().OGR_G_GetGeometryCount(curve); ++i)
       chain.append(chain_of(gdal().OGR_G_GetGeometryRef(curve, i)));
+    return chain;
+  }
   const int n = gdal().OGR_G_GetPointCount(curve);
   const bool has_arcs = type == wkbCircularString;
   for (int i = 0; i < n; ++i)

@@ -55,16 +55,22 @@ DrawingFault PolygonList::fault(const DrawingFault::Kind kind,
 {
   return {kind,
           {cell},
-          text("Cell ", cell, " (", record_name, ' ', record, " of '",
-               file.string(), "'", detail.empty() ? "" : ", ", detail, ") ",
-               fault)};
+          text("Cell ", cell, " (", named(record, detail, true), ") ", fault)};
 }
 
-std::string PolygonList::record_of(const unsigned int cell) const
+std::string PolygonList::record_of(const unsigned int cell,
+                                   const bool with_file) const
 {
-  const Polygon &polygon = polygons[cell];
-  return text(record_name, ' ', polygon.record,
-              polygon.detail.empty() ? "" : ", ", polygon.detail);
+  return named(polygons[cell].record, polygons[cell].detail, with_file);
+}
+
+std::string PolygonList::named(const unsigned int record,
+                               const std::string &detail,
+                               const bool with_file) const
+{
+  return text(record_name, ' ', record,
+              with_file ? " of '" + file.string() + "'" : "",
+              detail.empty() ? "" : ", ", detail);
 }
 
 void PolygonList::refuse_faults() const

@@ -97,8 +97,8 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
       "sides that face each other no further apart than this length touch, and "
       "their forces act midway between them. Nothing is joined through a block "
       "or a narrower joint. A length of the scene, after 'Scale'; more than "
-      "two "
-      "thirds of the mean size of a block, the root of its area, is an error. "
+      "two thirds of the mean size of a block, the root of its area, is an "
+      "error. "
       "Overlaps up to 'Matching tolerance' are joints, too. 0: blocks touch "
       "where they share their sides, within 'Matching tolerance'.",
       Double(0.));

@@ -19,8 +19,9 @@ struct LinePiece
 
 /**
  * The sides of all polygons and lines that are not broken, without arcs, cut
- * where vertices are no further from them than @p tolerance, a length. Vertices
- * no further apart are one. Pieces may still cross, and lie on each other.
+ * where vertices are no further from them than @p tolerance, a length. A vertex
+ * no further from an earlier one is that. Pieces may still cross, and lie on
+ * each other.
  */
 std::vector<LinePiece> pieces_of_lines(const PolygonList &polygons,
                                        double tolerance);

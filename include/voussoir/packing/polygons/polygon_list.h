@@ -84,8 +84,11 @@ struct PolygonList
     return fault(kind, cell, polygons[cell].record, what,
                  polygons[cell].detail);
   }
-  /** The record of a cell, as "feature 3, layer 'pier', handle 2A". */
-  std::string record_of(unsigned int cell) const;
+  /**
+   * The record of a cell, as "feature 3, layer 'pier', handle 2A", or "feature
+   * 3 of 'wall.dxf', layer 'pier', handle 2A".
+   */
+  std::string record_of(unsigned int cell, bool with_file = false) const;
   /** Throw the same of a cell in the list. */
   [[noreturn]] void refuse(const DrawingFault::Kind kind,
                            const unsigned int cell,
@@ -112,6 +115,11 @@ struct PolygonList
 
   /** @throws DrawingRefused if there are faults. */
   void refuse_faults() const;
+
+private:
+  /** As record_of(), of a record with this detail. */
+  std::string
+  named(unsigned int record, const std::string &detail, bool with_file) const;
 };
 
 /** The rings of all polygons that are not broken, each different point once. */
