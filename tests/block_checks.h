@@ -10,6 +10,7 @@
 #include <deal.II/base/bounding_box.h>
 
 #include "tests.h"
+#include "volumes.h"
 #include <map>
 
 // What the tests of generators in space share.
@@ -86,15 +87,6 @@ group_sizes(const Voussoir::CellFaces &cells)
   for (const unsigned int group : cells.group)
     ++sizes[cells.group_names[group]];
   return sizes;
-}
-
-/** The total volume of the cells. */
-inline double volume_of(const Voussoir::CellFaces &cells)
-{
-  double volume = 0.;
-  for (unsigned int c = 0; c < cells.n_cells(); ++c)
-    volume += moments_of(cells, c).volume;
-  return volume;
 }
 
 /**

@@ -9,6 +9,7 @@
 
 #include "polygons.h"
 #include "tests.h"
+#include "volumes.h"
 #include <string>
 #include <vector>
 
@@ -139,15 +140,6 @@ inline unsigned int count_of(const Voussoir::ModelCells &model,
   for (const Voussoir::ModelDefect &defect : model.defects)
     count += defect.kind == kind ? defect.count : 0;
   return count;
-}
-
-/** The volume of all cells. */
-inline double volume_of(const Voussoir::CellFaces &cells)
-{
-  double volume = 0.;
-  for (unsigned int cell = 0; cell < cells.n_cells(); ++cell)
-    volume += moments_of(cells, cell).volume;
-  return volume;
 }
 
 /** True if all cells are closed, and no face has a vertex twice. */

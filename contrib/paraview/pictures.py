@@ -81,6 +81,7 @@ PICTURES = [
     ("buttress_collapse", "buttress", OWN, "mechanism", ("--width", "500")),
     ("dry_stone_wall_collapse", "dry_stone_wall", OWN, "mechanism", ("--width", "500")),
     ("portal_thrust", "portal", OWN, "thrust", ("--width", "600")),
+    ("gateway_collapse", "gateway", OWN, "mechanism", ("--width", "600")),
     ("rubble_wall", "rubble_wall", OWN, "sigma_yy", ()),
     ("rubble_wall_blocks", "rubble_wall", OWN, "blocks", ()),
     ("graded_hexagon", "graded_hexagon", OWN, "chains", ("--width", "700")),

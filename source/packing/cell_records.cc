@@ -40,7 +40,11 @@ std::string CellRecords::describe(const unsigned int cell) const
 {
   std::string name = text("cell ", cell);
   if (!records.empty())
-    name += text(" (", record_name, ' ', records[cell], " of '", file, "')");
+    name += text(" (", record_name, ' ', records[cell], " of '", file, "'",
+                 cell < details.size() && !details[cell].empty()
+                     ? ", " + details[cell]
+                     : "",
+                 ")");
   return name;
 }
 } // namespace Voussoir

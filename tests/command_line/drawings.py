@@ -17,7 +17,7 @@ def main():
         drawn = sorted(os.path.relpath(os.path.join(folder, name), directory)
                        for folder, _, names in os.walk(directory) for name in names)
         different = filecmp.cmpfiles(directory, f"{SOURCE}/prm", drawn, shallow=False)
-        if len(drawn) != 7 or different[0] != drawn:
+        if len(drawn) != 8 or different[0] != drawn:
             sys.exit(f"not as in prm/: {different[1] + different[2]}; run contrib/drawings")
 
 

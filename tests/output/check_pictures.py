@@ -43,7 +43,7 @@ TURNING = {"arch_on_piers", "grains", "portal", "rocking_column", "semicircular_
 # Those of load factors, which turn, too, and have a state and a mechanism.
 FACTORS = {"arch_bridge", "block_on_incline", "bridge_with_fill", "bridge_with_lorry",
            "arch_until_it_falls", "buttress", "compas_arch", "dry_arch", "dry_stone_wall", "facade",
-           "ferris_tin_loi_1", "ferris_tin_loi_2", "floors_on_wall", "rocking_wall",
+           "ferris_tin_loi_1", "ferris_tin_loi_2", "floors_on_wall", "gateway", "rocking_wall",
            "through_stones", "two_leaf_wall", "two_ring_arch", "two_span_bridge"}
 # Those whose supports move: a state and a motion.
 MOVED = {"sinking_pier", "spreading_arch"}

@@ -276,20 +276,26 @@ void test_ogr()
              head + left + R"({"type": "Feature", "properties": {},
       "geometry": {"type": "LineString", "coordinates":
       [[0, 0], [1, 0], [1, 1]]}}]})");
-  check_refusal("an open line", "squares.geojson",
-                "Cell 1 (feature 2 of 'squares.geojson') is a line from (0, 0) "
-                "to (1, 1) that is not closed; close it");
+  check_refusal(
+      "an open line", "squares.geojson",
+      "Cell 1 (feature 2 of 'squares.geojson', layer 'squares', id 1) "
+      "is a line from (0, 0) "
+      "to (1, 1) that is not closed; close it");
   write_file("squares.geojson",
              head + left + R"({"type": "Feature", "properties": {},
       "geometry": {"type": "Polygon", "coordinates":
       [[[5, 5], [9, 5], [9, 9], [5, 5]], [[7, 6], [8, 6], [8, 7], [7, 6]]]}}]})");
-  check_refusal("a hole", "squares.geojson",
-                "Cell 1 (feature 2 of 'squares.geojson') has a hole");
+  check_refusal(
+      "a hole", "squares.geojson",
+      "Cell 1 (feature 2 of 'squares.geojson', layer 'squares', id 1) "
+      "has a hole");
   write_file("squares.geojson",
              head + left + R"({"type": "Feature", "properties": {},
       "geometry": null}]})");
-  check_refusal("a feature without geometry", "squares.geojson",
-                "Cell 1 (feature 2 of 'squares.geojson') has no geometry");
+  check_refusal(
+      "a feature without geometry", "squares.geojson",
+      "Cell 1 (feature 2 of 'squares.geojson', layer 'squares', id 1) "
+      "has no geometry");
 }
 
 /** A drawing in mm with its scale is that in m; the units of messages are m. */

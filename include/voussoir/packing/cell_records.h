@@ -21,6 +21,11 @@ struct CellRecords
   std::string record_name = "line";
   /** For each cell the number of its record; empty if not read. */
   std::vector<unsigned int> records;
+  /**
+   * For each cell what else tells of its record, as "layer 'pier', handle 2A";
+   * the last ones, or all, may be missing.
+   */
+  std::vector<std::string> details;
 
   /** Notices to the user on how the input was understood. */
   std::vector<std::string> notices;

@@ -13,13 +13,16 @@ namespace
 {
 using dealii::Point;
 
-/** A polygon of the grid. */
+/** A polygon of the grid, or a line. */
 struct Shape
 {
   std::vector<Point<2>> ring;
   std::int32_t cell;
   std::int32_t fault;
   double size;
+  bool is_line = false;
+
+  bool can_be_drawn() const { return ring.size() > (is_line ? 1 : 2); }
 };
 
 std::int32_t number_of(const DrawingFault::Kind kind)
@@ -27,7 +30,7 @@ std::int32_t number_of(const DrawingFault::Kind kind)
   return static_cast<std::int32_t>(kind) + 1;
 }
 
-/** The cells and, over them, what overlaps and gaps cover. */
+/** The cells and, over them, what overlaps and gaps cover and open lines. */
 std::vector<Shape> shapes_of(const DrawingCheck &check)
 {
   std::vector<Shape> shapes;
@@ -42,9 +45,12 @@ std::vector<Shape> shapes_of(const DrawingCheck &check)
         shapes[c].size = fault.size;
       }
   for (const DrawingFault &fault : check.faults)
+  {
     shapes.push_back({fault.outline, -1, number_of(fault.kind), fault.size});
+    shapes.push_back({fault.line, -1, number_of(fault.kind), fault.size, true});
+  }
   shapes.erase(std::remove_if(shapes.begin(), shapes.end(),
-                              [](const Shape &s) { return s.ring.size() < 3; }),
+                              [](const Shape &s) { return !s.can_be_drawn(); }),
                shapes.end());
   return shapes;
 }
@@ -73,6 +79,12 @@ void write_drawing_check_vtu(std::ostream &out, const DrawingCheck &check)
       {ends.size(), [&ends](auto begin, auto end, std::int64_t *place) {
          std::copy(ends.begin() + begin, ends.begin() + end, place);
        }});
+  file.set_shapes([&shapes](auto begin, auto end, std::uint8_t *types) {
+    for (; begin < end; ++begin)
+      *types++ = static_cast<std::uint8_t>(shapes[begin].is_line
+                                               ? VtuFile::Shape::polyline
+                                               : VtuFile::Shape::polygon);
+  });
   const auto add = [&](const std::string &name, const auto &value) {
     VtuValues::add_cell_field(file, name, [&shapes, value](std::size_t i) {
       return VtuValues::scalar(value(shapes[i]));

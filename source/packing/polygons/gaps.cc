@@ -170,7 +170,7 @@ void look_at_neighbours(PolygonList &polygons,
   if (!nearest || nearest->distance <= limits.touching)
     return;
   DrawingFault fault = polygons.fault(
-      DrawingFault::Kind::floats, cell, polygons.polygons[cell].record,
+      DrawingFault::Kind::floats, cell,
       text("touches no other cell; the nearest is cell ", nearest->cell, ", ",
            nearest->distance, " away at ", text_of_point(nearest->place),
            nearest->distance > limits.widest
@@ -195,10 +195,10 @@ void look_around(PolygonList &polygons, const GapLimits &limits)
   {
     const unsigned int c = gap.cells[0];
     DrawingFault fault = polygons.fault(
-        DrawingFault::Kind::gap, c, polygons.polygons[c].record,
+        DrawingFault::Kind::gap, c,
         text("is ", gap.width, " apart from cell ", gap.cells[1], " (",
-             polygons.record_name, ' ', polygons.polygons[gap.cells[1]].record,
-             ") at ", text_of_point(gap.place()),
+             polygons.record_of(gap.cells[1]), ") at ",
+             text_of_point(gap.place()),
              ". Set 'Packing/polygons/Joint width' to at least that if they "
              "should touch."));
     fault.cells.push_back(gap.cells[1]);

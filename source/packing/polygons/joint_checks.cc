@@ -55,8 +55,7 @@ unsigned int cell_of_mean_size(const PolygonList &polygons, const double mean)
 /** "cell 3 (line 4)" */
 std::string name_of(const PolygonList &polygons, const unsigned int cell)
 {
-  return text("cell ", cell, " (", polygons.record_name, ' ',
-              polygons.polygons[cell].record, ")");
+  return text("cell ", cell, " (", polygons.record_of(cell), ")");
 }
 
 /** What must not cross: the strip of a joint, or a part of a block. */
@@ -135,7 +134,7 @@ DrawingFault fault_of(const PolygonList &polygons,
     sum += p;
   const unsigned int c = joint.cells[0];
   DrawingFault found = polygons.fault(
-      DrawingFault::Kind::impossible_joint, c, polygons.polygons[c].record,
+      DrawingFault::Kind::impossible_joint, c,
       text("faces ", name_of(polygons, joint.cells[1]), " across ", joint.gap,
            " at ", text_of_point(sum / static_cast<double>(joint.ring.size())),
            ", ", fault));

@@ -5,57 +5,44 @@
 #include <voussoir/packing/polygons/readers.h>
 
 #ifdef VOUSSOIR_GDAL_LIBRARY
-#include <voussoir/packing/polygons/gdal_library.h>
+#include <voussoir/packing/polygons/ogr_dataset.h>
 #endif
 
-#include <memory>
-#include <type_traits>
+#include <optional>
+#include <utility>
 
 namespace Voussoir
 {
 #ifdef VOUSSOIR_GDAL_LIBRARY
 namespace
 {
-const GdalLibrary &gdal()
+/** The number of a field; below zero if there is none. */
+int field_of(const OGRLayerH layer, const char *name)
 {
-  static const GdalLibrary library(VOUSSOIR_GDAL_LIBRARY);
-  return library;
+  return gdal().OGR_FD_GetFieldIndex(gdal().OGR_L_GetLayerDefn(layer), name);
 }
 
-/** Something of GDAL's with the function that gives it back. */
-template <typename Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, void (*)(Handle)>;
-
-/** Keeps the messages that GDAL would print, while it lives. */
-class GdalMessages
+/** What a feature has in a field; empty if nothing. */
+std::string value_of(const OGRFeatureH feature, const int field)
 {
-public:
-  GdalMessages()
-  {
-    gdal().CPLPushErrorHandlerEx(&GdalMessages::keep, this);
-    gdal().CPLErrorReset();
-  }
-  GdalMessages(const GdalMessages &) = delete;
-  ~GdalMessages() { gdal().CPLPopErrorHandler(); }
+  return field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(feature, field)
+             ? ""
+             : gdal().OGR_F_GetFieldAsString(feature, field);
+}
 
-  /** The first error, in parentheses; empty if there was none. */
-  std::string error() const
-  {
-    return first_error.empty() ? "" : " (GDAL: " + first_error + ")";
-  }
+/** A geometry as GDAL has it, and with few and many chords for its arcs. */
+struct Drawn
+{
+  OGRGeometryH usual;
+  /** Null if the format tells of its arcs. */
+  OGRGeometryH coarse, fine;
 
-  std::string first_error;
-  std::string first_warning;
-
-private:
-  static void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char *what)
+  Drawn part(const int i) const
   {
-    auto *messages =
-        static_cast<GdalMessages *>(gdal().CPLGetErrorHandlerUserData());
-    std::string &first = severity >= CE_Failure ? messages->first_error
-                                                : messages->first_warning;
-    if (severity >= CE_Warning && first.empty())
-      first = what;
+    const auto part_of = [i](const OGRGeometryH of) {
+      return of == nullptr ? nullptr : gdal().OGR_G_GetGeometryRef(of, i);
+    };
+    return {part_of(usual), part_of(coarse), part_of(fine)};
   }
 };
 
@@ -63,7 +50,8 @@ private:
 class OgrReader
 {
 public:
-  explicit OgrReader(const std::filesystem::path &file)
+  OgrReader(const std::filesystem::path &file, LayerChoice layers)
+      : layers(std::move(layers))
   {
     list.file = file;
     list.record_name = "feature";
@@ -72,18 +60,20 @@ public:
   PolygonList read()
   {
     gdal().GDALAllRegister();
-    const Owned<GDALDatasetH> dataset(
-        gdal().GDALOpenEx(list.file.c_str(),
-                          GDAL_OF_VECTOR | GDAL_OF_READONLY |
-                              GDAL_OF_VERBOSE_ERROR,
-                          nullptr, nullptr, nullptr),
-        [](const GDALDatasetH which) { gdal().GDALClose(which); });
-    if (dataset == nullptr)
+    OgrDataset dataset(list.file);
+    if (!dataset.is_open())
       refuse_file("is of no format that GDAL reads" + messages.error() +
                   "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
-    const int n_layers = gdal().GDALDatasetGetLayerCount(dataset.get());
-    for (int i = 0; i < n_layers; ++i)
-      read_layer(gdal().GDALDatasetGetLayer(dataset.get(), i));
+    is_dxf = dataset.is_dxf();
+    if (is_dxf)
+    {
+      constexpr const char *whole_turn = "360";
+      coarse.emplace(list.file, whole_turn);
+      fine.emplace(list.file, text(fine_step));
+    }
+    for (int i = 0; i < dataset.n_layers(); ++i)
+      read_layer(dataset, i);
+    layers.check(list.file.string());
     if (list.polygons.empty())
       refuse_file("has no polygons and no closed lines" + messages.error() +
                   "; a packing needs at least one.");
@@ -97,14 +87,17 @@ private:
   [[noreturn]] void refuse(const std::string &fault,
                            const Kind kind = Kind::no_polygon) const
   {
-    throw list.fault(kind, list.polygons.size(), feature, fault);
+    throw list.fault(kind, list.polygons.size(), feature, fault, detail);
   }
   /** Read a part of a feature; what has a fault counts as a cell, too. */
   template <typename Read>
   void try_to(const Read &read)
   {
     if (!list.passes(read))
+    {
       list.polygons.push_back({{}, "", feature, true});
+      list.polygons.back().detail = detail;
+    }
   }
   [[noreturn]] void refuse_file(const std::string &fault) const
   {
@@ -112,43 +105,38 @@ private:
                      fault);
   }
 
-  void read_layer(const OGRLayerH layer)
+  void read_layer(OgrDataset &dataset, const int number)
   {
-    const OGRFeatureDefnH fields = gdal().OGR_L_GetLayerDefn(layer);
+    const OGRLayerH layer = dataset.begin_layer(number);
+    for (auto *with_step : {&coarse, &fine})
+      if (*with_step)
+        (*with_step)->begin_layer(number);
+    const std::string layer_name =
+        gdal().OGR_FD_GetName(gdal().OGR_L_GetLayerDefn(layer));
+    const int layer_field = is_dxf ? field_of(layer, "Layer") : -1,
+              handle_field = is_dxf ? field_of(layer, "EntityHandle") : -1;
     int group_field = -1;
     for (const char *name : {"group", "name", "Layer"})
       if (group_field < 0)
-        group_field = gdal().OGR_FD_GetFieldIndex(fields, name);
+        group_field = field_of(layer, name);
 
-    gdal().OGR_L_ResetReading(layer);
-    for (Owned<OGRFeatureH> next(gdal().OGR_L_GetNextFeature(layer),
-                                 gdal().OGR_F_Destroy);
-         next != nullptr; next.reset(gdal().OGR_L_GetNextFeature(layer)))
+    for (auto next = dataset.next(); next != nullptr; next = dataset.next())
     {
+      const auto with_few = next_of(coarse), with_many = next_of(fine);
       ++feature;
-      group = group_field < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(next.get(),
-                                                                    group_field)
-                  ? ""
-                  : gdal().OGR_F_GetFieldAsString(next.get(), group_field);
-      const OGRGeometryH geometry = gdal().OGR_F_GetGeometryRef(next.get());
-      try_to([&] {
-        if (geometry == nullptr)
-          refuse("has no geometry" + messages.error() + "; delete it.");
-      });
-      if (geometry == nullptr)
+      const std::string name =
+          is_dxf ? value_of(next.get(), layer_field) : layer_name;
+      if (!layers.takes(name))
         continue;
-      has_z |= gdal().OGR_G_Is3D(geometry) != 0;
-      if (gdal().OGR_G_HasCurveGeometry(geometry, true))
-      {
-        has_curves = true;
-        constexpr double usual_angle = 0.;
-        const Owned<OGRGeometryH> straight(
-            gdal().OGR_G_GetLinearGeometry(geometry, usual_angle, nullptr),
-            gdal().OGR_G_DestroyGeometry);
-        read_geometry(straight.get());
-      }
-      else
-        read_geometry(geometry);
+      group = layers.group_of(name, value_of(next.get(), group_field));
+      const std::string handle = value_of(next.get(), handle_field);
+      detail = "layer '" + name + "'";
+      if (!handle.empty())
+        detail += ", handle " + handle;
+      else if (!is_dxf)
+        detail += text(", id ", gdal().OGR_F_GetFID(next.get()));
+      read_feature(
+          {geometry_of(next), geometry_of(with_few), geometry_of(with_many)});
     }
     if (!messages.first_error.empty())
       refuse_file(text("cannot be read beyond feature ", feature,
@@ -157,8 +145,31 @@ private:
                        "program that wrote it."));
   }
 
-  void read_geometry(const OGRGeometryH geometry)
+  static Owned<OGRFeatureH> next_of(std::optional<OgrDataset> &dataset)
   {
+    return dataset ? dataset->next()
+                   : Owned<OGRFeatureH>(nullptr, gdal().OGR_F_Destroy);
+  }
+
+  static OGRGeometryH geometry_of(const Owned<OGRFeatureH> &which)
+  {
+    return which == nullptr ? nullptr
+                            : gdal().OGR_F_GetGeometryRef(which.get());
+  }
+
+  void read_feature(const Drawn &drawn)
+  {
+    if (drawn.usual == nullptr)
+      return try_to([&] {
+        refuse("has no geometry" + messages.error() + "; delete it.");
+      });
+    has_z |= gdal().OGR_G_Is3D(drawn.usual) != 0;
+    read_geometry(drawn);
+  }
+
+  void read_geometry(const Drawn &drawn)
+  {
+    const OGRGeometryH geometry = drawn.usual;
     const OGRwkbGeometryType type =
         gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(geometry));
     const auto is_a = [type](const OGRwkbGeometryType other) {
@@ -169,54 +180,55 @@ private:
     else if (is_a(wkbGeometryCollection) || is_a(wkbMultiSurface) ||
              is_a(wkbPolyhedralSurface))
       for (int i = 0; i < gdal().OGR_G_GetGeometryCount(geometry); ++i)
-        read_geometry(gdal().OGR_G_GetGeometryRef(geometry, i));
-    else if (is_a(wkbPolygon))
+        read_geometry(drawn.part(i));
+    else if (is_a(wkbCurvePolygon))
       try_to([&] { read_polygon(geometry); });
-    else if (type == wkbLineString)
-      try_to([&] { read_line(geometry); });
+    else if (is_a(wkbCurve))
+      add(chain(drawn), true);
     else if (n_left_out++ == 0)
       first_left_out =
           text("feature ", feature, ", a ", gdal().OGRGeometryTypeToName(type));
   }
 
+  /** With the chords that GDAL makes of arcs in the hatches of a DXF file. */
   void read_polygon(const OGRGeometryH polygon)
   {
     if (gdal().OGR_G_GetGeometryCount(polygon) > 1)
       refuse("has a hole; a cell is one loop, so cut it into cells without "
              "holes.",
              Kind::hole);
-    add(points_of(gdal().OGR_G_GetGeometryRef(polygon, 0)));
+    add(chain_of(gdal().OGR_G_GetGeometryRef(polygon, 0)), false);
   }
 
-  void read_line(const OGRGeometryH line)
+  /** The vertices and arcs of a line. */
+  DrawnChain chain(const Drawn &line)
   {
-    const std::vector<dealii::Point<2>> points = points_of(line);
-    if (points.size() < 2 || !(points.front() == points.back()))
-      refuse("is a line from " + text_of_point(points.front()) + " to " +
-                 text_of_point(points.back()) +
-                 " that is not closed; close it, or delete it if it bounds no "
-                 "cell.",
-             Kind::not_closed);
-    add(points);
+    const DrawnChain usual = chain_of(line.usual);
+    if (usual.has_arcs() || line.coarse == nullptr || line.fine == nullptr)
+      return usual;
+    const DrawnChain drawn = chain_between(
+        chain_of(line.coarse).points, chain_of(line.fine).points, usual.points);
+    has_other_curves |= drawn.has_other_curves;
+    return drawn;
   }
 
-  static std::vector<dealii::Point<2>> points_of(const OGRGeometryH line)
+  void add(const DrawnChain &drawn, const bool is_line)
   {
-    std::vector<dealii::Point<2>> points;
-    for (int i = 0; i < gdal().OGR_G_GetPointCount(line); ++i)
-      points.emplace_back(gdal().OGR_G_GetX(line, i),
-                          gdal().OGR_G_GetY(line, i));
-    return points;
-  }
-
-  void add(std::vector<dealii::Point<2>> points)
-  {
-    if (points.size() > 1 && points.front() == points.back())
-      points.pop_back();
     PolygonList::Polygon polygon;
-    polygon.ring = std::move(points);
+    polygon.ring = drawn.points;
+    if (drawn.has_arcs())
+      polygon.bulges = drawn.bulges;
+    const bool returns =
+        polygon.ring.size() > 1 && polygon.ring.front() == polygon.ring.back();
+    polygon.is_line = is_line;
+    polygon.is_open = is_line && !returns;
+    if (returns)
+      polygon.ring.pop_back();
+    if (!polygon.bulges.empty())
+      polygon.bulges.resize(polygon.ring.size(), 0.);
     polygon.group = group;
     polygon.record = feature;
+    polygon.detail = detail;
     list.polygons.push_back(polygon);
   }
 
@@ -225,7 +237,7 @@ private:
     const std::string of_file = " of '" + list.file.string() + "' ";
     if (has_z)
       list.notices.push_back("The Z coordinates" + of_file + "are ignored.");
-    if (has_curves)
+    if (has_other_curves)
       list.notices.push_back("The curves" + of_file +
                              "are replaced by chains of straight sides.");
     if (n_left_out > 0)
@@ -240,17 +252,23 @@ private:
   }
 
   PolygonList list;
+  LayerChoice layers;
   GdalMessages messages;
+  bool is_dxf = false;
+  /** The same file with few and many chords for its arcs. */
+  std::optional<OgrDataset> coarse, fine;
   unsigned int feature = 0;
-  std::string group;
+  /** Of the feature: the group of its cells, and what names it. */
+  std::string group, detail;
   unsigned int n_left_out = 0;
   std::string first_left_out;
   bool has_z = false;
-  bool has_curves = false;
+  bool has_other_curves = false;
 };
 } // namespace
 
-PolygonList read_ogr_file(const std::filesystem::path &file)
+PolygonList read_ogr_file(const std::filesystem::path &file,
+                          const LayerChoice &layers)
 {
   if (!std::filesystem::exists(file))
     throw InputError("The file of polygons '" + file.string() +
@@ -258,12 +276,13 @@ PolygonList read_ogr_file(const std::filesystem::path &file)
                      "directory of that file.");
   // libxml2, which GDAL starts, computes 0/0 for its own NaN.
   const InvalidOperationsAllowed allowed;
-  return OgrReader(file).read();
+  return OgrReader(file, layers).read();
 }
 
 #else
 
-PolygonList read_ogr_file(const std::filesystem::path &file)
+PolygonList read_ogr_file(const std::filesystem::path &file,
+                          const LayerChoice &)
 {
   throw InputError("The file of polygons '" + file.string() +
                    "' is read through GDAL, without which Voussoir was built. "

@@ -88,12 +88,12 @@ void check_overlap(const PolygonList &polygons,
   for (const Point<2> &p : common)
     sum += p;
   const std::string place =
-      text("cell ", a.cell, " (", polygons.record_name, ' ', one.record,
-           ") at ", text_of_point(sum / static_cast<double>(common.size())));
+      text("cell ", a.cell, " (", polygons.record_of(a.cell), ") at ",
+           text_of_point(sum / static_cast<double>(common.size())));
   const bool same = are_the_same(one.ring, other.ring);
   DrawingFault fault = polygons.fault(
       same ? DrawingFault::Kind::duplicate : DrawingFault::Kind::overlap,
-      b.cell, other.record,
+      b.cell,
       same ? "is the same as " + place + "; delete one of them."
            : text("overlaps ", place, " by ", overlap, " on an area of ",
                   common_area(pieces, a.cell, b.cell),

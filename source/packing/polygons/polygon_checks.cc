@@ -28,7 +28,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Ring = std::vector<Point<2>>;
 using Kind = DrawingFault::Kind;
 
-/** The automatic matching tolerance relative to the mean size of a cell. */
+/** The automatic matching tolerance relative to the mean size of what is drawn.
+ */
 constexpr double relative_tolerance = 1e-10;
 
 /** The error of coordinates from another program, in units of rounding. */
@@ -60,7 +61,7 @@ double largest_coordinate(const PolygonList &polygons)
 {
   double largest = 0.;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
-    if (!polygon.is_broken)
+    if (!polygon.is_broken && polygon.is_finite())
       for (const Point<2> &p : polygon.ring)
         largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
   return largest;
@@ -248,10 +249,15 @@ double mean_size(const PolygonList &polygons)
   return std::sqrt(area / std::max(n, 1u));
 }
 
+double tolerance_of(const PolygonList &polygons, const double size)
+{
+  return std::max(relative_tolerance * size,
+                  n_units_of_rounding * largest_coordinate(polygons));
+}
+
 double automatic_tolerance(const PolygonList &polygons)
 {
-  return std::max(relative_tolerance * mean_size(polygons),
-                  n_units_of_rounding * largest_coordinate(polygons));
+  return tolerance_of(polygons, mean_size(polygons));
 }
 
 void check_tolerance(PolygonList &polygons, const double tolerance)

@@ -35,23 +35,42 @@ void name_groups(const PolygonList &polygons, CellLoops &cells)
 }
 } // namespace
 
+bool PolygonList::Polygon::is_finite() const
+{
+  return std::all_of(ring.begin(), ring.end(), [](const dealii::Point<2> &p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]);
+  });
+}
+
 bool PolygonList::Polygon::is_drawable() const
 {
-  return ring.size() > 2 &&
-         std::all_of(ring.begin(), ring.end(), [](const dealii::Point<2> &p) {
-           return std::isfinite(p[0]) && std::isfinite(p[1]);
-         });
+  return ring.size() > 2 && is_finite();
 }
 
 DrawingFault PolygonList::fault(const DrawingFault::Kind kind,
                                 const unsigned int cell,
                                 const unsigned int record,
-                                const std::string &fault) const
+                                const std::string &fault,
+                                const std::string &detail) const
 {
   return {kind,
           {cell},
-          text("Cell ", cell, " (", record_name, ' ', record, " of '",
-               file.string(), "') ", fault)};
+          text("Cell ", cell, " (", named(record, detail, true), ") ", fault)};
+}
+
+std::string PolygonList::record_of(const unsigned int cell,
+                                   const bool with_file) const
+{
+  return named(polygons[cell].record, polygons[cell].detail, with_file);
+}
+
+std::string PolygonList::named(const unsigned int record,
+                               const std::string &detail,
+                               const bool with_file) const
+{
+  return text(record_name, ' ', record,
+              with_file ? " of '" + file.string() + "'" : "",
+              detail.empty() ? "" : ", ", detail);
 }
 
 void PolygonList::refuse_faults() const
@@ -60,8 +79,9 @@ void PolygonList::refuse_faults() const
     return;
   DrawingCheck check;
   for (const Polygon &polygon : polygons)
-    check.rings.push_back(polygon.is_drawable() ? polygon.ring
-                                                : decltype(polygon.ring)());
+    check.rings.push_back(polygon.is_drawable() && !polygon.is_open
+                              ? polygon.ring
+                              : decltype(polygon.ring)());
   check.faults = faults;
   throw DrawingRefused(file.string(), std::move(check));
 }
@@ -105,7 +125,14 @@ void hand_on_records(const PolygonList &polygons, CellLoops &cells)
   name_groups(polygons, cells);
   cells.file = polygons.file.string();
   for (const PolygonList::Polygon &polygon : polygons.polygons)
+  {
     cells.records.push_back(polygon.record);
+    if (!polygon.detail.empty())
+    {
+      cells.details.resize(cells.records.size());
+      cells.details.back() = polygon.detail;
+    }
+  }
   cells.record_name = polygons.record_name;
   cells.notices.insert(cells.notices.begin(), polygons.notices.begin(),
                        polygons.notices.end());

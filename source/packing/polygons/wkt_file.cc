@@ -249,13 +249,11 @@ private:
         refuse_line("has the vertex " + text_of_point(p) +
                         "; coordinates must be finite.",
                     Kind::bad_vertex);
-    if (ring.size() == 1 || !(ring.front() == ring.back()))
-      refuse_line("is not closed: it ends at " + text_of_point(ring.back()) +
-                      "; repeat its first vertex " +
-                      text_of_point(ring.front()) + " at the end.",
-                  Kind::not_closed);
-    ring.pop_back();
+    const bool returns = ring.size() > 1 && ring.front() == ring.back();
+    if (returns)
+      ring.pop_back();
     list.polygons.push_back({ring, group, line});
+    list.polygons.back().is_open = !returns;
   }
 
   PolygonList list;

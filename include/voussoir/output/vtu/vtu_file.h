@@ -30,6 +30,7 @@ public:
   {
     vertex = 1,        /**< a point */
     line = 3,          /**< two points */
+    polyline = 4,      /**< any number of points, in a row */
     polygon = 7,       /**< any number of points, around it */
     quadrilateral = 9, /**< four points, around it */
     tetrahedron = 10,  /**< four points, the last above the others */
@@ -70,6 +71,12 @@ public:
   static VtuFile separate(Shape shape,
                           const Items<double> &points,
                           const Items<std::int64_t> &ends);
+
+  /** Let the cells have shapes of their own: VTK's numbers for these. */
+  void set_shapes(const Fill<std::uint8_t> &shapes)
+  {
+    cells[2] = make_array("types", 1, number_of_cells(), shapes);
+  }
 
   /**
    * A grid of polyhedra that share no points, as separate().

@@ -51,16 +51,24 @@ public:
   Kind kind;
   /** The cells that have it. */
   std::vector<unsigned int> cells;
-  /** The depth of an overlap, the width of a gap or joint, a length; else 0. */
+  /**
+   * The depth of an overlap, the width of a gap or joint, the distance between
+   * the ends of an open line, a length; else 0.
+   */
   double size = 0.;
   /** What an overlap, a gap or a joint covers, counterclockwise; lengths. */
   std::vector<dealii::Point<2>> outline = {};
+  /** The vertices of a line that is open; lengths. */
+  std::vector<dealii::Point<2>> line = {};
 };
 
 /** What a drawing shows, and what is wrong with it. */
 struct DrawingCheck
 {
-  /** The vertices of each cell, empty where they cannot be drawn; lengths. */
+  /**
+   * The vertices of each cell, empty where they cannot be drawn or are those of
+   * an open line; lengths.
+   */
   std::vector<std::vector<dealii::Point<2>>> rings;
   /** All that was found. */
   std::vector<DrawingFault> faults;

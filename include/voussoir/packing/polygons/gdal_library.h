@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_polygons_gdal_library_h
 #define voussoir_packing_polygons_gdal_library_h
 
+#include <cpl_conv.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <string>
@@ -40,30 +41,33 @@ public:
   decltype(::name) *const name = find<decltype(::name)>(#name)
   VOUSSOIR_OF_GDAL(CPLErrorReset);
   VOUSSOIR_OF_GDAL(CPLGetErrorHandlerUserData);
+  VOUSSOIR_OF_GDAL(CPLGetThreadLocalConfigOption);
   VOUSSOIR_OF_GDAL(CPLPopErrorHandler);
   VOUSSOIR_OF_GDAL(CPLPushErrorHandlerEx);
+  VOUSSOIR_OF_GDAL(CPLSetThreadLocalConfigOption);
   VOUSSOIR_OF_GDAL(GDALAllRegister);
   VOUSSOIR_OF_GDAL(GDALClose);
   VOUSSOIR_OF_GDAL(GDALDatasetGetLayer);
   VOUSSOIR_OF_GDAL(GDALDatasetGetLayerCount);
+  VOUSSOIR_OF_GDAL(GDALGetDatasetDriver);
+  VOUSSOIR_OF_GDAL(GDALGetDriverShortName);
   VOUSSOIR_OF_GDAL(GDALOpenEx);
   VOUSSOIR_OF_GDAL(OGRGeometryTypeToName);
   VOUSSOIR_OF_GDAL(OGR_FD_GetFieldIndex);
+  VOUSSOIR_OF_GDAL(OGR_FD_GetName);
   VOUSSOIR_OF_GDAL(OGR_F_Destroy);
+  VOUSSOIR_OF_GDAL(OGR_F_GetFID);
   VOUSSOIR_OF_GDAL(OGR_F_GetFieldAsString);
   VOUSSOIR_OF_GDAL(OGR_F_GetGeometryRef);
   VOUSSOIR_OF_GDAL(OGR_F_IsFieldSetAndNotNull);
   VOUSSOIR_OF_GDAL(OGR_GT_Flatten);
   VOUSSOIR_OF_GDAL(OGR_GT_IsSubClassOf);
-  VOUSSOIR_OF_GDAL(OGR_G_DestroyGeometry);
   VOUSSOIR_OF_GDAL(OGR_G_GetGeometryCount);
   VOUSSOIR_OF_GDAL(OGR_G_GetGeometryRef);
   VOUSSOIR_OF_GDAL(OGR_G_GetGeometryType);
-  VOUSSOIR_OF_GDAL(OGR_G_GetLinearGeometry);
   VOUSSOIR_OF_GDAL(OGR_G_GetPointCount);
   VOUSSOIR_OF_GDAL(OGR_G_GetX);
   VOUSSOIR_OF_GDAL(OGR_G_GetY);
-  VOUSSOIR_OF_GDAL(OGR_G_HasCurveGeometry);
   VOUSSOIR_OF_GDAL(OGR_G_Is3D);
   VOUSSOIR_OF_GDAL(OGR_G_IsEmpty);
   VOUSSOIR_OF_GDAL(OGR_L_GetLayerDefn);

@@ -21,6 +21,12 @@ void check_and_orient(PolygonList &polygons);
 double mean_size(const PolygonList &polygons);
 
 /**
+ * 1e-10 of @p size, a length, or 16 units of rounding of the largest coordinate
+ * if that is more: the tolerance for coordinates that are right to rounding.
+ */
+double tolerance_of(const PolygonList &polygons, double size);
+
+/**
  * The matching tolerance for coordinates that are right to rounding; a length.
  * It is 1e-10 of the mean size of a cell, or 16 units of rounding of the
  * largest coordinate if that is more. A random Voronoi packing of a million

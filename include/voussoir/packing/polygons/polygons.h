@@ -3,6 +3,8 @@
 #define voussoir_packing_polygons_polygons_h
 
 #include <voussoir/packing/generators/generator.h>
+#include <voussoir/packing/polygons/drawn_lines.h>
+#include <voussoir/packing/polygons/layer_choice.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
 #include <optional>
@@ -29,10 +31,18 @@ public:
   void give(PolygonList polygons) { given = std::move(polygons); }
 
 private:
+  /** What the file has, as it is drawn. */
+  PolygonList read(const std::filesystem::path &directory) const;
+  /** Make rings of straight sides of it, in the unit of the scene. */
+  void make_rings(PolygonList &polygons) const;
+
   std::optional<PolygonList> given;
   std::string file;
   std::string centres_file;
   double scale = 1.;
+  std::string layers, layer_groups;
+  OpenLines lines = OpenLines::refuse;
+  double arc_tolerance = 0.;
   double tolerance = 0.;
   double joint_width = 0.;
   double joint_angle = 15.;
@@ -41,8 +51,11 @@ private:
 /**
  * Read a file in the format that the extension of its name tells: .wkt and .txt
  * by read_wkt_file(), .off by read_off_file(), all else by read_ogr_file().
+ *
+ * @throws InputError also if @p layers asks for some of a file without layers.
  */
-PolygonList read_polygons(const std::filesystem::path &file);
+PolygonList read_polygons(const std::filesystem::path &file,
+                          const LayerChoice &layers = {});
 } // namespace Voussoir
 
 #endif

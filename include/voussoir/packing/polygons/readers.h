@@ -2,6 +2,7 @@
 #ifndef voussoir_packing_polygons_readers_h
 #define voussoir_packing_polygons_readers_h
 
+#include <voussoir/packing/polygons/layer_choice.h>
 #include <voussoir/packing/polygons/polygon_list.h>
 
 namespace Voussoir
@@ -24,8 +25,10 @@ namespace Voussoir
  * and a superfluous one for the next vertex, so the ordinates are counted
  * before.
  *
+ * Rings whose last vertex is not the first one stay open; see close_rings().
+ *
  * @throws InputError naming the line and the cell if a line is anything else,
- *   a polygon has a hole or is not closed, or the file has no polygon.
+ *   a polygon has a hole, or the file has no polygon.
  */
 PolygonList read_wkt_file(const std::filesystem::path &file);
 
@@ -43,18 +46,22 @@ PolygonList read_off_file(const std::filesystem::path &file);
  * Read polygons from whatever GDAL/OGR reads: DXF, GeoJSON, GeoPackage,
  * Shapefile, CSV with a column WKT, and others.
  *
- * A feature that is a polygon or a closed line gives one cell, one of several
- * polygons gives as many. Its group is the value of the field "group", or else
- * "name", or else "Layer", which is the layer of a DXF file. Features are
- * counted from one in the order of the file, over all its layers. Features that
- * bound no area, such as points and texts, are left out with a notice; Z is
- * ignored and curves become chains of sides, each with a notice.
+ * A feature that is a polygon or a line gives one cell, one of several polygons
+ * gives as many; lines that are not closed stay open, see close_rings(). Its
+ * group is the value of the field "group", or else "name", or else "Layer",
+ * which is the layer of a DXF file, unless @p layers names another. Features
+ * are counted from one in the order of the file, over all its layers. Features
+ * that bound no area, such as points and texts, are left out with a notice; Z
+ * is ignored with one. Arcs are bulges, and other curves become chains of sides
+ * with a notice.
  *
+ * @param layers that are read.
  * @throws InputError naming the feature and the cell if the file cannot be
- *   read, a line is not closed, a polygon has a hole, or there is no polygon;
- *   and for every file if Voussoir was built without GDAL.
+ *   read, a polygon has a hole, there is no polygon, or @p layers names one
+ *   that is not there; and for every file if Voussoir was built without GDAL.
  */
-PolygonList read_ogr_file(const std::filesystem::path &file);
+PolygonList read_ogr_file(const std::filesystem::path &file,
+                          const LayerChoice &layers);
 } // namespace Voussoir
 
 #endif
