@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
-#include <voussoir/output/report/sections.h>
+#include <voussoir/output/report/verdict.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
 #include <voussoir/run/analysis_run.h>
@@ -10,6 +10,17 @@
 
 namespace Voussoir
 {
+namespace
+{
+/** What the page says before all else. */
+std::string sentence_of(const RunResult &result, const UnitNames &names)
+{
+  const auto *const carried = std::get_if<Results>(&result.found);
+  return carried ? verdict_of(*carried, names).sentence
+                 : verdict_of(std::get<Collapse>(result.found)).sentence;
+}
+} // namespace
+
 AnalysisRun::AnalysisRun(Terminal &terminal, const ProcessGroup &processes)
     : Run(terminal), processes(processes),
       analysis(terminal, this->processes, timer),
@@ -58,8 +69,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
         [&](auto &of) { return writer.write(*files, of, prm); }, result.found);
   outcome.summary =
       std::visit([](const auto &of) { return summary_of(of); }, result.found);
-  outcome.verdict =
-      std::visit([](const auto &of) { return verdict_of(of); }, result.found);
+  outcome.verdict = sentence_of(result, writer.unit_names());
   return outcome;
 }
 
