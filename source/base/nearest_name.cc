@@ -22,7 +22,13 @@ std::vector<std::string> nearest(const std::string &name,
   std::vector<std::string> found;
   for (const std::string &text : texts)
   {
-    const unsigned int distance = edit_distance(name, part(text));
+    const std::string other = part(text);
+    // As many letters are wrong at least; a name may be a whole file.
+    if (std::max(name.size(), other.size()) -
+            std::min(name.size(), other.size()) >
+        least)
+      continue;
+    const unsigned int distance = edit_distance(name, other);
     if (distance >= name.size())
       continue;
     if (distance < least)

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 namespace Voussoir
@@ -108,14 +109,24 @@ EarlierRun::Origin EarlierRun::read_summary() const
   if (!in || fs::is_directory(file))
     refuse("there is no " + summary_json + ".");
   Origin found;
+  const auto count_in = [&](const nlohmann::json &tree, const char *key) {
+    const nlohmann::json &value = tree.at(key);
+    // Of any other number the conversion may be undefined.
+    if (!value.is_number_unsigned() ||
+        value > std::numeric_limits<unsigned int>::max())
+      refuse(text("its ", summary_json, " has no number of things for '", key,
+                  "'."));
+    return value.get<unsigned int>();
+  };
   try
   {
     const nlohmann::json summary = nlohmann::json::parse(in);
     if (summary.at("status") == Status{Status::Kind::collapse, 0.}.word())
       refuse("that run found that the load is not carried, so that there are "
              "no forces.");
-    summary.at("packing").at("cells").get_to(found.n_cells);
-    summary.at("packing").at("interfaces").get_to(found.n_interfaces);
+    const nlohmann::json &packing = summary.at("packing");
+    found.n_cells = count_in(packing, "cells");
+    found.n_interfaces = count_in(packing, "interfaces");
     summary.at("formulation").get_to(found.record.formulation);
     summary.at("selection").get_to(found.record.selection);
     const nlohmann::json &solver = summary.at("solver");
@@ -125,8 +136,8 @@ EarlierRun::Origin EarlierRun::read_summary() const
     found.record.outcome = "read from '" + directory.string() + "'";
     solver.at(read ? "earlier_outcome" : "outcome")
         .get_to(found.record.earlier_outcome);
-    solver.at("iterations").get_to(found.record.n_iterations);
-    solver.at("evaluations").get_to(found.record.n_evaluations);
+    found.record.n_iterations = count_in(solver, "iterations");
+    found.record.n_evaluations = count_in(solver, "evaluations");
     if (solver.contains("correction"))
       found.correction = solver.at("correction").get<double>();
   }

@@ -9,7 +9,6 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
-#include <regex>
 
 namespace Voussoir
 {
@@ -44,11 +43,12 @@ std::vector<unsigned int> cells_of_name(const Packing<dim> &packing,
                                         const std::string &name,
                                         const std::string &parameter)
 {
-  std::smatch match;
-  unsigned int number = 0;
-  if (std::regex_match(name, match, std::regex("cell +([0-9]+)")))
+  if (const std::size_t blank = name.rfind(' ');
+      blank != name.npos && is_name_of_cell(name))
   {
-    if (!boost::conversion::try_lexical_convert(match[1].str(), number) ||
+    unsigned int number = 0;
+    if (!boost::conversion::try_lexical_convert(name.substr(blank + 1),
+                                                number) ||
         number >= packing.n_cells())
       throw InputError(text("The parameter '", parameter, "' names '", name,
                             "', but the cells have the numbers from 0 to ",

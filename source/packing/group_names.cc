@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/printable.h>
 #include <voussoir/packing/group_names.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/regex/pending/unicode_iterator.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <regex>
-#include <stdexcept>
 
 namespace Voussoir
 {
@@ -19,27 +17,6 @@ const std::string ground_name = "ground";
 
 namespace
 {
-bool is_utf8(const std::string &name)
-{
-  using Iterator = boost::u8_to_u32_iterator<std::string::const_iterator>;
-  try
-  {
-    Iterator letter(name.begin(), name.begin(), name.end());
-    const Iterator end(name.end(), name.begin(), name.end());
-    while (letter != end)
-      ++letter;
-  }
-  catch (const std::out_of_range &)
-  {
-    return false;
-  }
-  return true;
-}
-bool is_control(const unsigned char letter)
-{
-  return letter < ' ' || letter == 0x7f;
-}
-
 /** True if a colon follows that is not the one of a conditional, "a ? b : c".
  */
 bool begins_with_name(const std::string &text)
@@ -65,6 +42,15 @@ std::vector<std::string> split_elements(const std::string &list,
 }
 } // namespace
 
+bool is_name_of_cell(const std::string &name)
+{
+  // Not by std::regex, which takes a stack as deep as the name is long.
+  const std::string cell = "cell";
+  const std::size_t digits = name.find_first_not_of(' ', cell.size());
+  return name.compare(0, cell.size(), cell) == 0 && digits < name.size() &&
+         name.find_first_not_of("0123456789", digits) == name.npos;
+}
+
 std::string quoted_group_name(const std::string &name)
 {
   std::string shown = name;
@@ -84,7 +70,7 @@ std::string fault_of_group_name(const std::string &name)
     return "is empty";
   if (name == ground_name)
     return "is the name of what supports the packing";
-  if (std::regex_match(name, std::regex("cell *[0-9]+")))
+  if (is_name_of_cell(name))
     return "stands for a cell by its number";
   if (std::any_of(name.begin(), name.end(), separates))
     return "has a comma, semicolon, colon, quote or control character";

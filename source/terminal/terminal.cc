@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/printable.h>
 #include <voussoir/terminal/terminal.h>
 
 #include <iomanip>
@@ -45,7 +46,7 @@ void Terminal::stage(const std::string &name, const std::string &found)
   if (in_progress)
     in_progress->end();
   if (verbosity() >= 1)
-    line(name, found);
+    line(name, printable(found));
 }
 
 void Terminal::iteration(const std::string &solver, const std::string &state)
@@ -63,7 +64,7 @@ void Terminal::warning(const std::string &message)
   // Padded here, since the width of a colour is not that of its characters.
   const std::string name = "Warning";
   line(screen.doubtful(name) + std::string(name_width - name.size(), ' '),
-       message);
+       printable(message));
 }
 
 void Terminal::summary(const std::string &name, const std::string &value)

@@ -43,6 +43,11 @@ void run()
   check("of whole texts",
         nearest_texts("Load/Stress", paths) == Names{"Loads/Stress"} &&
             nearest_texts("Stress", paths).empty());
+  // Letter by letter this would take many minutes.
+  check("none of a name as long as a file",
+        nearest_names(std::string(100000000, 'x'),
+                      std::vector<std::string>(300, paths[0]))
+            .empty());
   check("none", nearest_names("Elasticity", paths).empty() &&
                     nearest_names("x", paths).empty());
 }

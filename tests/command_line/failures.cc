@@ -55,6 +55,11 @@ void parameter_texts()
   run_text(wall + "  Width 4\n end\nend\n");
   run_text(wall + "  set Width 4 # m\n end\nend\n");
   run_text(wall + "  set Widht 4\n end\nend\n");
+  std::string sections; // of which a copy for each line takes many minutes
+  for (unsigned int k = 0; k < 300000; ++k)
+    sections += "subsection a\n";
+  run_text(sections);
+  run_text("set \x1b[2J = \xff\n");
   run_text(wall + " end\n");
   run_text(wall);
   run_text(wall + " end\nsubsection Loads\nend\n");
@@ -88,6 +93,8 @@ void run()
   run({"--set"});
   run_with("");
   fs::remove_all("output");
+  run({"scene.prm", "--nonsense%original_token%"});
+  run({"scene.prm", "--quiet=%original_token%"});
   run({"scene.prm", "--set", "nonsense"});
   run({"scene.prm", "--set", "Friction/Strenght=1"});
   run({"scene.prm", "--set", "Frictions/Strength=1"});

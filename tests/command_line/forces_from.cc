@@ -209,6 +209,12 @@ void failures(const std::string &scene)
   });
   refused(scene, [] { std::ofstream("bad/summary.json") << "{}\n"; });
   refused(scene, [] { std::ofstream("bad/summary.json") << "{ \"a\""; });
+  for (const char *const no_count : {"1e300", "-1", "2.5", "\"12\""})
+    refused(scene, [&] {
+      auto summary = read_summary("bad");
+      summary["packing"]["cells"] = nlohmann::json::parse(no_count);
+      std::ofstream("bad/summary.json") << summary;
+    });
   refused(scene, [&] {
     run(scene,
         "Output directory=bad | Loads/Traction=ny; 0 | Friction/Strength=0.5");

@@ -140,6 +140,33 @@ void try_faults()
   of_xml("<ParameterHandler>\n", "<Parameters>\n");
   of_xml(">wall<", ">wal<");
   show_fault("fault.xml", "<a></a>", "a", "b");
+
+  // Whatever hides their number from a count of braces or tags.
+  const auto repeated = [](const std::string &level, const unsigned int n) {
+    std::string all;
+    for (unsigned int k = 0; k < n; ++k)
+      all += level;
+    return all;
+  };
+  constexpr unsigned int n_levels = 100000;
+  write_file("fault.json", repeated("{\"}\\\"}\": ", n_levels));
+  std::cout << run_with({"fault.json"});
+  for (const std::string level :
+       {"<a>", "<a b=\"/>\">", "<a b = '</a>' c='\"'>", "<a\" b='/>'>", "<a>/>",
+        "<a><!--</a>-->", "<a><![CDATA[</a>]]>", "<a><?</a>?>",
+        "<a><!DOCTYPE [</a>] >", "<a><!b </a>"})
+  {
+    write_file("fault.xml", "<ParameterHandler>" + repeated(level, n_levels));
+    std::cout << run_with({"fault.xml"});
+  }
+  // And what is not deep, however long.
+  write_file("long.xml",
+             "<?xml version='1.0'?><!DOCTYPE a [<!ENTITY b '>'>]>"
+             "<ParameterHandler>" +
+                 repeated("<Title at=\"'>\" >a</Title ><Title/>", 1000) +
+                 "<Title>b</Title></ParameterHandler>");
+  check("a long file",
+        run_with({"long.xml", "--print-settings"}) == "set Title = b\n");
 }
 
 void run()

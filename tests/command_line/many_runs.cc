@@ -4,6 +4,8 @@
 // the search ends around a limit that is known, and what is wrong ends with a
 // message and no file.
 
+#include <voussoir/run/sweep/sweep_values.h>
+
 #include "own_directory.h"
 #include "run_scene.h"
 #include "table.h"
@@ -325,6 +327,25 @@ void check_inputs()
   check("it is kept", lines_of("output/run_2/packing.wkt").size() == 2);
 }
 
+/** Texts may be lists of as many numbers as there are joints. */
+void check_long_lists()
+{
+  std::string list = "list 0", a = "a";
+  for (unsigned int k = 0; k < 200000; ++k)
+  {
+    list += ", 1";
+    a += "_a";
+  }
+  const SweepAxis axis = read_sweep_axis("Friction/Strength=" + list + " | 2");
+  check("a long list", axis.values[0] == list);
+  const SweepAxis words =
+      read_sweep_axis("Loads/Body force=-" + a + ";" + a + "_;" + list +
+                      " for " + a + " = -1:2:4");
+  check("a long word", words.of.variable == a &&
+                           words.of.assignment("-1") ==
+                               "Loads/Body force=-(-1);" + a + "_;" + list);
+}
+
 void run()
 {
   work_in_own_directory();
@@ -338,6 +359,7 @@ void run()
   check_directories();
   check_both_ends();
   // From below collapses, then carries; from below carries, then collapses.
+  check_long_lists();
   check_search({"Friction/Strength=0:10:1e-6"}, 0.5, "collapse", "solved");
   check_search({"Packing/wall/Height=1:10", "Rotations=true"}, 4., "solved",
                "collapse");
@@ -349,6 +371,8 @@ void run()
        {"Friction/Strength", "Friction/Strength=1:2", "Friction/Strength=1:2:1",
         "Friction/Strength=1:2:x", "Friction/Strength=0:2:3:log", "=1 | 2"})
     run_scene({"--sweep", wrong});
+  run_scene({"--sweep", "Friction/Strength=1:2:1000", "--sweep",
+             "Packing/wall/Height=1:2:1000"});
   for (const char *wrong : {"Friction/Strength=1", "Friction/Strength=2:1",
                             "Friction/Strength=1:2:2"})
     run_scene({"--find", wrong});

@@ -39,6 +39,13 @@ void run()
   for (const std::string name :
        {"ground", "cell 3", "cell3", "a,b", "a\"b", "tab\tname", "caf\xe9"})
     show_refusal([&] { assign_groups(packing, name + ": 1"); });
+  const std::string zeros(1000000, '0');
+  check("a cell with many digits",
+        fault_of_group_name("cell" + zeros) == fault_of_group_name("cell 3") &&
+            cells_of_name(packing, "cell  " + zeros + "7", "Test") ==
+                std::vector<unsigned int>{7});
+  show_refusal([&] { cells_of_name(packing, "cell 99", "Test"); });
+  show_refusal([&] { cells_of_name(packing, "cell99", "Test"); });
   show_refusal([&] { check_group_name("a:b"); });
   show_refusal([&] { check_group_name("a;b"); });
   show_refusal([&] { check_group_name(std::string("a\0b", 3)); });

@@ -175,6 +175,14 @@ void test_ply()
   refuse("a.ply", head + "end_header\n" + vertices + "-3 0 1 2\n");
   refuse("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
                   "property double x\nend_header\nabcdefgh");
+  for (const std::string faces : {"1\n", "4\n"})
+    refuse("a.ply", "ply\nformat ascii 1.0\nelement face " + faces +
+                        "property list uchar int vertex_indices\n"
+                        "end_header\n0 0 0 0\n");
+  std::string many = "ply\nformat ascii 1.0\n"; // to be counted, each, else
+  for (unsigned int k = 0; k < 200000; ++k)
+    many += "element a 3000000\n";
+  refuse("a.ply", many + "end_header\n");
 }
 
 void test_stl()
@@ -202,6 +210,9 @@ void test_compas()
   refuse("a.json", "{}");
   refuse("a.json", "[[], {}, 3, null]");
   refuse("a.json", std::string(40, '[') + std::string(40, ']'));
+  refuse("a.json", "{\"vertex\": [[" + std::string(100000, '[') +
+                       std::string(100000, ']') +
+                       ", 0, 0]], \"face\": [[0, 0, 0]]}");
   refuse("a.json", "{\"data\": {\"params\": {}}}");
   refuse("a.json", "{" + vertices + ", \"face\": {}}");
   refuse("a.json",
@@ -240,6 +251,9 @@ void test_tess()
   refuse("a.tess", head + one + " **face\n 1\n 1 3 1 1\n");
   refuse("a.tess", head + one + " **face\n 1\n 1 1 1\n 1 1\n 0 0 0 1\n");
   refuse("a.tess", head + one + " **polyhedron\n 1\n 1 2 1 -2\n");
+  refuse("a.tess", head + one +
+                       " **face\n 1\n 1 1 1\n 1 1\n 0 0 0 1\n 0\n"
+                       " **polyhedron\n 1\n 1 3 1 1 -1\n");
 }
 
 void test_generator()

@@ -134,6 +134,9 @@ void run()
        {"1.35", "dead lorry", "dead +", "+ + dead", "1.2.3 dead", "1e999 dead",
         "dead, lorry", "2 3 dead"})
     show_refusal([&] { show_combination(combination); });
+  const std::string letters(1000000, 'a'), blanks(1000000, ' ');
+  check("long ones",
+        combination_of_text("2" + blanks + letters, "here")[0].name == letters);
   same_as_sum();
   in_the_program();
 }

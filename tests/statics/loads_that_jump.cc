@@ -8,6 +8,7 @@
 #include <voussoir/base/text.h>
 #include <voussoir/contact/friction_parameters.h>
 #include <voussoir/scene/loads/loads.h>
+#include <voussoir/scene/loads/segment_tractions.h>
 #include <voussoir/scene/supports.h>
 #include <voussoir/stress/cell_means.h>
 
@@ -219,6 +220,11 @@ void check_segments()
     show_refusal([&] {
       loads_on(on_ground, std::string("set Segment tractions = ") + bad);
     });
+  const std::string blanks(1000000, ' ');
+  check("far apart",
+        segment_tractions_of_text(
+            "0, 1" + blanks + "to" + blanks + "1, 1: 0, -1", "here")[0]
+                .end == Point<2>(1., 1.));
 }
 
 void check_warnings()

@@ -2,7 +2,10 @@
 #ifndef voussoir_base_exceptions_h
 #define voussoir_base_exceptions_h
 
+#include <voussoir/base/printable.h>
+
 #include <stdexcept>
+#include <string>
 
 namespace Voussoir
 {
@@ -13,7 +16,10 @@ namespace Voussoir
 class InputError : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  /** @param message that may quote whatever the input has; see printable(). */
+  explicit InputError(const std::string &message)
+      : std::runtime_error(printable(message))
+  {}
 };
 
 /**

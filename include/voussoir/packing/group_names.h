@@ -18,6 +18,10 @@ extern const std::string ground_name;
  */
 std::string fault_of_group_name(const std::string &name);
 
+/** True if @p name stands for a cell by its number, as "cell 12" or "cell12".
+ */
+bool is_name_of_cell(const std::string &name);
+
 /** The name in quotes for a message, with ? for what cannot be shown. */
 std::string quoted_group_name(const std::string &name);
 

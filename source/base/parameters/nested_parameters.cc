@@ -11,6 +11,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -24,23 +25,111 @@ using Nested = boost::property_tree::ptree;
 /** Far more than there are sections in sections. */
 constexpr unsigned int most_levels = 100;
 
-/** True if there are more, for which boost's readers would call themselves. */
-bool is_too_deep(const std::string &text, const bool is_xml)
+/** Behind a string of JSON that begins at @p k. */
+std::size_t behind_string(const std::string &text, std::size_t k)
+{
+  for (++k; k < text.size() && text[k] != '"'; ++k)
+    k += text[k] == '\\';
+  return std::min(k + 1, text.size());
+}
+
+/** True if braces are deeper in one another than that. */
+bool is_too_deep_json(const std::string &text)
 {
   unsigned int depth = 0;
-  for (std::size_t k = 0; k < text.size(); ++k)
+  for (std::size_t k = 0; k < text.size();)
   {
-    const char next = k + 1 < text.size() ? text[k + 1] : '\0';
-    const bool opens =
-        is_xml ? text[k] == '<' && next != '/' && next != '!' && next != '?'
-               : text[k] == '{' || text[k] == '[';
-    const bool closes = is_xml ? (text[k] == '<' && next == '/') ||
-                                     (text[k] == '/' && next == '>')
-                               : text[k] == '}' || text[k] == ']';
-    if (opens && ++depth > most_levels)
+    if (text[k] == '"') // braces in it need not be in pairs
+    {
+      k = behind_string(text, k);
+      continue;
+    }
+    if ((text[k] == '{' || text[k] == '[') && ++depth > most_levels)
       return true;
-    if (closes && depth > 0)
+    if ((text[k] == '}' || text[k] == ']') && depth > 0)
       --depth;
+    ++k;
+  }
+  return false;
+}
+
+/** Behind the next @p end from @p k on. */
+std::size_t
+behind(const std::string &text, const std::string &end, const std::size_t k)
+{
+  const std::size_t begin = text.find(end, k);
+  return begin == text.npos ? text.size() : begin + end.size();
+}
+
+/** The end of the tag that begins at @p k, or what is no tag in its place. */
+std::size_t end_of_tag(const std::string &text, std::size_t k)
+{
+  // The names that boost's reader accepts, since more or less would be a way to
+  // hide a level.
+  const char *const blanks = " \t\r\n";
+  const auto skip_to = [&](const std::size_t to) {
+    k = std::min(to, text.size());
+    return k < text.size() ? text[k] : '>';
+  };
+  const auto skip_blanks = [&] {
+    return skip_to(text.find_first_not_of(blanks, k));
+  };
+  skip_to(text.find_first_of(" \t\r\n/>?", k));
+  while (std::strchr("/<>=?!", skip_blanks()) == nullptr)
+  {
+    skip_to(text.find_first_of(" \t\r\n/<>=?!", k));
+    if (skip_blanks() != '=')
+      break;
+    ++k;
+    const char quote = skip_blanks();
+    if (quote != '"' && quote != '\'')
+      break;
+    skip_to(behind(text, std::string(1, quote), k + 1));
+  }
+  return k;
+}
+
+/** Behind the declaration of a type that begins at @p k. */
+std::size_t behind_type(const std::string &text, std::size_t k)
+{
+  for (unsigned int n_open = 0;
+       k < text.size() && (text[k] != '>' || n_open > 0); ++k)
+    n_open += (text[k] == '[') - (text[k] == ']' && n_open > 0);
+  return k;
+}
+
+/** True if elements are deeper in one another than that. */
+bool is_too_deep_xml(const std::string &text)
+{
+  unsigned int depth = 0;
+  for (std::size_t k = 0; (k = text.find('<', k)) < text.size();)
+  {
+    const auto begins = [&](const std::string &with) {
+      return text.compare(k, with.size(), with) == 0;
+    };
+    if (begins("<!--"))
+      k = behind(text, "-->", k + 4);
+    else if (begins("<![CDATA["))
+      k = behind(text, "]]>", k);
+    else if (begins("<!DOCTYPE"))
+      k = behind_type(text, k);
+    else if (begins("<!"))
+      k = behind(text, ">", k);
+    else if (begins("<?"))
+      k = behind(text, "?>", k);
+    else if (begins("</"))
+    {
+      depth -= depth > 0;
+      ++k;
+    }
+    else
+    {
+      k = end_of_tag(text, k + 1);
+      if (begins(">") && ++depth > most_levels)
+        return true;
+      if (!begins(">") && !begins("/>"))
+        return false; // the reader refuses it
+    }
   }
   return false;
 }
@@ -52,7 +141,8 @@ Nested parsed(const std::string &text,
               const std::string &format,
               const Parse &parse)
 {
-  if (is_too_deep(text, format == "XML"))
+  // For more levels boost's readers would call themselves.
+  if (format == "XML" ? is_too_deep_xml(text) : is_too_deep_json(text))
     throw InputError("The file '" + file + "' has more than " +
                      std::to_string(most_levels) +
                      " levels of sections in sections; remove the innermost.");

@@ -230,22 +230,23 @@ std::vector<SectionOfText> sections_before(const std::string &text,
 {
   std::vector<SectionOfText> found;
   std::vector<std::size_t> open;
-  for_each_line(text, [&](SectionPath sections, const std::string &content,
-                          const unsigned int number) {
-    if (number >= line)
-      return;
-    if (const auto name = section_begun_by(content))
-    {
-      sections.push_back(*name);
-      open.push_back(found.size());
-      found.push_back({std::move(sections), number, true});
-    }
-    else if (ends_section(content) && !open.empty())
-    {
-      found[open.back()].is_open = false;
-      open.pop_back();
-    }
-  });
+  for_each_line(text,
+                [&](const SectionPath &sections, const std::string &content,
+                    const unsigned int number) {
+                  if (number >= line)
+                    return;
+                  if (const auto name = section_begun_by(content))
+                  {
+                    open.push_back(found.size());
+                    found.push_back({sections, number, true});
+                    found.back().path.push_back(*name);
+                  }
+                  else if (ends_section(content) && !open.empty())
+                  {
+                    found[open.back()].is_open = false;
+                    open.pop_back();
+                  }
+                });
   return found;
 }
 

@@ -79,7 +79,8 @@ struct Strips
   /** The integral along the line at @p s through the piece. */
   AreaSums across(const double s) const
   {
-    const auto [a, b] = ends(s);
+    const std::pair<Point<2>, Point<2>> both = ends(s);
+    const Point<2> &a = both.first, &b = both.second;
     const double length = b[piece.along] - a[piece.along];
     const auto between = [&](const double begin, const double end) {
       return length * integrate<n_strip_points>(

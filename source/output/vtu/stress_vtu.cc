@@ -81,25 +81,6 @@ public:
 
 private:
   void add_fields();
-  /**
-   * Add a field from @p values(cell, k), the array of its components in
-   * sub-cell k, which are counted through all cells of the packing.
-   */
-  template <typename Values>
-  void add(const std::string &name, const Values &values)
-  {
-    using Components = decltype(values(0, std::size_t()));
-    using Number = typename Components::value_type;
-    file.add_cell_field<Number>(
-        name, std::tuple_size<Components>::value,
-        [this, values](auto begin, auto end, Number *place) {
-          sub_cells_of_cells().fill(begin, end, place,
-                                    [&](unsigned int c, std::size_t k) {
-                                      return values(c, first_sub_cell(c) + k);
-                                    });
-        });
-  }
-
   void
   fill_corners(std::size_t begin, std::size_t end, std::int64_t *place) const;
 
@@ -124,6 +105,25 @@ private:
     return VtuValues::ItemsByCell{
         packing.n_cells(),
         [this](const unsigned int c) { return first_sub_cell(c); }};
+  }
+
+  /**
+   * Add a field from @p values(cell, k), the array of its components in
+   * sub-cell k, which are counted through all cells of the packing.
+   */
+  template <typename Values>
+  void add(const std::string &name, const Values &values)
+  {
+    using Components = decltype(values(0, std::size_t()));
+    using Number = typename Components::value_type;
+    file.add_cell_field<Number>(
+        name, std::tuple_size<Components>::value,
+        [this, values](auto begin, auto end, Number *place) {
+          sub_cells_of_cells().fill(begin, end, place,
+                                    [&](unsigned int c, std::size_t k) {
+                                      return values(c, first_sub_cell(c) + k);
+                                    });
+        });
   }
 
   /** Point @p k of a cell: the centre, and then its own of each triangle. */

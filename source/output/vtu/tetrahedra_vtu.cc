@@ -24,8 +24,8 @@ void write_tetrahedra_vtu(std::ostream &out, const SpaceResults &results)
   const Packing<3> &packing = results.scene.packing();
   const std::size_t n = stress.list.size();
   // The last one is above the others, if these run around from there.
-  constexpr unsigned int order[] = {1, 2, 3, 0};
-  const auto corner = [&stress, order](const std::size_t i) {
+  static constexpr unsigned int order[] = {1, 2, 3, 0};
+  const auto corner = [&stress](const std::size_t i) {
     return stress.list[i / 4].corners[order[i % 4]];
   };
   VtuFile grid = VtuFile::separate(

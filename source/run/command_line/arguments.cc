@@ -4,6 +4,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Voussoir
@@ -84,6 +85,24 @@ po::options_description visible_options(Arguments &arguments)
       "version", po::bool_switch(&arguments.version), "print the version");
   return options;
 }
+
+/** What is wrong with the words, as the middle of a sentence. */
+std::string fault_of(const po::error &error,
+                     const std::vector<std::string> &words)
+{
+  const auto has_percent = [](const std::string &word) {
+    return word.find('%') != word.npos;
+  };
+  // Boost puts words in the places of names between %, without an end if these
+  // are in the words.
+  const auto *const of_option =
+      dynamic_cast<const po::error_with_option_name *>(&error);
+  if (of_option == nullptr ||
+      std::none_of(words.begin(), words.end(), has_percent))
+    return error.what();
+  return "the option '" + of_option->get_option_name() +
+         "' is not known, or has no value or one that it does not take";
+}
 } // namespace
 
 Arguments arguments_of(const std::vector<std::string> &words)
@@ -110,8 +129,8 @@ Arguments arguments_of(const std::vector<std::string> &words)
   }
   catch (const po::error &error)
   {
-    throw InputError(std::string("The command line is not valid: ") +
-                     error.what() + ". See 'voussoir --help'.");
+    throw InputError("The command line is not valid: " +
+                     fault_of(error, words) + ". See 'voussoir --help'.");
   }
   if (files.size() > 1)
     throw InputError("One file of parameters is expected, but '" + files[0] +

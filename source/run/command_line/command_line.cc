@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/print_parameters.h>
 #include <voussoir/base/parameters/reference.h>
+#include <voussoir/base/printable.h>
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
@@ -151,8 +152,8 @@ ExitStatus fail(const Streams &streams,
                 const ExitStatus status,
                 const std::string &message)
 {
-  streams.error << streams.screens.error.bad("voussoir:") << ' ' << message
-                << std::endl;
+  streams.error << streams.screens.error.bad("voussoir:") << ' '
+                << printable(message) << std::endl;
   return status;
 }
 

@@ -46,10 +46,9 @@ std::string counts_in_words(const std::vector<SweepRun> &runs)
         std::pair("unloaded", "without live loads"),
         std::pair("packing", "without loads"),
         std::pair("failed", "without an answer")})
-    if (const auto n =
-            std::count_if(runs.begin(), runs.end(), [&](const SweepRun &run) {
-              return word_of(run) == status;
-            }))
+    if (const auto n = std::count_if(
+            runs.begin(), runs.end(),
+            [of = status](const SweepRun &run) { return word_of(run) == of; }))
       words += text(words.empty() ? "" : ", ", n, ' ', in_words);
   return words;
 }

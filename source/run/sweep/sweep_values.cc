@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/text.h>
 #include <voussoir/run/sweep/sweep_values.h>
 #include <voussoir/run/variables.h>
 
@@ -7,8 +8,10 @@
 
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <regex>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -29,10 +32,61 @@ const std::string forms_of_search =
     "give NAME=LOW:HIGH or NAME=LOW:HIGH:WIDTH, such as "
     "\"Friction/Strength=0:1:1e-6\".";
 
-/** Finds a variable where it is a word. */
-std::regex word(const std::string &variable)
+// Words are not looked for by std::regex, which takes a stack as deep as a text
+// is long; a text may list as many numbers as there are joints.
+
+bool is_of_word(const char letter)
 {
-  return std::regex("\\b" + variable + "\\b");
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+}
+
+bool is_space(const char letter)
+{
+  return std::isspace(static_cast<unsigned char>(letter)) != 0;
+}
+
+/** Where @p variable is a word of a text, from @p begin on; npos: nowhere. */
+std::size_t find_word(const std::string &text,
+                      const std::string &variable,
+                      const std::size_t begin)
+{
+  std::size_t k = text.find(variable, begin);
+  for (; k != text.npos; k = text.find(variable, k + 1))
+  {
+    const std::size_t end = k + variable.size();
+    if ((k == 0 || !is_of_word(text[k - 1])) &&
+        (end == text.size() || !is_of_word(text[end])))
+      break;
+  }
+  return k;
+}
+
+/** The parts of "TEXT for VARIABLE=VALUES". */
+struct TextAndVariable
+{
+  std::string text, variable, values;
+};
+
+/** What stands from the last " for VARIABLE=" on is its values. */
+std::optional<TextAndVariable> text_and_variable(const std::string &all)
+{
+  const std::string separator = "for";
+  for (std::size_t k = all.rfind(separator); k != all.npos && k > 0;
+       k = all.rfind(separator, k - 1))
+  {
+    const auto at = all.begin() + k + separator.size();
+    const auto begin = std::find_if_not(at, all.end(), is_space);
+    const auto end = std::find_if_not(begin, all.end(), is_of_word);
+    const auto equals = std::find_if_not(end, all.end(), is_space);
+    if (is_space(all[k - 1]) && begin != at && end != begin &&
+        equals != all.end() && *equals == '=')
+    {
+      const std::string text = dealii::Utilities::trim(all.substr(0, k));
+      if (!text.empty())
+        return TextAndVariable{text, {begin, end}, {equals + 1, all.end()}};
+    }
+  }
+  return {};
 }
 
 /** A number that people read: 2.2, and not 2.1999999999999997. */
@@ -60,13 +114,12 @@ struct NameAndValues
                        "' must have a parameter and its values: " + forms);
     of.entry = dealii::Utilities::trim(text.substr(0, equals));
     values = text.substr(equals + 1);
-    static const std::regex variable("(.*\\S)\\s+for\\s+(\\w+)\\s*=(.*)");
-    if (std::smatch parts; std::regex_match(values, parts, variable))
+    if (const auto parts = text_and_variable(values))
     {
-      of.text = dealii::Utilities::trim(parts[1]);
-      of.variable = parts[2];
-      values = parts[3].str();
-      if (!std::regex_search(of.text, word(of.variable)))
+      of.text = parts->text;
+      of.variable = parts->variable;
+      values = parts->values;
+      if (find_word(of.text, of.variable, 0) == of.text.npos)
         throw InputError(option + " '" + text + "' has values of '" +
                          of.variable + "', which must be a word of '" +
                          of.text +
@@ -109,15 +162,12 @@ std::string ChangingEntry::assignment(const std::string &value) const
   if (text.empty())
     return entry + '=' + value;
   std::string with_value = text;
-  const std::regex place = word(variable);
-  std::size_t k = 0;
-  for (std::smatch found; std::regex_search(with_value.cbegin() + k,
-                                            with_value.cend(), found, place);)
+  for (std::size_t k = 0;
+       (k = find_word(with_value, variable, k)) != with_value.npos;)
   {
-    const std::size_t begin = k + found.position();
-    const std::size_t end = begin + found.length();
+    const std::size_t end = k + variable.size();
     const std::size_t n_behind = with_value.size() - end;
-    with_value = with_number(with_value, begin, end, value);
+    with_value = with_number(with_value, k, end, value);
     k = with_value.size() - n_behind;
   }
   return entry + '=' + with_value;
@@ -158,6 +208,13 @@ SweepAxis read_sweep_axis(const std::string &text)
 std::vector<std::vector<std::string>>
 points_of(const std::vector<SweepAxis> &axes)
 {
+  double n_points = 1.;
+  for (const SweepAxis &axis : axes)
+    n_points *= axis.values.size();
+  if (n_points > most_values)
+    throw InputError(Voussoir::text("The values of all --sweep together make ",
+                                    n_points, " runs, and ", most_values,
+                                    " are the most; give fewer values."));
   std::vector<std::vector<std::string>> points(1);
   for (const SweepAxis &axis : axes)
   {

@@ -6,50 +6,108 @@
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/join.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <regex>
+#include <cctype>
+#include <charconv>
+#include <system_error>
 
 namespace Voussoir
 {
 namespace
 {
+constexpr const char *white_space = " \t\n\v\f\r";
+constexpr const char *not_in_names = "-+* \t\n\v\f\r";
+
+/** True if a factor begins with it, or its exponent. */
+bool is_of_number(const char letter)
+{
+  return std::isdigit(static_cast<unsigned char>(letter)) != 0 || letter == '.';
+}
+
 /** Letters, which may be those of any language, and digits behind them. */
-const std::string name_pattern = "[^-+*\\s0-9.][^-+*\\s]*";
+bool is_name_of_case(const std::string &name)
+{
+  return !name.empty() && !is_of_number(name.front()) &&
+         name.find_first_of(not_in_names) == name.npos;
+}
+
+/** Reads "1.35 dead + 1.5 lorry"; one object, used once. */
+class CombinationReader
+{
+public:
+  CombinationReader(const std::string &combination,
+                    const std::string &parameter)
+      : all(combination), parameter(parameter)
+  {}
+
+  std::vector<CombinedCase> read()
+  {
+    std::vector<CombinedCase> cases;
+    for (skip_space(); at < all.size(); skip_space())
+    {
+      begin = at;
+      const char sign = all[at];
+      const bool has_sign = sign == '-' || sign == '+';
+      at += has_sign;
+      skip_space();
+      const double factor = read_factor();
+      skip_space();
+      at += at < all.size() && all[at] == '*';
+      skip_space();
+      const std::size_t end =
+          std::min(all.find_first_of(not_in_names, at), all.size());
+      const std::string name = all.substr(at, end - at);
+      if (!is_name_of_case(name) || !(has_sign || cases.empty()))
+        refuse();
+      cases.push_back({sign == '-' ? -factor : factor, name});
+      at = end;
+    }
+    return cases;
+  }
+
+private:
+  void skip_space()
+  {
+    at = std::min(all.find_first_not_of(white_space, at), all.size());
+  }
+
+  /** One if none stands there. */
+  double read_factor()
+  {
+    if (at == all.size() || !is_of_number(all[at]))
+      return 1.;
+    double factor = 0.;
+    const char *const end = all.data() + all.size();
+    const auto [stop, error] = std::from_chars(all.data() + at, end, factor);
+    if (error == std::errc::invalid_argument)
+      refuse();
+    const std::size_t first = at;
+    at = stop - all.data();
+    if (error != std::errc())
+      throw InputError("The parameter '" + parameter + "' has the factor '" +
+                       all.substr(first, at - first) +
+                       "'; write a finite number.");
+    return factor;
+  }
+
+  [[noreturn]] void refuse() const
+  {
+    throw InputError("The parameter '" + parameter + "' is '" + all +
+                     "', and cannot be read from '" + all.substr(begin) +
+                     "' on; write factors and load cases, as in 1.35 dead + "
+                     "1.5 lorry.");
+  }
+
+  const std::string &all, &parameter;
+  std::size_t at = 0, begin = 0;
+};
 } // namespace
 
 std::vector<CombinedCase> combination_of_text(const std::string &combination,
                                               const std::string &parameter)
 {
-  static const std::regex term("\\s*([-+]?)\\s*"
-                               "((?:[0-9]+\\.?[0-9]*|\\.[0-9]+)"
-                               "(?:[eE][-+]?[0-9]+)?)?\\s*\\*?\\s*(" +
-                               name_pattern + ")\\s*");
-  std::vector<CombinedCase> cases;
-  auto begin = combination.cbegin();
-  for (std::smatch found; begin != combination.cend(); begin = found[0].second)
-  {
-    const bool is_term =
-        std::regex_search(begin, combination.cend(), found, term,
-                          std::regex_constants::match_continuous) &&
-        (cases.empty() || found[1].length() > 0);
-    double factor = 1.;
-    if (is_term && found[2].matched &&
-        (!boost::conversion::try_lexical_convert(found[2].str(), factor) ||
-         !std::isfinite(factor)))
-      throw InputError("The parameter '" + parameter + "' has the factor '" +
-                       found[2].str() + "'; write a finite number.");
-    if (!is_term)
-      throw InputError("The parameter '" + parameter + "' is '" + combination +
-                       "', and cannot be read from '" +
-                       std::string(begin, combination.cend()) +
-                       "' on; write factors and load cases, as in 1.35 dead + "
-                       "1.5 lorry.");
-    cases.push_back({found[1].str() == "-" ? -factor : factor, found[3].str()});
-  }
-  return cases;
+  return CombinationReader(combination, parameter).read();
 }
 
 void LoadCases::add_parameters(dealii::ParameterHandler &prm,
@@ -72,7 +130,7 @@ void LoadCases::add_parameters(dealii::ParameterHandler &prm,
   prm.enter_subsection(section);
   for (const std::string &name : names)
   {
-    if (!std::regex_match(name, std::regex(name_pattern)))
+    if (!is_name_of_case(name))
       throw InputError("The load case '" + name + "' in '" + section +
                        "' has a name that cannot stand in a combination; take "
                        "one word without + - * that begins with a letter.");

@@ -7,13 +7,13 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
-#include <regex>
 
 namespace Voussoir
 {
@@ -31,12 +31,18 @@ constexpr double largest_distance_from_line = 1e-6;
 /** The share of the line that its parts may leave out, or cover twice. */
 constexpr double largest_gap = 1e-6;
 
-/** The two sides of "a to b". */
+/** The two sides of "a to b", or more between the words "to". */
 std::vector<std::string> sides_of_to(const std::string &text)
 {
-  static const std::regex to("\\s+to\\s+");
-  return {std::sregex_token_iterator(text.begin(), text.end(), to, -1),
-          std::sregex_token_iterator()};
+  std::vector<std::string> words, sides(1);
+  boost::algorithm::split(words, text, boost::algorithm::is_space(),
+                          boost::algorithm::token_compress_on);
+  for (const std::string &word : words)
+    if (word == "to")
+      sides.emplace_back();
+    else
+      sides.back() += word + ' ';
+  return sides;
 }
 
 /** The part of a line that a boundary edge covers. */

@@ -114,7 +114,7 @@ struct Field : FieldDescription
   Field(const std::string &name,
         const std::string &unit,
         const std::string &words,
-        const Value &value)
+        Value value)
       : FieldDescription{name, unit, words}
   {
     if constexpr (std::is_invocable_v<Value, const Data &, unsigned int>)

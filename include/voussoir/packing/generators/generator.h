@@ -60,7 +60,11 @@ public:
 inline void check_number_of_cells(const double n_cells,
                                   const std::string &entries)
 {
+#ifdef VOUSSOIR_FUZZ
+  constexpr double largest = 1000.; // what takes its time is no find
+#else
   constexpr double largest = 1e8; // a packing then needs some 100 GB
+#endif
   if (n_cells > largest)
     throw InputError(text(entries, " make some ", n_cells,
                           " cells; there may be ", largest, " at most."));

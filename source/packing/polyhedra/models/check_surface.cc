@@ -70,6 +70,8 @@ std::vector<ModelDefect> defects_of_face(const Surface &surface,
                                          const unsigned int face,
                                          double distance)
 {
+  if (surface.faces[face].size() < 3)
+    return {}; // of a block that has few faces, and is refused for that
   const std::vector<Point<3>> polygon = polygon_of(surface, face);
   const SurfacePlane plane = plane_of(surface, face);
   const double area = plane.vector_area.norm();

@@ -27,6 +27,12 @@ namespace
 /** Lists within lists that a model may have; a deeper tree is none. */
 constexpr unsigned int deepest_list = 16;
 
+/**
+ * Lists and objects within one another that a tree may have, which is gone
+ * through by functions that call themselves.
+ */
+constexpr int deepest_tree = 1000;
+
 /** The bytes before a fault of the notation that its message shows. */
 constexpr std::size_t shown_before_fault = 20;
 
@@ -99,11 +105,16 @@ private:
     KeysOfObjects keys;
     try
     {
-      Json tree = Json::parse(
-          bytes, [&](int, const Json::parse_event_t event, const Json &parsed) {
-            keys.see(event, parsed);
-            return true;
-          });
+      Json tree = Json::parse(bytes, [&](const int depth,
+                                         const Json::parse_event_t event,
+                                         const Json &parsed) {
+        if (depth > deepest_tree)
+          refuse(text("has more than ", deepest_tree,
+                      " lists and objects within one another; a model is "
+                      "not that deep."));
+        keys.see(event, parsed);
+        return true;
+      });
       for (const std::string &repeated : keys.repeated())
         model.faults.push_back(fault_of_file(
             DefectKind::repeated_key,

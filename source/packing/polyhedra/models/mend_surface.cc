@@ -215,8 +215,9 @@ void weld(MendedSurface &mended, const double distance)
     loop.clear();
     for (const unsigned int vertex : surface.faces[f])
       loop.push_back(first[vertex]);
-    const Point<3> place =
-        loop.empty() ? surface.vertices[0] : surface.vertices[loop[0]];
+    Point<3> place;
+    if (!surface.vertices.empty())
+      place = surface.vertices[loop.empty() ? 0 : loop[0]];
     const bool is_shorter = remove_repeated_vertices(loop);
     if (loop.size() < 3)
       count_face(degenerate, DefectKind::degenerate_face, surface.source[f],

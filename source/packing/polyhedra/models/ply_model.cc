@@ -126,6 +126,8 @@ private:
 
   void read_elements(const PlyElement &element)
   {
+    if (element.properties.empty())
+      return; // however many there are said to be
     const bool is_vertex = element.name == "vertex";
     const bool is_face = element.name == "face";
     std::vector<double> values;

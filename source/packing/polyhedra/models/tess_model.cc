@@ -123,6 +123,7 @@ private:
   {
     const unsigned int n = read_count("polyhedra");
     std::vector<unsigned int> loop, all;
+    n_polyhedra_of_face.resize(faces.size());
     for (unsigned int p = 0; p < n; ++p)
     {
       text.expect_line(Voussoir::text("polyhedron ", p + 1, " of ", n));
@@ -134,7 +135,14 @@ private:
       all.clear();
       for (long long i = 0; i < n_faces; ++i)
       {
-        const auto face = faces[find(face_numbers, 2 + i, "face")];
+        const unsigned int number_of_face = find(face_numbers, 2 + i, "face");
+        // A small file could else ask for any memory.
+        if (n_polyhedra_of_face[number_of_face]++ == 2)
+          text.refuse(
+              Voussoir::text("face ", std::abs(number(2 + i, "a face")),
+                             " is in a third place; it can be between two "
+                             "polyhedra."));
+        const auto face = faces[number_of_face];
         loop.assign(face.begin(), face.end());
         // Behind a minus the face runs the other way round.
         if (number(2 + i, "a face") < 0)
@@ -153,6 +161,7 @@ private:
   BlockMesh whole;
   FaceLoops faces;
   Numbers vertex_numbers, face_numbers;
+  std::vector<unsigned int> n_polyhedra_of_face;
 };
 } // namespace
 
