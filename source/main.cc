@@ -8,6 +8,7 @@
 #include <voussoir/terminal/interruption.h>
 
 #include <csignal>
+#include <exception>
 #include <iostream>
 #include <unistd.h>
 
@@ -32,9 +33,8 @@ bool hang_ups_are_ignored = false;
 [[gnu::section(".preinit_array"),
   gnu::used]] void (*const first)() = before_libraries;
 #endif
-} // namespace
 
-int main(int argc, char **argv)
+int run(const int argc, char **argv)
 {
   if (hang_ups_are_ignored)
     std::signal(SIGHUP, SIG_IGN);
@@ -72,4 +72,20 @@ int main(int argc, char **argv)
     Voussoir::run_worker(processes);
   }
   return processes.max(status);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  try
+  {
+    return run(argc, argv);
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "voussoir: The program cannot begin: " << error.what()
+              << std::endl;
+    constexpr int no_answer = 4;
+    return no_answer;
+  }
 }

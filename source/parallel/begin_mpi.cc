@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/parallel/begin_mpi.h>
+#include <voussoir/terminal/interruption.h>
 
 #include <deal.II/base/multithread_info.h>
 
@@ -36,6 +38,9 @@ private:
 
 void end_mpi()
 {
+  // After a failure the others may be elsewhere, and would be waited for.
+  if (is_interruptible())
+    return;
   int has_ended = 0;
   MPI_Finalized(&has_ended);
   if (!has_ended)
@@ -73,7 +78,11 @@ void begin_mpi()
   expect_mpi();
   const SignalsKept kept;
   int provided;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) !=
+      MPI_SUCCESS)
+    throw SolverError("MPI, which Ipopt and multigrid need, cannot begin. Set "
+                      "'Formulation = least energy', with its 'Linear solver = "
+                      "direct'.");
   std::atexit(end_mpi);
 }
 

@@ -23,6 +23,11 @@ namespace Voussoir
  * are not blocked: there are libraries that start threads before main(), and
  * daemons, which would inherit that. A program started by another one has the
  * handlers of its own.
+ *
+ * What ends the program without its own doing does so by one message, too, with
+ * exit status 4 and the same undo: abort(), as by an assertion of a library, an
+ * invalid address, an exception that nobody catches, and exit() by a library,
+ * whatever status that names.
  */
 class Interruption
 {
@@ -58,9 +63,14 @@ public:
   void clear_screen();
 
 private:
+  void watch_failures();
+
   int read_end;
   std::thread waiting;
 };
+
+/** Whether an Interruption lives, so that the program is not over yet. */
+bool is_interruptible();
 
 /**
  * While this lives, no signal ends the program: for what must happen as a whole

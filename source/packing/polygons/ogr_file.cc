@@ -191,6 +191,8 @@ private:
   void read_line(const OGRGeometryH line)
   {
     const std::vector<dealii::Point<2>> points = points_of(line);
+    if (points.empty())
+      refuse("has no points" + messages.error() + "; delete it.");
     if (points.size() < 2 || !(points.front() == points.back()))
       refuse("is a line from " + text_of_point(points.front()) + " to " +
                  text_of_point(points.back()) +
