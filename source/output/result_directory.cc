@@ -5,6 +5,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -22,6 +24,9 @@ namespace
 /** How often a directory is made, if others that make and remove it interfere.
  */
 constexpr unsigned int n_trials = 100;
+
+/** What the names of directories for files that are not complete begin with. */
+const std::string aside = ".voussoir-";
 
 bool contains(const std::vector<std::string> &names, const std::string &name)
 {
@@ -98,7 +103,7 @@ std::error_code ResultDirectory::try_to_make_staging()
        missing = missing.parent_path())
     created.push_back(missing);
   fs::create_directories(directory, error);
-  std::string path = fs::absolute(directory / ".voussoir-XXXXXX").string();
+  std::string path = fs::absolute(directory / (aside + "XXXXXX")).string();
   if (!error && mkdtemp(path.data()) == nullptr)
     error.assign(errno, std::generic_category());
   if (error)
@@ -223,5 +228,17 @@ void ResultDirectory::refuse(const std::string &reason) const
   throw InputError("The output directory '" + directory.string() +
                    "' cannot take the results: " + reason +
                    ". Change 'Output directory'.");
+}
+
+void remove_left_over(const fs::path &directory)
+{
+  std::error_code ignored;
+  std::vector<fs::path> left_over;
+  for (const fs::directory_entry &entry :
+       fs::directory_iterator(directory, ignored))
+    if (boost::starts_with(entry.path().filename().string(), aside))
+      left_over.push_back(entry.path());
+  for (const fs::path &path : left_over)
+    fs::remove_all(path, ignored);
 }
 } // namespace Voussoir

@@ -78,8 +78,8 @@ public:
   /** Of the results. */
   fs::path directory() const { return file.parent_path(); }
 
-  /** @throws InputError unless the input is still what it was. */
-  void check(const Json &now) const
+  /** @throws InputError unless all files are there. */
+  void check_files() const
   {
     for (const auto &[path, content] : files)
       if (!fs::exists(path))
@@ -87,8 +87,14 @@ public:
                          "' are made of '" + path.string() +
                          "', which is not there; bring it back, or run the "
                          "scene itself.");
-      else if (const Json &names = now.at("files");
-               std::find(names.begin(), names.end(), content) == names.end())
+  }
+
+  /** @throws InputError unless the input is still what it was. */
+  void check(const Json &now) const
+  {
+    for (const auto &[path, content] : files)
+      if (const Json &names = now.at("files");
+          std::find(names.begin(), names.end(), content) == names.end())
         throw InputError("The file '" + path.string() +
                          "' is not the one that the results of '" +
                          file.string() +
@@ -123,9 +129,10 @@ private:
 /** Whether it is told of in a summary how, and not what, was found. */
 bool is_of_machine(const std::string &place)
 {
-  for (const std::string name :
-       {"/timings", "/versions", "/" + provenance_key, "/processes"})
-    if (boost::starts_with(place, name))
+  for (const std::string &name :
+       {std::string("timings"), provenance_key, std::string("versions"),
+        std::string("processes")})
+    if (boost::starts_with(place, '/' + name))
       return true;
   return boost::contains(place, "seconds");
 }
@@ -250,8 +257,8 @@ void compare_machines(const Json &before, const Json &now, Terminal &terminal)
   compare(provenance_key, "commit", "the commit");
   compare(provenance_key, "kernel", "the kernel");
   compare(provenance_key, "threads", "threads:");
-  for (const auto &[name, version] :
-       now.value("versions", Json::object()).items())
+  const Json versions = now.value("versions", Json::object());
+  for (const auto &[name, version] : versions.items())
     compare("versions", name, name);
 }
 } // namespace
@@ -261,6 +268,7 @@ bool reproduce(const fs::path &file,
                const ProcessGroup &processes)
 {
   const MadeBefore results(file);
+  results.check_files();
   const TemporaryDirectory temporary;
   const fs::path again = temporary.path / "again";
   const std::unique_ptr<Run> run =

@@ -231,6 +231,8 @@ Run::provenance(const std::filesystem::path &directory,
 void Run::begin_journal(const std::filesystem::path &directory,
                         const OutputEntries &output)
 {
+  if (resumes)
+    remove_left_over(output.directory);
   journal.begin({std::filesystem::path(output.directory) / checkpoint_file,
                  identity_of(provenance(directory, output.directory)),
                  output.checkpoint_after},

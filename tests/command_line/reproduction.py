@@ -24,13 +24,23 @@ BLOCKS = ("POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\nPOLYGON ((2 0, 4 0, 4 1, 2 1, 2 
           "POLYGON ((1 1, 3 1, 3 2, 1 2, 1 1))\n")
 CUBES = """set Dimension = 3
 set Output directory = ../cubes
-set Packing/Generator = boxes
-set Packing/boxes/Number = 1, 1, 2
+set Packing/Generator = wall
+set Packing/wall/Length = 0.4
 set Supports/Where = z < 1e-9
 set Friction/Strength = 10
 set Loads/Body force = 0; 0; -1
 """
 fails = []
+
+
+def prm(settings):
+    """Lines such as "set Packing/Generator = wall", in their sections."""
+    lines = []
+    for line in settings.splitlines():
+        *sections, entry = line.split(" = ")[0].removeprefix("set ").split("/")
+        lines += [f"subsection {section}" for section in sections]
+        lines += [f"set {entry} = {line.split(' = ', 1)[1]}"] + ["end"] * len(sections)
+    return "\n".join(lines) + "\n"
 
 
 def check(name, holds, found=""):
@@ -58,7 +68,7 @@ def fresh():
     """The scenes in a directory of their own, with results beside it."""
     shutil.rmtree("here", ignore_errors=True)
     Path("here/scenes").mkdir(parents=True)
-    for name, text in (("wall.prm", WALL), ("blocks.wkt", BLOCKS), ("cubes.prm", CUBES)):
+    for name, text in (("wall.prm", prm(WALL)), ("blocks.wkt", BLOCKS), ("cubes.prm", prm(CUBES))):
         Path("here/scenes", name).write_text(text, encoding="utf-8")
 
 

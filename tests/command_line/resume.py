@@ -23,8 +23,8 @@ RESULTS = Path("results")
 CHECKPOINT = RESULTS / "checkpoint.bin"
 TIMES = re.compile(r"(?s)<h\d>Time</h\d>.*?</table>|\d+(\.\d+)?(e-\d+)? s\b")
 
-CELLS = """set Packing/Generator = random
-set Packing/random/Cells = {n}
+CELLS = """set Packing/Generator = Voronoi
+set Packing/Voronoi/Number of points = {n}
 set Supports/Where = y < 0.02
 set Loads/Body force = 0; -1
 set Live loads/Body force = 1; 0
@@ -36,7 +36,7 @@ WALL = """set Rotations = true
 set Packing/Generator = wall
 set Packing/wall/Courses = {courses}
 set Packing/wall/Bricks per course = {bricks}
-set Friction/Law = Coulomb
+set Friction/Law = associated Coulomb
 set Friction/Coefficient = 0.6
 set Loads/Body force = 0; -1
 set Live loads/Body force = 1; 0
@@ -45,9 +45,9 @@ set Output directory = results
 set Output/Checkpoint after = 0
 """
 BOXES = """set Dimension = 3
-set Packing/Generator = boxes
-set Packing/boxes/Number = {n}, {n}, {n}
-set Friction/Law = Coulomb
+set Packing/Generator = wall
+set Packing/wall/Length = {n}
+set Friction/Law = associated Coulomb
 set Friction/Coefficient = 0.5
 set Supports/Where = z < 1e-9
 set Loads/Body force = 0; 0; -1
@@ -75,6 +75,16 @@ COMPUTATIONS = {
 fails = []
 
 
+def prm(settings):
+    """Lines such as "set Packing/Generator = wall", in their sections."""
+    lines = []
+    for line in settings.splitlines():
+        *sections, entry = line.split(" = ")[0].removeprefix("set ").split("/")
+        lines += [f"subsection {section}" for section in sections]
+        lines += [f"set {entry} = {line.split(' = ', 1)[1]}"] + ["end"] * len(sections)
+    return "\n".join(lines) + "\n"
+
+
 def check(name, holds, found=""):
     if not holds:
         fails.append(name)
@@ -82,7 +92,7 @@ def check(name, holds, found=""):
 
 
 def words(scene, more, *others):
-    Path("scene.prm").write_text(scene, encoding="utf-8")
+    Path("scene.prm").write_text(prm(scene), encoding="utf-8")
     return [OPTIONS.program, "scene.prm", *more, *others]
 
 
@@ -160,8 +170,10 @@ def leave_checkpoint(scene, more):
     """Kill a computation when it has kept something, more than a moment before its end."""
     shutil.rmtree(RESULTS, ignore_errors=True)
     with subprocess.Popen(words(scene, more), stdout=subprocess.DEVNULL) as process:
-        while process.poll() is None and not (CHECKPOINT.exists() and
-                                              CHECKPOINT.stat().st_size > 20000):
+        times = set()
+        while process.poll() is None and len(times) < 6:
+            if CHECKPOINT.exists():
+                times.add(CHECKPOINT.stat().st_mtime_ns)
             time.sleep(0.002)
         process.kill()
 

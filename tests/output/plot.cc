@@ -9,7 +9,6 @@
 #include <voussoir/output/report/plot_frame.h>
 
 #include "tests.h"
-
 #include <iterator>
 #include <regex>
 
@@ -81,8 +80,8 @@ void check_map()
     return std::distance(std::sregex_iterator(svg.begin(), svg.end(), field),
                          std::sregex_iterator());
   };
-  check("half way", fields(left) == 3 && fields(right) == 3 &&
-                        count(svg, "<rect ") == 6);
+  check("half way",
+        fields(left) == 3 && fields(right) == 3 && count(svg, "<rect ") == 6);
   // Two fields are carried on the left, one below is not.
   check("the contour", count(svg, "path class=\"contour\"") == 3);
   check("numbers have colours, and others their kinds",

@@ -102,6 +102,12 @@ private:
   std::vector<std::filesystem::path> created;
   std::vector<std::string> written;
 };
+
+/**
+ * Remove the files that processes which were killed have written aside in
+ * @p directory; no other may be at work there.
+ */
+void remove_left_over(const std::filesystem::path &directory);
 } // namespace Voussoir
 
 #endif

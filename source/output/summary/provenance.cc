@@ -29,9 +29,11 @@ std::string content_of(const std::filesystem::path &file)
 nlohmann::ordered_json provenance_of(const Origin &origin,
                                      const std::filesystem::path &results)
 {
-  const std::filesystem::path from = results.empty() ? "." : results;
+  // Also if that directory is not there yet.
+  using std::filesystem::absolute;
+  const std::filesystem::path from = absolute(results.empty() ? "." : results);
   const auto from_results = [&](const std::filesystem::path &path) {
-    return std::filesystem::proximate(path, from).generic_string();
+    return std::filesystem::proximate(absolute(path), from).generic_string();
   };
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
   for (const std::filesystem::path &file : origin.files)

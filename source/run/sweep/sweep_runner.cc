@@ -124,6 +124,8 @@ SweepRunner::SweepRunner(const ManyRuns &wanted,
   for (const std::string &result : wanted.results)
     check_name_of(result);
   protect_inputs(files, scene, wanted.file);
+  if (wanted.resumes)
+    remove_left_over(scene.output_directory());
   journal.begin({fs::path(scene.output_directory()) / checkpoint_file,
                  scene.identity(), scene.checkpoint_after()},
                 wanted.resumes);
@@ -249,8 +251,10 @@ SweepRun SweepRunner::run_into(const std::string &name,
 {
   if (name.empty())
     return scene.run(values, "");
-  SweepRun run =
-      scene.run(values, (fs::path(scene.output_directory()) / name).string());
+  const fs::path directory = fs::path(scene.output_directory()) / name;
+  if (wanted.resumes)
+    remove_left_over(directory);
+  SweepRun run = scene.run(values, directory.string());
   if (run.has_answer)
     run.page = page_in(name);
   return run;

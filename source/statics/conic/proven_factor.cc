@@ -88,9 +88,9 @@ std::string ProvenFactor::name() const
 
 KeptFactor ProvenFactor::kept(const SelfDual &search) const
 {
-  return {search.progress(), best,        least_merit, last_trial,
-          known == nullptr,  anchor,      open,        best_state,
-          has_state,         best_motion, least_bound};
+  return {search.where(),   best,        least_merit, last_trial,
+          known == nullptr, anchor,      open,        best_state,
+          has_state,        best_motion, least_bound};
 }
 
 void ProvenFactor::go_on(KeptFactor from, SelfDual &search)

@@ -97,7 +97,7 @@ public:
            const Variables *start = nullptr);
 
   /** Where it is. */
-  Progress progress() const
+  Progress where() const
   {
     return {now, iterations, iteration_of_least, least_mean};
   }
