@@ -7,10 +7,16 @@
 #include <voussoir/run/worker.h>
 #include <voussoir/terminal/interruption.h>
 
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
+
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace
 {
@@ -34,11 +40,32 @@ bool hang_ups_are_ignored = false;
   gnu::used]] void (*const first)() = before_libraries;
 #endif
 
+/**
+ * Where the system refuses threads this one does all, which TBB would not do by
+ * itself.
+ */
+void look_for_threads()
+{
+  std::vector<std::thread> threads;
+  try
+  {
+    while (threads.size() + 1 < dealii::MultithreadInfo::n_threads())
+      threads.emplace_back([] {});
+  }
+  catch (const std::system_error &)
+  {
+    dealii::MultithreadInfo::set_thread_limit(1);
+  }
+  for (std::thread &thread : threads)
+    thread.join();
+}
+
 int run(const int argc, char **argv)
 {
   if (hang_ups_are_ignored)
     std::signal(SIGHUP, SIG_IGN);
   Voussoir::keep_memory();
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;
   Voussoir::Screens screens;
@@ -53,6 +80,7 @@ int run(const int argc, char **argv)
   else
     screens = {Voussoir::screen_behind(STDOUT_FILENO),
                Voussoir::screen_behind(STDERR_FILENO)};
+  look_for_threads();
   Voussoir::prepare_blas();
   // Results are written also if nobody reads what is said of them. (MPI sets
   // this signal back.)

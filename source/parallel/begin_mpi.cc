@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/parallel/begin_mpi.h>
-#include <voussoir/terminal/interruption.h>
 
 #include <deal.II/base/multithread_info.h>
 
@@ -38,9 +37,6 @@ private:
 
 void end_mpi()
 {
-  // After a failure the others may be elsewhere, and would be waited for.
-  if (is_interruptible())
-    return;
   int has_ended = 0;
   MPI_Finalized(&has_ended);
   if (!has_ended)

@@ -248,7 +248,7 @@ extern "C" void end_by_failure(const int signal)
 /** A library may call exit() as well, with any status. */
 void end_unless_over()
 {
-  if (is_interruptible())
+  if (write_end != -1)
     end_by_failure(ended_by_exit);
 }
 
@@ -265,11 +265,6 @@ void wait_for_signals(const int read_end)
     end(signal);
 }
 } // namespace
-
-bool is_interruptible()
-{
-  return write_end != -1;
-}
 
 Interruption::Interruption()
 {
@@ -304,7 +299,6 @@ void Interruption::watch_failures()
   for (const int signal : failures)
     sigaction(signal, &action, nullptr);
   std::set_terminate(keep_words_and_abort);
-  std::atexit(end_unless_over);
 }
 
 Interruption::~Interruption()
@@ -319,6 +313,7 @@ Interruption::~Interruption()
 
 void Interruption::listen()
 {
+  std::atexit(end_unless_over);
   struct sigaction action = {};
   action.sa_handler = wake_on_signal;
   // System calls go on after a signal, until the thread ends the program.

@@ -20,7 +20,7 @@ from pathlib import Path
 PROGRAM, LIBRARY, TOP, *MPIRUN = sys.argv[1:]
 ONLY = MPIRUN[MPIRUN.index("--only") + 1:] if "--only" in MPIRUN else []
 MPIRUN = MPIRUN[:MPIRUN.index("--only")] if "--only" in MPIRUN else MPIRUN
-RESULTS = Path("results")
+RESULTS, MARK = Path("results"), Path("planted")
 EARLIER = ("summary.json", "interfaces.csv", "cells.csv", "notes.txt")
 
 COULOMB = ("Friction/Law=associated Coulomb", "Friction/Coefficient=0.6")
@@ -32,7 +32,7 @@ CELLS = ("Packing/Generator=Voronoi", "Packing/Voronoi/Number of points=30",
 MANY = ("Packing/Voronoi/Number of points=3000", "Accuracy=draft",
         "Solver/least energy/Linear solver=direct")
 BRICKS = ("Dimension=3", "Rotations=true", "Packing/Generator=wall",
-          "Packing/wall/Length=1", "Packing/wall/Height=0.225", "Supports/Where=z < 1e-9",
+          "Packing/wall/Length=1", "Packing/wall/Height=0.3", "Supports/Where=z < 1e-9",
           "Loads/Body force=0; 0; -1", "Accuracy=draft", *COULOMB)
 FACTOR = ("Analysis=load factor", "Live loads/Body force=1; 0")
 SCENES = {
@@ -84,7 +84,7 @@ class Message:
 
 FAILED = "The program, or a library that it uses, has failed by "
 ANSWER, COLLAPSE = Answer(), Collapse()
-ABORT = Message(4, FAILED + "abort(); nothing was written, and 'results' is as it was.")
+ABORT = Message(4, FAILED + "abort(); nothing was written")
 FAULT = Message(4, FAILED + "an invalid address (SIGSEGV)")
 EXIT = Message(4, FAILED + "exit()")
 NO_WORDS = Message(4, "an exception without words")
@@ -129,10 +129,10 @@ CASES = [
     ("factor", "cholmod_solve:1+:wrong", ANSWER),
     ("factor", "cholmod_factorize:4+:status=1", NO_FACTOR),
     ("Coulomb", "cholmod_solve:9:nan", ANSWER),
-    ("strength", "cholmod_solve:6:nan", ANSWER),
+    ("strength", "cholmod_solve:6:nan", NO_FACTOR),
     ("capacity", "cholmod_solve:7:nan", ANSWER),
     ("space", "cholmod_solve:2:nan", ANSWER),
-    ("space", "cholmod_factorize:2:abort", ABORT),
+    ("space", "cholmod_factorize:1:abort", ABORT),
     ("space, factor", "cholmod_solve:5:wrong", ANSWER),
     ("space, factor", "cholmod_factorize:5+:nan", NO_FACTOR),
     # BLAS and LAPACK, below CHOLMOD and for the stress.
@@ -155,11 +155,11 @@ CASES = [
     ("ranges", "primal:3+:no_multipliers", NOT_PROVEN),
     ("ranges", "primal:3:status=1", ANSWER),
     ("ranges", "primal:3+:status=3", NO_ANSWER),
-    ("ranges", "primal:3:status=2", ANSWER),
+    ("ranges", "primal:3:status=2", NO_ANSWER),
     ("ranges", "dual:1:status=1", ANSWER),
     ("samples", "primal:3+:wrong", NOT_PROVEN),
     ("settlement", "primal:1+:nan", NOT_PROVEN),
-    ("space, ranges", "primal:2+:wrong", NOT_PROVEN),
+    ("space, ranges", "cholmod_solve:40+:wrong", NOT_PROVEN),
     # Ipopt, and MUMPS below it.
     ("smoothed", "IpoptApplicationFactory:1:abort", ABORT),
     ("smoothed", "IpoptApplicationFactory:1:throw", Message(4, "a planted exception")),
@@ -170,6 +170,10 @@ CASES = [
     ("smoothed", "solve:1:wrong", ANSWER),
     ("programme", "solve:1:nan", REJECTED),
     ("programme", "solve:1:wrong", REJECTED),
+    ("programme", "solve:1:no_unknowns", ANSWER),
+    ("programme", "solve:1:no_multipliers", REJECTED),
+    ("hard", "solve:1:no_unknowns", REJECTED),
+    ("hard", "solve:1:no_multipliers", ANSWER),
     ("hard", "solve:1:nan", REJECTED),
     ("smoothed", "dmumps_factorise:3+:status=-13", ANSWER),
     ("smoothed", "dmumps_solve:3:nan", ANSWER),
@@ -184,8 +188,8 @@ CASES = [
     ("drawing", "OGR_G_GetPointCount:1+:zero", Message(2, "has no points")),
     ("drawing", "OGR_G_GetX:7:nan", Message(2, "coordinates must be finite")),
     # The system: memory, threads, files.
-    ("many cells", "malloc:2+:none@1000000", MEMORY),
-    ("stress", "malloc:400:none@20000", MEMORY),
+    ("many cells", "malloc:10:none@100000", MEMORY),
+    ("many cells", "malloc:2+:none@500000", MEMORY),
     ("any state", "pthread_create:2:none", NO_THREAD),
     ("any state", "pthread_create:3+:none", ANSWER),
     ("any state", "writev:1+:full", DIRECTORY),
@@ -196,10 +200,12 @@ CASES = [
     ("multigrid", "MPI_Init_thread:1:error", MPI),
     ("multigrid", "MPI_Init_thread:1:abort", ABORT)]
 CASES_OF_TWO = [
-    ("least energy", "cholmod_factorize:2:abort", FAULT),
-    ("least energy", "MPI_Allreduce:9:exit", EXIT),
-    ("least energy", "cholmod_solve:3:nan", ANSWER),
-    ("least energy", "cholmod_factorize:2:bad_alloc", MEMORY)]
+    ("many cells", "cholmod_factorize:1:abort", ABORT),
+    ("many cells", "MPI_Allreduce:9:exit", EXIT),
+    ("many cells", "MPI_Init_thread:1:fault", FAULT),
+    ("many cells", "cholmod_solve:1:nan", ANSWER),
+    ("many cells", "cholmod_factorize:1:bad_alloc", MEMORY),
+    ("many cells", "cholmod_factorize:1:throw_int", Message(4, "A library has failed."))]
 fails = []
 
 
@@ -213,7 +219,7 @@ def command(scene):
 
 def run(scene, planted="", processes=1):
     planted, _, size = planted.partition("@")
-    words = ["env", f"LD_PRELOAD={LIBRARY}", f"PLANT={planted}",
+    words = ["env", f"LD_PRELOAD={LIBRARY}", f"PLANT={planted}", f"PLANT_MARK={MARK}",
              *([f"PLANT_SIZE={size}"] if size else []),
              *(["PLANT_RANK=1"] if processes > 1 else []), *command(scene)]
     return subprocess.run([*(MPIRUN if processes > 1 else []), *words], text=True,
@@ -229,14 +235,15 @@ def earlier_results():
 
 
 def contents():
+    """But for what shows the faults of a drawing."""
     return {str(file): sha256(file.read_bytes()).hexdigest() if file.is_file() else "directory"
-            for file in RESULTS.rglob("*")}
+            for file in RESULTS.rglob("*") if not file.name.startswith("drawing_check.")}
 
 
 def numbers_of(summary):
     """Those that do not depend on which of many states is taken."""
     factor = summary.get("load_factor") or {}
-    return {name: factor.get(name) for name in ("carried", "bound")}
+    return {name: factor[name] for name in ("carried", "bound") if name in factor}
 
 
 def files_with_nan():
@@ -253,16 +260,18 @@ def faults_of_answer(scene, without):
     found = json.loads((RESULTS / "summary.json").read_text("utf-8"))
     if found["status"] != without["status"]:
         faults.append(f"{found['status']!r} instead of {without['status']!r}")
+    # Without dilatancy no theorem says that the search ends at the same factor.
+    tolerance = 1e-3 if scene == "Coulomb" else 1e-6
     for name, value in numbers_of(without).items():
-        if value is not None and not abs(numbers_of(found)[name] - value) <= 1e-6 * abs(value):
+        if not abs(numbers_of(found)[name] - value) <= tolerance * abs(value):
             faults.append(f"{name}: {numbers_of(found)[name]} instead of {value}")
-    del scene
     return faults
 
 
 def faults_of_end(outcome, wanted):
     """The libraries may say more, before the message."""
-    lines = [line for line in outcome.stderr.splitlines() if line.startswith("voussoir:")]
+    lines = [line for line in outcome.stderr.splitlines() if line.startswith("voussoir:")
+             and "Interrupted by SIGTERM" not in line]  # by mpirun
     faults = [] if len(lines) == 1 else [f"{len(lines)} messages"]
     if wanted.words not in " ".join(outcome.stderr.split()):
         faults.append(f"without {wanted.words!r}")
@@ -276,13 +285,16 @@ def check(scene, planted, wanted, processes=1):
         return
     if scene not in ANSWERS:
         earlier_results()
-        run(scene)
+        whole = run(scene)
+        if whole.returncode not in (0, 3):
+            sys.exit(f"{scene}: {whole.stderr}")
         ANSWERS[scene] = json.loads((RESULTS / "summary.json").read_text("utf-8"))
     earlier_results()
+    MARK.unlink(missing_ok=True)
     before, begin = contents(), time.monotonic()
     outcome = run(scene, planted, processes)
     seconds = time.monotonic() - begin
-    faults = []
+    faults = [] if MARK.exists() else ["nothing has failed"]
     if outcome.returncode != wanted.status:
         faults.append(f"the exit status {outcome.returncode}, not {wanted.status}")
     elif isinstance(wanted, Answer):

@@ -49,7 +49,8 @@ public:
 
   /**
    * Handle the signals again, after a library has taken their handlers away:
-   * PETSc does, which deal.II starts with MPI.
+   * PETSc does, which deal.II starts with MPI. And come before what the library
+   * does at exit(): MPI would wait for other processes.
    */
   void listen();
 
@@ -68,9 +69,6 @@ private:
   int read_end;
   std::thread waiting;
 };
-
-/** Whether an Interruption lives, so that the program is not over yet. */
-bool is_interruptible();
 
 /**
  * While this lives, no signal ends the program: for what must happen as a whole

@@ -241,8 +241,7 @@ ExitStatus run_to_its_end(const std::vector<std::string> &words,
   }
   catch (const std::bad_alloc &)
   {
-    return fail(streams, ExitStatus::solver_failed,
-                no_memory);
+    return fail(streams, ExitStatus::solver_failed, no_memory);
   }
   catch (const dealii::StandardExceptions::ExcOutOfMemory &)
   {

@@ -5,7 +5,6 @@
  * ray null, nan and wrong.
  */
 #include "plant.h"
-
 #include <ClpSimplex.hpp>
 #include <CoinError.hpp>
 

@@ -5,7 +5,6 @@
  * coordinates.
  */
 #include "plant.h"
-
 #include <cmath>
 #include <cstring>
 
@@ -30,15 +29,16 @@ Type *real_of(const char *const name)
   return reinterpret_cast<Type *>(real_dlsym(gdal, name));
 }
 
-/** A function of GDAL's that has pointers and numbers, and returns a pointer. */
+/** A function of GDAL's that has pointers and numbers, and returns a pointer.
+ */
 #define PLANTED_POINTER(name)                                                  \
   void *name(void *a, long b, void *c, void *d, void *e)                       \
   {                                                                            \
     static Plant::Function function(#name);                                    \
     return Plant::is(function.call(), "null")                                  \
                ? nullptr                                                       \
-               : real_of<void *(void *, long, void *, void *, void *)>(        \
-                     #name)(a, b, c, d, e);                                    \
+               : real_of<void *(void *, long, void *, void *, void *)>(#name)( \
+                     a, b, c, d, e);                                           \
   }
 PLANTED_POINTER(GDALOpenEx)
 PLANTED_POINTER(GDALDatasetGetLayer)
@@ -93,31 +93,30 @@ void *planted(const char *const name)
 }
 } // namespace
 
-extern "C"
+extern "C" {
+void *dlopen(const char *name, int flags)
 {
-  void *dlopen(const char *name, int flags)
-  {
-    static Plant::Function function("dlopen_gdal");
-    using Open = void *(const char *, int);
-    static auto *const real =
-        reinterpret_cast<Open *>(real_dlsym(RTLD_NEXT, "dlopen"));
-    if (name == nullptr || std::strncmp(name, "libgdal", 7) != 0)
-      return real(name, flags);
-    if (Plant::is(function.call(), "none"))
-      return real("libgdal-that-is-not-there.so", flags);
-    return gdal = real(name, flags);
-  }
+  static Plant::Function function("dlopen_gdal");
+  using Open = void *(const char *, int);
+  static auto *const real =
+      reinterpret_cast<Open *>(real_dlsym(RTLD_NEXT, "dlopen"));
+  if (name == nullptr || std::strncmp(name, "libgdal", 7) != 0)
+    return real(name, flags);
+  if (Plant::is(function.call(), "none"))
+    return real("libgdal-that-is-not-there.so", flags);
+  return gdal = real(name, flags);
+}
 
-  void *dlsym(void *handle, const char *name)
+void *dlsym(void *handle, const char *name)
+{
+  if (gdal != nullptr && handle == gdal)
   {
-    if (gdal != nullptr && handle == gdal)
-    {
-      static Plant::Function function("dlsym_gdal");
-      if (Plant::is(function.call(), "none"))
-        return real_dlsym(handle, "no_such_function");
-      if (void *const own = planted(name))
-        return own;
-    }
-    return real_dlsym(handle, name);
+    static Plant::Function function("dlsym_gdal");
+    if (Plant::is(function.call(), "none"))
+      return real_dlsym(handle, "no_such_function");
+    if (void *const own = planted(name))
+      return own;
   }
+  return real_dlsym(handle, name);
+}
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 /*
  * Ipopt: none, no application; in solve status=N, what it says at the end, and
- * nan, inf, zero or wrong, what it hands over. MUMPS below it: status=N, its
- * INFOG(1); and in solutions nan, inf, zero or wrong.
+ * nan, inf, zero or wrong, what it hands over, of these no_unknowns and
+ * no_multipliers; at_once=N, an end before it begins. MUMPS below it: status=N,
+ * its INFOG(1); and in solutions nan, inf, zero or wrong.
  */
-#include "plant.h"
-
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
 
+#include "plant.h"
 #include <dmumps_c.h>
 #include <new>
 #include <vector>
@@ -130,6 +130,10 @@ public:
     std::vector<Number> other_x(x, x + n), other_lambda(lambda, lambda + m);
     Plant::spoil(failure, other_x.data(), n);
     Plant::spoil(failure, other_lambda.data(), m);
+    if (Plant::is(failure, "no_unknowns"))
+      Plant::spoil("nan", other_x.data(), n);
+    if (Plant::is(failure, "no_multipliers"))
+      Plant::spoil("nan", other_lambda.data(), m);
     problem->finalize_solution(status, n, other_x.data(), z_lower, z_upper, m,
                                g, other_lambda.data(), objective, data,
                                quantities);
@@ -159,28 +163,26 @@ public:
 };
 } // namespace
 
-extern "C"
+extern "C" {
+Ipopt::IpoptApplication *IpoptApplicationFactory()
 {
-  Ipopt::IpoptApplication *IpoptApplicationFactory()
-  {
-    static Plant::Function function("IpoptApplicationFactory");
-    function.call();
-    return new Application;
-  }
+  static Plant::Function function("IpoptApplicationFactory");
+  function.call();
+  return new Application;
+}
 
-  void dmumps_c(DMUMPS_STRUC_C *mumps)
-  {
-    // The calls that Ipopt makes to factorise and to solve.
-    static Plant::Function factorise("dmumps_factorise"),
-        solve("dmumps_solve");
-    static auto *const real = Plant::hidden<decltype(dmumps_c)>("dmumps_c");
-    const char *const failure = mumps->job == 2   ? factorise.call()
-                                : mumps->job == 3 ? solve.call()
-                                                  : nullptr;
-    real(mumps);
-    if (Plant::is(failure, "status"))
-      mumps->infog[0] = Plant::number_of(failure);
-    else if (failure != nullptr && mumps->rhs != nullptr)
-      Plant::spoil(failure, mumps->rhs, mumps->n);
-  }
+void dmumps_c(DMUMPS_STRUC_C *mumps)
+{
+  // The calls that Ipopt makes to factorise and to solve.
+  static Plant::Function factorise("dmumps_factorise"), solve("dmumps_solve");
+  static auto *const real = Plant::hidden<decltype(dmumps_c)>("dmumps_c");
+  const char *const failure = mumps->job == 2   ? factorise.call()
+                              : mumps->job == 3 ? solve.call()
+                                                : nullptr;
+  real(mumps);
+  if (Plant::is(failure, "status"))
+    mumps->infog[0] = Plant::number_of(failure);
+  else if (failure != nullptr && mumps->rhs != nullptr)
+    Plant::spoil(failure, mumps->rhs, mumps->n);
+}
 }

@@ -18,7 +18,7 @@
  *     abort, fault, exit, throw, throw_int, bad_alloc
  *
  * or one that the function itself knows. With PLANT_RANK only the process of
- * that number has it.
+ * that number has it. When it comes the file of the name in PLANT_MARK is made.
  */
 namespace Plant
 {
