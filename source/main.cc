@@ -99,7 +99,9 @@ int run(const int argc, char **argv)
     interruption.be_quiet();
     Voussoir::run_worker(processes);
   }
-  return processes.max(status);
+  status = processes.max(status);
+  interruption.is_over(status);
+  return status;
 }
 } // namespace
 

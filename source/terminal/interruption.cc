@@ -111,6 +111,9 @@ void write_to(const int file_descriptor, const std::string &text)
   }
 }
 
+/** The exit status of a program that is over; negative before. */
+std::atomic<int> final_status{-1};
+
 /** @{ */
 /** True once the program has failed, and once that is said. */
 std::atomic<bool> has_failed{false};
@@ -204,6 +207,8 @@ void say(const int number)
 /** End the program after a failure, by the thread if that can. */
 extern "C" void end_by_failure(const int signal)
 {
+  if (final_status >= 0)
+    _exit(final_status);
   // A second one may come on the way out.
   if (!has_failed.exchange(true))
     wake(static_cast<unsigned char>(signal));
@@ -248,7 +253,7 @@ extern "C" void end_by_failure(const int signal)
 /** A library may call exit() as well, with any status. */
 void end_unless_over()
 {
-  if (write_end != -1)
+  if (final_status < 0)
     end_by_failure(ended_by_exit);
 }
 
@@ -309,6 +314,8 @@ Interruption::~Interruption()
   waiting.join();
   close(read_end);
   close(write_end.exchange(-1));
+  int not_over = -1; // an exception ends the program
+  final_status.compare_exchange_strong(not_over, no_answer);
 }
 
 void Interruption::listen()
@@ -326,6 +333,11 @@ void Interruption::listen()
     sigaction(signals[i].first, stays_ignored ? &previous[i] : &action,
               nullptr);
   }
+}
+
+void Interruption::is_over(const int status)
+{
+  final_status = status;
 }
 
 void Interruption::be_quiet()

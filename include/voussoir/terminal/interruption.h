@@ -63,6 +63,12 @@ public:
   /** Standard output is a screen, of which the last line is to be cleared. */
   void clear_screen();
 
+  /**
+   * All is done, and the program ends with @p status, also if a library fails
+   * on its way out, where it may take down threads and files.
+   */
+  void is_over(int status);
+
 private:
   void watch_failures();
 
