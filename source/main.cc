@@ -7,9 +7,16 @@
 #include <voussoir/run/worker.h>
 #include <voussoir/terminal/interruption.h>
 
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/multithread_info.h>
+
 #include <csignal>
+#include <exception>
 #include <iostream>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace
 {
@@ -32,13 +39,33 @@ bool hang_ups_are_ignored = false;
 [[gnu::section(".preinit_array"),
   gnu::used]] void (*const first)() = before_libraries;
 #endif
-} // namespace
 
-int main(int argc, char **argv)
+/**
+ * Where the system refuses threads this one does all, which TBB would not do by
+ * itself.
+ */
+void look_for_threads()
+{
+  std::vector<std::thread> threads;
+  try
+  {
+    while (threads.size() + 1 < dealii::MultithreadInfo::n_threads())
+      threads.emplace_back([] {});
+  }
+  catch (const std::system_error &)
+  {
+    dealii::MultithreadInfo::set_thread_limit(1);
+  }
+  for (std::thread &thread : threads)
+    thread.join();
+}
+
+int run(const int argc, char **argv)
 {
   if (hang_ups_are_ignored)
     std::signal(SIGHUP, SIG_IGN);
   Voussoir::keep_memory();
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   Voussoir::trap_invalid_operations();
   Voussoir::Interruption interruption;
   Voussoir::Screens screens;
@@ -53,6 +80,7 @@ int main(int argc, char **argv)
   else
     screens = {Voussoir::screen_behind(STDOUT_FILENO),
                Voussoir::screen_behind(STDERR_FILENO)};
+  look_for_threads();
   Voussoir::prepare_blas();
   // Results are written also if nobody reads what is said of them. (MPI sets
   // this signal back.)
@@ -71,5 +99,23 @@ int main(int argc, char **argv)
     interruption.be_quiet();
     Voussoir::run_worker(processes);
   }
-  return processes.max(status);
+  status = processes.max(status);
+  interruption.is_over(status);
+  return status;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  try
+  {
+    return run(argc, argv);
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "voussoir: The program cannot begin: " << error.what()
+              << std::endl;
+    constexpr int no_answer = 4;
+    return no_answer;
+  }
 }

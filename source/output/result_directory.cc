@@ -164,12 +164,30 @@ void ResultDirectory::put_in_place()
   for (const std::string &name : written)
     if (fs::is_directory(directory / name, error))
       refuse("'" + name + "' there is a directory");
-  for (const std::string &name : written)
+  // What is there is kept until all is in place, or else comes back.
+  const fs::path before = staging / "before";
+  fs::create_directory(before, error);
+  std::size_t n = 0;
+  for (; n < written.size() && !error; ++n)
   {
-    fs::rename(staging / name, directory / name, error);
-    if (error)
-      refuse(error.message());
+    const fs::path place = directory / written[n];
+    std::error_code not_linked;
+    if (fs::exists(place, not_linked))
+      fs::create_hard_link(place, before / written[n], not_linked);
+    if (not_linked) // a file system without links
+      fs::rename(place, before / written[n], error);
+    if (!error)
+      fs::rename(staging / written[n], place, error);
   }
+  if (!error)
+    return;
+  std::error_code ignored;
+  for (std::size_t k = 0; k < n; ++k)
+    if (fs::exists(before / written[k], ignored))
+      fs::rename(before / written[k], directory / written[k], ignored);
+    else if (!fs::exists(staging / written[k], ignored))
+      fs::remove(directory / written[k], ignored);
+  refuse(error.message());
 }
 
 void ResultDirectory::finish(Uninterrupted &whole)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/exceptions.h>
 #include <voussoir/parallel/begin_mpi.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -73,7 +74,11 @@ void begin_mpi()
   expect_mpi();
   const SignalsKept kept;
   int provided;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) !=
+      MPI_SUCCESS)
+    throw SolverError("MPI, which Ipopt and multigrid need, cannot begin. Set "
+                      "'Formulation = least energy', with its 'Linear solver = "
+                      "direct'.");
   std::atexit(end_mpi);
 }
 

@@ -48,7 +48,8 @@ std::string ProcessGroup::wait() const
 void ProcessGroup::abort(const std::string &message) const
 {
   std::cerr << "voussoir: process " << own_rank << ": " << message << std::endl;
-  MPI_Abort(mpi, 4);
-  std::abort();
+  constexpr int no_answer = 4;
+  MPI_Abort(mpi, no_answer);
+  std::_Exit(no_answer);
 }
 } // namespace Voussoir

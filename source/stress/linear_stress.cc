@@ -131,6 +131,9 @@ void LinearFit::find(const std::vector<LoadedFace> &faces,
     right[n_gradients + p] = sum[p] / volume * length;
   matrix.gauss_jordan();
   matrix.vmult(solution, right);
+  if (!std::all_of(solution.begin(), solution.end(),
+                   [](const double value) { return std::isfinite(value); }))
+    solution = 0.; // the mean alone
   for (const auto &[m, p, q] : all_entries)
     for (unsigned int k = 0; k < 3; ++k)
       stress.gradient[k][p][q] = solution[3 * m + k] / length;

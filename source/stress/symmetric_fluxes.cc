@@ -271,7 +271,12 @@ bool SymmetricFluxes::find_fluxes()
   }
   // Where the divergence cannot be met, its multipliers go on growing, and
   // those of the symmetry with them; without that these have all digits.
-  return std::isfinite(take_step());
+  take_step();
+  // The largest of numbers may not be one of them that is no number.
+  return std::all_of(fluxes.begin(), fluxes.end(), [](const auto &row) {
+    return std::all_of(row.begin(), row.end(),
+                       [](const double flux) { return std::isfinite(flux); });
+  });
 }
 
 Tensor<2, 3> SymmetricFluxes::stress(const unsigned int t) const

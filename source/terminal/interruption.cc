@@ -2,13 +2,19 @@
 #include <voussoir/terminal/interruption.h>
 #include <voussoir/terminal/screen.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <exception>
 #include <fcntl.h>
 #include <iterator>
+#include <new>
 #include <poll.h>
 #include <system_error>
 #include <unistd.h>
@@ -39,6 +45,24 @@ constexpr auto head_start = std::chrono::seconds(2);
 constexpr std::pair<int, const char *> signals[] = {
     {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}};
 constexpr std::size_t n_signals = std::size(signals);
+
+/** The exit status of a solver without an answer, and of a failure. */
+constexpr int no_answer = 4;
+
+/** Those of what fails; the last stands for exit() by a library. */
+constexpr unsigned char ended_by_exit = 0xff;
+#ifdef __SANITIZE_ADDRESS__ // which has its own report
+constexpr std::array<int, 0> failures = {};
+#else
+constexpr std::array<int, 5> failures = {
+    {SIGABRT, SIGSEGV, SIGBUS, SIGILL, SIGFPE}};
+#endif
+
+/**
+ * The time that a failure waits for the thread to clear up: that may need a
+ * lock which the place of the failure holds; s.
+ */
+constexpr time_t patience_with_undo = 5;
 
 /** The state that the thread shares with the rest of the program. */
 struct Shared
@@ -87,6 +111,56 @@ void write_to(const int file_descriptor, const std::string &text)
   }
 }
 
+/** The exit status of a program that is over; negative before. */
+std::atomic<int> final_status{-1};
+
+/** @{ */
+/** True once the program has failed, and once that is said. */
+std::atomic<bool> has_failed{false};
+std::atomic<bool> failure_is_said{false};
+/** @} */
+
+/** What no one has caught; it needs no memory. */
+std::array<char, 512> uncaught = {};
+
+bool is_failure(const unsigned char signal)
+{
+  for (const int one : failures)
+    if (one == signal)
+      return true;
+  return signal == ended_by_exit;
+}
+
+const char *words_of(const unsigned char failure)
+{
+  switch (failure)
+  {
+  case SIGABRT: return "abort()";
+  case SIGSEGV: return "an invalid address (SIGSEGV)";
+  case SIGBUS: return "an invalid address (SIGBUS)";
+  case SIGILL: return "an unknown instruction (SIGILL)";
+  case SIGFPE: return "a division by zero (SIGFPE)";
+  default: return "exit()";
+  }
+}
+
+/**
+ * Say once that the program has failed, and how, by what a handler of signals
+ * may do.
+ */
+void say_failure(const unsigned char failure, const char *const state)
+{
+  if (failure_is_said.exchange(true))
+    return;
+  for (const char *const part :
+       {"voussoir: The program, or a library that it uses, has failed by ",
+        uncaught.front() != 0 ? uncaught.data() : words_of(failure), state,
+        " Please report this with the .prm file, the files that it names, the "
+        "output of 'voussoir --version' and what stands before.\n"})
+    if (write(STDERR_FILENO, part, std::strlen(part)) < 0)
+      break;
+}
+
 void say(const int number)
 {
   const char *name = "a signal";
@@ -102,7 +176,7 @@ void say(const int number)
 }
 
 /** End the program as @p signal asks, once no Uninterrupted lives. */
-[[noreturn]] void end(const int signal)
+[[noreturn]] void end(const unsigned char signal)
 {
   // Not unlocked: no thread may write any more.
   shared().mutex.lock();
@@ -110,14 +184,77 @@ void say(const int number)
   {
     if (shared().undo)
       shared().undo();
+    if (is_failure(signal))
+    {
+      if (shared().screen)
+        write_to(STDOUT_FILENO, clear_line);
+      say_failure(signal, ("; " + shared().state).c_str());
+      _exit(no_answer);
+    }
     if (shared().quiet)
       std::this_thread::sleep_for(head_start);
     else
       say(signal);
   }
   catch (...) // no memory: then at least end
-  {}
-  _exit(status_of_signals + signal);
+  {
+    if (is_failure(signal))
+      say_failure(signal, ".");
+  }
+  _exit(is_failure(signal) ? no_answer : status_of_signals + signal);
+}
+
+/** End the program after a failure, by the thread if that can. */
+extern "C" void end_by_failure(const int signal)
+{
+  if (final_status >= 0)
+    _exit(final_status);
+  // A second one may come on the way out.
+  if (!has_failed.exchange(true))
+    wake(static_cast<unsigned char>(signal));
+  else if (failure_is_said)
+    _exit(no_answer);
+  for (timespec left = {patience_with_undo, 0};
+       nanosleep(&left, &left) != 0 && errno == EINTR;)
+    ;
+  say_failure(static_cast<unsigned char>(signal), ".");
+  _exit(no_answer);
+}
+
+/** What no one catches, in a thread or through a library written in C. */
+[[noreturn]] void keep_words_and_abort()
+{
+  const auto keep = [](const char *const words) {
+    std::strncpy(uncaught.data(), words, uncaught.size() - 1);
+  };
+  try
+  {
+    if (const auto thrown = std::current_exception())
+      std::rethrow_exception(thrown);
+  }
+  catch (const std::bad_alloc &)
+  {
+    keep("want of memory");
+  }
+  catch (const std::exception &error)
+  {
+    keep("an exception (");
+    std::strncat(uncaught.data(), error.what(),
+                 uncaught.size() - std::strlen(uncaught.data()) - 2);
+    std::strcat(uncaught.data(), ")");
+  }
+  catch (...)
+  {
+    keep("an exception without words");
+  }
+  std::abort();
+}
+
+/** A library may call exit() as well, with any status. */
+void end_unless_over()
+{
+  if (final_status < 0)
+    end_by_failure(ended_by_exit);
 }
 
 void wait_for_signals(const int read_end)
@@ -148,6 +285,25 @@ Interruption::Interruption()
   for (std::size_t i = 0; i < n_signals; ++i)
     sigaction(signals[i].first, nullptr, &previous[i]);
   listen();
+  watch_failures();
+}
+
+void Interruption::watch_failures()
+{
+  if (failures.empty())
+    return;
+  // Where the stack itself has come to its end.
+  static std::array<char, 1 << 16> stack;
+  stack_t other = {};
+  other.ss_sp = stack.data();
+  other.ss_size = stack.size();
+  sigaltstack(&other, nullptr);
+  struct sigaction action = {};
+  action.sa_handler = end_by_failure;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : failures)
+    sigaction(signal, &action, nullptr);
+  std::set_terminate(keep_words_and_abort);
 }
 
 Interruption::~Interruption()
@@ -158,10 +314,13 @@ Interruption::~Interruption()
   waiting.join();
   close(read_end);
   close(write_end.exchange(-1));
+  int not_over = -1; // an exception ends the program
+  final_status.compare_exchange_strong(not_over, no_answer);
 }
 
 void Interruption::listen()
 {
+  std::atexit(end_unless_over);
   struct sigaction action = {};
   action.sa_handler = wake_on_signal;
   // System calls go on after a signal, until the thread ends the program.
@@ -174,6 +333,11 @@ void Interruption::listen()
     sigaction(signals[i].first, stays_ignored ? &previous[i] : &action,
               nullptr);
   }
+}
+
+void Interruption::is_over(const int status)
+{
+  final_status = status;
 }
 
 void Interruption::be_quiet()

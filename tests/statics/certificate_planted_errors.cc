@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The certificate of the exact forces of a uniform stress is clean, and sees
-// one force, one sign, one strength and one NaN that are wrong. Loads that are
-// not those asked for are seen by their sum and by their moment. Forces that
-// are rounding use nothing of their strength.
+// one force, one sign, one strength and one NaN that are wrong; so does that of
+// a motion. Loads that are not those asked for are seen by their sum and by
+// their moment. Forces that are rounding use nothing of their strength.
 
 #include "tests.h"
 
@@ -86,9 +86,33 @@ void light_below_heavy()
             planted.largest.kind == LargestError::Kind::balance);
 }
 
+/** Of blocks that are pushed sideways, and slide without end: no proof. */
+void motion_without_numbers()
+{
+  const unsigned int n = 3;
+  const Packing<2> column = on_ground(stack_of_squares(n));
+  Loads loads;
+  loads.traction.resize(column.boundary_edges().size());
+  for (unsigned int c = 0; c < n; ++c)
+    loads.body.add(column, c, dealii::Tensor<1, 2>({1., 0.}));
+  const Scene scene(column, std::vector<double>(n, 0.1), loads);
+  const auto proves = [&](const double distance) {
+    Motion motion(n, translations());
+    for (dealii::Tensor<1, 2> &u : motion.displacement)
+      u[0] = distance;
+    return proves_collapse(certify_mechanism(scene, motion));
+  };
+  check("a motion with numbers proves collapse", proves(1.));
+  const InvalidOperationsAllowed on_purpose;
+  for (const double distance : {std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::quiet_NaN()})
+    check("one without proves nothing", !proves(distance));
+}
+
 void run()
 {
   light_below_heavy();
+  motion_without_numbers();
   for (const Kinematics *kinematics : {&translations(), &rotations()})
   {
     const dealii::Tensor<1, 2> nothing, small({0.003, -0.004}),

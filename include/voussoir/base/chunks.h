@@ -7,7 +7,9 @@
 #include <deal.II/base/parallel.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <vector>
 
 namespace Voussoir
@@ -27,8 +29,19 @@ inline std::size_t n_chunks(const std::size_t n, const std::size_t size)
 }
 
 /**
+ * Work was left undone, since other work beside it has thrown an exception.
+ * That is the one which all of it ends with, and this is never seen outside.
+ */
+class WorkCancelled : public std::exception
+{
+};
+
+/**
  * Call a function for consecutive ranges of numbers by all cores, with traps of
  * invalid operations as in the thread that calls this.
+ *
+ * If a call throws, others around it are left out, also of a for_chunks() that
+ * one beside it is in: TBB would return from that without a word.
  *
  * @param n the end of the last range; the first begins at 0.
  * @param size the size of the ranges, and at most that of the last.
@@ -50,13 +63,17 @@ void for_chunks(const std::size_t n,
     return;
   }
   const bool are_trapped = invalid_operations_are_trapped();
+  std::atomic<std::size_t> n_done = 0;
   dealii::parallel::apply_to_subranges(
       std::size_t(0), n_ranges,
       [&](const std::size_t begin, const std::size_t end) {
         const InvalidOperationsTrapped as_there(are_trapped);
         call(begin, end);
+        n_done += end - begin;
       },
       1);
+  if (n_done < n_ranges)
+    throw WorkCancelled();
 }
 
 /**

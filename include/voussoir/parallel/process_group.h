@@ -86,6 +86,12 @@ public:
         abort(error.what());
       throw;
     }
+    catch (...) // Trilinos throws numbers
+    {
+      if (n_processes > 1)
+        abort("A library has failed.");
+      throw;
+    }
   }
 
   /** @{ */

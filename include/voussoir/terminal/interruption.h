@@ -23,6 +23,11 @@ namespace Voussoir
  * are not blocked: there are libraries that start threads before main(), and
  * daemons, which would inherit that. A program started by another one has the
  * handlers of its own.
+ *
+ * What ends the program without its own doing does so by one message, too, with
+ * exit status 4 and the same undo: abort(), as by an assertion of a library, an
+ * invalid address, an exception that nobody catches, and exit() by a library,
+ * whatever status that names.
  */
 class Interruption
 {
@@ -44,7 +49,8 @@ public:
 
   /**
    * Handle the signals again, after a library has taken their handlers away:
-   * PETSc does, which deal.II starts with MPI.
+   * PETSc does, which deal.II starts with MPI. And come before what the library
+   * does at exit(): MPI would wait for other processes.
    */
   void listen();
 
@@ -57,7 +63,15 @@ public:
   /** Standard output is a screen, of which the last line is to be cleared. */
   void clear_screen();
 
+  /**
+   * All is done, and the program ends with @p status, also if a library fails
+   * on its way out, where it may take down threads and files.
+   */
+  void is_over(int status);
+
 private:
+  void watch_failures();
+
   int read_end;
   std::thread waiting;
 };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/linear/cholmod_failure.h>
 #include <voussoir/algebra/linear/elimination_order.h>
 
 #include <algorithm>
-#include <cholmod.h>
-#include <new>
 #include <utility>
 
 namespace Voussoir
@@ -35,8 +34,7 @@ Order find(cholmod_sparse &graph,
   common.supernodal = CHOLMOD_SIMPLICIAL; // the cheaper analysis
   cholmod_factor *factor = cholmod_analyze_p(
       &graph, given.empty() ? nullptr : given.data(), nullptr, 0, &common);
-  if (factor == nullptr)
-    throw std::bad_alloc();
+  check(factor, common);
   const int *order = static_cast<const int *>(factor->Perm);
   Order result = {{order, order + factor->n}, common.lnz};
   cholmod_free_factor(&factor, &common);
@@ -50,7 +48,7 @@ Order constrained_by_degree(cholmod_sparse &graph,
 {
   std::vector<int> set(is_last.begin(), is_last.end()), order(set.size());
   if (!cholmod_camd(&graph, nullptr, 0, set.data(), order.data(), &common))
-    throw std::bad_alloc();
+    throw_failure(common);
   return find(graph, CHOLMOD_GIVEN, common, std::move(order));
 }
 
@@ -62,9 +60,7 @@ Order constrained_by_dissection(cholmod_sparse &graph,
                                 const std::vector<bool> &is_last,
                                 cholmod_common &common)
 {
-  cholmod_sparse *others = cholmod_copy_sparse(&graph, &common);
-  if (others == nullptr)
-    throw std::bad_alloc();
+  cholmod_sparse *others = check(cholmod_copy_sparse(&graph, &common), common);
   int *first = static_cast<int *>(others->p);
   int *rows = static_cast<int *>(others->i);
   int n_entries = 0, begin = 0;

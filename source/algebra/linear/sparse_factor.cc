@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/algebra/linear/cholmod_failure.h>
 #include <voussoir/algebra/linear/elimination_order.h>
 #include <voussoir/algebra/linear/sparse_factor.h>
 #include <voussoir/base/chunks.h>
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <limits>
-#include <new>
 #include <numeric>
 #include <utility>
 
@@ -21,15 +21,6 @@ constexpr double next_to_nothing = 1e-30;
 
 /** The joints whose blocks are found before they are added. */
 constexpr std::size_t joints_at_once = 2048;
-
-/** The result of CHOLMOD; throws std::bad_alloc if it is null. */
-template <typename T>
-T *check(T *result)
-{
-  if (result == nullptr)
-    throw std::bad_alloc();
-  return result;
-}
 } // namespace
 
 SparseFactor::SparseFactor(const JointBlocks &blocks,
@@ -110,7 +101,8 @@ std::vector<int> SparseFactor::find_order()
   const Below below(*this, numbers);
   cholmod_sparse *graph = check(
       cholmod_allocate_sparse(n_bodies, n_bodies, below.joint.size(), true,
-                              true, -1, CHOLMOD_PATTERN, common.get()));
+                              true, -1, CHOLMOD_PATTERN, common.get()),
+      *common);
   int *first = static_cast<int *>(graph->p);
   int *rows = static_cast<int *>(graph->i);
   int k = 0;
@@ -143,7 +135,8 @@ void SparseFactor::make_pattern()
       std::size_t(n_bodies) * n * (n + 1) / 2 + below.joint.size() * n * n;
   matrix =
       check(cholmod_allocate_sparse(n * n_bodies, n * n_bodies, n_entries, true,
-                                    true, -1, CHOLMOD_REAL, common.get()));
+                                    true, -1, CHOLMOD_REAL, common.get()),
+            *common);
   int *first = static_cast<int *>(matrix->p);
   int *rows = static_cast<int *>(matrix->i);
   of_body.resize(n_bodies * n);
@@ -296,11 +289,11 @@ bool SparseFactor::factorise(const std::vector<double> &coefficients,
   fill(coefficients, shift, relative_shift, further);
   if (factor == nullptr)
     analyse();
-  cholmod_factorize(matrix, check(factor), common.get());
+  cholmod_factorize(matrix, check(factor, *common), common.get());
   if (common->status == CHOLMOD_NOT_POSDEF)
     return false;
   if (common->status != CHOLMOD_OK)
-    throw std::bad_alloc();
+    throw_failure(*common);
   if (!last.empty())
     extract_last_block();
   return true;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 /* What SparseFactor does with its factors. */
+#include <voussoir/algebra/linear/cholmod_failure.h>
 #include <voussoir/algebra/linear/sparse_factor.h>
 
 #include <algorithm>
-#include <cholmod.h>
-#include <new>
 
 namespace Voussoir
 {
@@ -25,16 +24,17 @@ std::vector<double> SparseFactor::solve(const int system,
   cholmod_start(&own);
   own.print = 0;
   cholmod_dense *values = cholmod_solve(system, factor, &right, &own);
+  const bool has_failed = values == nullptr;
   std::vector<double> result;
-  if (values != nullptr)
+  if (!has_failed)
   {
     const double *x = static_cast<const double *>(values->x);
     result.assign(x, x + r.size());
     cholmod_free_dense(&values, &own);
   }
   cholmod_finish(&own);
-  if (result.size() < r.size())
-    throw std::bad_alloc();
+  if (has_failed)
+    throw_failure(own);
   return result;
 }
 

@@ -4,10 +4,10 @@
 #include <voussoir/base/library_failure.h>
 
 #include <ClpSimplex.hpp>
-#include <CoinError.hpp>
 #include <CoinPackedMatrix.hpp>
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace Voussoir
 {
@@ -40,7 +40,11 @@ unsigned int run(ClpSimplex &clp, int (ClpSimplex::*const method)(int, int))
     (clp.*method)(0, 0);
     return clp.numberIterations();
   }
-  catch (const CoinError &)
+  catch (const std::bad_alloc &)
+  {
+    throw;
+  }
+  catch (...) // a CoinError, which is no std::exception, or another
   {
     clp.setProblemStatus(failed);
     return 0;

@@ -214,6 +214,8 @@ private:
 
   void add(const DrawnChain &drawn, const bool is_line)
   {
+    if (drawn.points.empty())
+      refuse("has no points" + messages.error() + "; delete it.");
     PolygonList::Polygon polygon;
     polygon.ring = drawn.points;
     if (drawn.has_arcs())

@@ -14,12 +14,15 @@
 #include <voussoir/scene/scene_parameters.h>
 #include <voussoir/version.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <system_error>
 
 namespace Voussoir
 {
@@ -212,6 +215,9 @@ ExitStatus run(const Arguments &arguments,
                          : fail(streams, ExitStatus::load_not_carried, message);
 }
 
+constexpr const char *no_memory =
+    "There is not enough memory for this packing.";
+
 /** Run, whatever is thrown. */
 ExitStatus run_to_its_end(const std::vector<std::string> &words,
                           const Streams &streams,
@@ -236,8 +242,20 @@ ExitStatus run_to_its_end(const std::vector<std::string> &words,
   }
   catch (const std::bad_alloc &)
   {
+    return fail(streams, ExitStatus::solver_failed, no_memory);
+  }
+  catch (const dealii::StandardExceptions::ExcOutOfMemory &)
+  {
+    return fail(streams, ExitStatus::solver_failed, no_memory);
+  }
+  catch (const std::system_error &e)
+  {
     return fail(streams, ExitStatus::solver_failed,
-                "There is not enough memory for this packing.");
+                std::string("The system refuses what the program needs, such "
+                            "as a thread: ") +
+                    e.what() +
+                    ". End other programs, or raise the limits that 'ulimit "
+                    "-a' shows.");
   }
   catch (const std::exception &e)
   {
@@ -245,6 +263,12 @@ ExitStatus run_to_its_end(const std::vector<std::string> &words,
                 std::string("An unexpected error, which is a defect of the "
                             "program, ended the run:\n") +
                     e.what());
+  }
+  catch (...) // Trilinos throws numbers
+  {
+    return fail(streams, ExitStatus::solver_failed,
+                "An unexpected error, which is a defect of the program, ended "
+                "the run:\nan exception without words.");
   }
 }
 } // namespace

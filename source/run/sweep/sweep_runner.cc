@@ -58,8 +58,15 @@ void in_threads(const std::size_t n,
   const std::size_t n_threads = std::min<std::size_t>(
       n, std::max(1U, std::thread::hardware_concurrency()));
   std::vector<std::thread> threads;
-  for (std::size_t k = 1; k < n_threads; ++k)
-    threads.emplace_back(go_on);
+  try
+  {
+    for (std::size_t k = 1; k < n_threads; ++k)
+      threads.emplace_back(go_on);
+  }
+  catch (const std::system_error &)
+  {
+    // The threads that there are do all of it.
+  }
   go_on();
   for (std::thread &thread : threads)
     thread.join();

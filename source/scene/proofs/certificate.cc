@@ -213,7 +213,11 @@ unbalanced_cells(const Scene &scene,
 Certificate certify(const Scene &scene, const InterfaceForces &forces)
 {
   if (!are_finite(forces))
-    return infinitely_wrong();
+  {
+    Certificate wrong = infinitely_wrong();
+    wrong.load_residual = scene.load_residual;
+    return wrong;
+  }
   using Kind = LargestError::Kind;
   const Packing<2> &packing = scene.packing;
   const std::vector<double> reference = reference_forces(scene, forces);

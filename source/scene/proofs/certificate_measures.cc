@@ -2,6 +2,7 @@
 #include <voussoir/scene/proofs/certificate_measures.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Voussoir
@@ -16,6 +17,13 @@ constexpr double largest_closing = 1e-12;
 /** The largest MechanismCertificate::share_of_closing: normal forces may be
  * some times the largest load. */
 constexpr double largest_share = 0.1;
+
+/** Whether a motion is infinite or no number, which slips through comparisons.
+ */
+bool is_no_number(const WorkOfMotion &of)
+{
+  return !std::isfinite(of.largest) || std::isnan(of.dissipation);
+}
 } // namespace
 
 std::vector<double> reference_forces(const std::vector<unsigned int> &group,
@@ -61,7 +69,7 @@ Certificate infinitely_wrong()
           infinitely_large,
           infinitely_large,
           infinitely_large,
-          infinitely_large,
+          0., // loads are not to blame
           {},
           {}};
 }
@@ -80,6 +88,11 @@ MechanismCertificate certificate_of(const WorkOfMotion &of,
 {
   MechanismCertificate certificate;
   certificate.closing_violation = of.closing_violation();
+  if (is_no_number(of) || std::isnan(work)) // it proves nothing
+  {
+    certificate.closing_violation = infinitely_large;
+    return certificate;
+  }
   if (work > 0.)
     certificate.work_over_dissipation =
         of.dissipation > 0. ? work / of.dissipation : infinitely_large;
@@ -95,6 +108,8 @@ FactorBound
 bound_by(const WorkOfMotion &of, const double dead_work, const double live_work)
 {
   FactorBound bound;
+  if (is_no_number(of) || std::isnan(dead_work) || std::isnan(live_work))
+    return {infinitely_large, 0., infinitely_large};
   bound.live_work = live_work;
   bound.factor = live_work != 0. ? (of.dissipation - dead_work) / live_work
                                  : infinitely_large;

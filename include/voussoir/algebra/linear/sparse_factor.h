@@ -33,6 +33,7 @@ public:
    * @param held true for bodies whose unknowns are zero; empty if there are
    *   none.
    * @throws std::bad_alloc if there is not enough memory.
+   * @throws SolverError if CHOLMOD fails otherwise, here and below.
    */
   SparseFactor(const JointBlocks &blocks,
                unsigned int n_bodies,
