@@ -9,8 +9,8 @@ namespace Voussoir
 /** An arc of a circle. */
 struct Arc
 {
-  /** Lengths. */
-  dealii::Point<2> start, end;
+  dealii::Point<2> start; /**< a length */
+  dealii::Point<2> end;   /**< a length */
   /**
    * The tangent of a quarter of the angle that it turns by, positive if to the
    * left, as DXF has it; not zero.

@@ -11,8 +11,8 @@ namespace Voussoir
 /** A straight piece of a line that meets others at its ends only. */
 struct LinePiece
 {
-  /** Lengths. */
-  dealii::Point<2> start, end;
+  dealii::Point<2> start; /**< a length */
+  dealii::Point<2> end;   /**< a length */
   /** The polygon of the list that it is a part of. */
   unsigned int source;
 };
