@@ -334,7 +334,7 @@ void check_long_lists()
   for (unsigned int k = 0; k < 200000; ++k)
   {
     list += ", 1";
-    a += "_a";
+    a += 'b';
   }
   const SweepAxis axis = read_sweep_axis("Friction/Strength=" + list + " | 2");
   check("a long list", axis.values[0] == list);
