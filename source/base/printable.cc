@@ -59,7 +59,7 @@ std::string printable(const std::string &message)
   std::string shown = message;
   const bool is_readable = is_utf8(message);
   for (char &letter : shown)
-    if ((is_control(letter) && letter != '\n') ||
+    if ((is_control(letter) && letter != '\n' && letter != '\t') ||
         (!is_readable && (letter & 0x80) != 0))
       letter = '?';
   if (shown.size() <= longest_line)

@@ -14,8 +14,8 @@ bool is_control(unsigned char letter);
 
 /**
  * A message as it can be shown, whatever it quotes from a file or a command
- * line: control characters but the ends of lines are question marks, and so
- * are the bytes above ASCII of a text that is not UTF-8; and a line of more
+ * line: control characters but tabs and ends of lines are question marks, and
+ * so are the bytes above ASCII of a text that is not UTF-8; and a line of more
  * than 2000 bytes has dots in the place of its middle, as it begins with what
  * is wrong and where, and ends with what to do.
  */

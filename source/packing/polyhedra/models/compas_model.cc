@@ -110,8 +110,8 @@ private:
                                          const Json &parsed) {
         if (depth > deepest_tree)
           refuse(text("has more than ", deepest_tree,
-                      " lists and objects within one another; a model is "
-                      "not that deep."));
+                      " lists and objects within one another, more than any "
+                      "model; remove the innermost."));
         keys.see(event, parsed);
         return true;
       });

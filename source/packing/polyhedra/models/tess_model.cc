@@ -140,8 +140,8 @@ private:
         if (n_polyhedra_of_face[number_of_face]++ == 2)
           text.refuse(
               Voussoir::text("face ", std::abs(number(2 + i, "a face")),
-                             " is in a third place; it can be between two "
-                             "polyhedra."));
+                             " is in a third place; remove it there, as a face "
+                             "is between two polyhedra at most."));
         const auto face = faces[number_of_face];
         loop.assign(face.begin(), face.end());
         // Behind a minus the face runs the other way round.
