@@ -100,6 +100,7 @@ int run(const int argc, char **argv)
     Voussoir::run_worker(processes);
   }
   status = processes.max(status);
+  std::cout << std::flush;
   interruption.is_over(status);
   return status;
 }

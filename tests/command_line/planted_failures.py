@@ -175,8 +175,11 @@ CASES = [
     ("hard", "solve:1:no_unknowns", REJECTED),
     ("hard", "solve:1:no_multipliers", ANSWER),
     ("hard", "solve:1:nan", REJECTED),
-    ("smoothed", "dmumps_factorise:1+:status=-13", ANSWER),
-    ("smoothed", "dmumps_solve:1:nan", ANSWER),
+    ("hard", "dmumps_factorise:3+:status=-13", ANSWER),
+    ("hard", "dmumps_solve:3:nan", REJECTED),
+    ("programme", "dmumps_factorise:3+:status=-13", ANSWER),
+    ("programme", "dmumps_solve:3:nan", ANSWER),
+    ("programme", "dmumps_solve:2+:wrong", ANSWER),
     ("programme", "dmumps_factorise:3:abort", ABORT),
     # GDAL.
     ("drawing", "dlopen_gdal:1:none", NO_GDAL),
