@@ -187,9 +187,12 @@ CASES = [
     ("drawing", "GDALOpenEx:1:null", Message(2, "is of no format that GDAL reads")),
     ("drawing", "GDALOpenEx:1:abort", ABORT),
     ("drawing", "GDALAllRegister:1:exit", EXIT),
-    ("drawing", "OGR_F_GetGeometryRef:2:null", Message(2, "has no geometry; delete it.")),
+    # A feature is read three times, with GDAL's chords of its arcs, with few and with many.
+    ("drawing", "OGR_F_GetGeometryRef:4:null", Message(2, "has no geometry; delete it.")),
+    ("drawing", "OGR_F_GetGeometryRef:2:null", ANSWER),
     ("drawing", "OGR_G_GetPointCount:1+:zero", Message(2, "has no points")),
-    ("drawing", "OGR_G_GetX:7:nan", Message(2, "coordinates must be finite")),
+    ("drawing", "OGR_G_GetX:2:nan", Message(2, "coordinates must be finite")),
+    ("drawing", "OGR_G_GetX:7:nan", ANSWER),
     # The system: memory, threads, files.
     ("many cells", "malloc:10:none@100000", MEMORY),
     ("many cells", "malloc:2+:none@500000", MEMORY),
@@ -208,7 +211,7 @@ CASES_OF_TWO = [
     ("many cells", "MPI_Init_thread:1:fault", FAULT),
     ("many cells", "cholmod_solve:1:nan", ANSWER),
     ("many cells", "cholmod_factorize:1:bad_alloc", MEMORY),
-    ("many cells", "cholmod_factorize:1:throw_int", NO_WORDS)]
+    ("many cells", "cholmod_factorize:1:throw_int", Message(4, "A library has failed."))]
 fails = []
 
 
