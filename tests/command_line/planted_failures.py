@@ -229,7 +229,7 @@ def run(scene, planted="", processes=1):
              *([f"PLANT_SIZE={size}"] if size else []),
              *(["PLANT_RANK=1"] if processes > 1 else []), *command(scene)]
     return subprocess.run([*(MPIRUN if processes > 1 else []), *words], text=True,
-                          errors="replace", capture_output=True, timeout=60, check=False)
+                          errors="replace", capture_output=True, timeout=200, check=False)
 
 
 def earlier_results():
