@@ -1,5 +1,9 @@
 # Write HEADER with the commit that is built, "" outside a repository, if that
-# is not there already.
+# is not there already. Tests that run at a time, each of which sees to what it
+# is built from, keep the one that is there.
+if(DEFINED ENV{CTEST_INTERACTIVE_DEBUG_MODE} AND EXISTS ${HEADER})
+  return()
+endif()
 set(_commit "")
 if(GIT)
   execute_process(
