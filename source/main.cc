@@ -12,6 +12,7 @@
 
 #include <csignal>
 #include <exception>
+#include <future>
 #include <iostream>
 #include <system_error>
 #include <thread>
@@ -47,15 +48,18 @@ bool hang_ups_are_ignored = false;
 void look_for_threads()
 {
   std::vector<std::thread> threads;
+  std::promise<void> all;
+  const std::shared_future<void> are_there = all.get_future().share();
   try
   {
     while (threads.size() + 1 < dealii::MultithreadInfo::n_threads())
-      threads.emplace_back([] {});
+      threads.emplace_back([are_there] { are_there.wait(); });
   }
   catch (const std::system_error &)
   {
     dealii::MultithreadInfo::set_thread_limit(1);
   }
+  all.set_value(); // no one's place is another's
   for (std::thread &thread : threads)
     thread.join();
 }

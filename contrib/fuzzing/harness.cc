@@ -8,6 +8,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/parameters/parameter_tree.h>
+#include <voussoir/packing/generators/generator.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -26,10 +27,14 @@ constexpr std::size_t longest_line = 2000;
 /** The most of anything that a run may be asked for in an integer. */
 constexpr int most_of_anything = 30;
 
+/** The most cells of a packing: what takes its time is no find. */
+constexpr double most_cells = 1000.;
+
 /** A control character, which a terminal would obey. */
 bool is_control(const char c)
 {
-  return (static_cast<unsigned char>(c) < ' ' && c != '\n') || c == 0x7f;
+  return (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') ||
+         c == 0x7f;
 }
 
 Target::Read target()
@@ -107,7 +112,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *const data,
                                       const std::size_t size)
 {
   static const Fuzzing::Target::Read read = Fuzzing::target();
-  static const bool once = (Voussoir::prepare_blas(), true);
+  static const bool once =
+      (Voussoir::prepare_blas(),
+       Voussoir::most_generated_cells = Fuzzing::most_cells, true);
   static_cast<void>(once);
   // In libFuzzer itself they are none of ours.
   const Voussoir::InvalidOperationsTrapped trapped(true);

@@ -13,6 +13,7 @@ from proof.forces import BALANCE
 from proof.tables import Row, xyz
 
 RANGE = 1e-8  # the distance of forces from their ranges that is none, over the largest load
+LARGEST_WIDTH = 1e-3  # the most that proofs of forces which are far above the loads leave open
 SPREAD = 1e-6  # the same of standard deviations, over the forces
 AXES = (1., 0., 0.), (0., 1., 0.), (0., 0., 1.)
 
@@ -138,7 +139,9 @@ def reactions(proof, ties, error):
 def check_ranges(proof):
     """Those of interfaces, of reactions and of ties."""
     structure, of, n = proof.structure, proof.summary["ranges"], len(proof.results.rows)
-    error = max(RANGE, of["width"] or 0.) * proof.reference
+    width = of["width"] or 0.
+    proof.expect(width <= LARGEST_WIDTH, f"ranges that are {width:.1e} wide are not proven")
+    error = max(RANGE, width) * proof.reference
     ties = [[Range(joint.points[0].normal, *link["force"], row["force"])] for joint, row, link in
             zip(structure.joints[n:], proof.results.links, of.get("links", []))]
     proof.expect(all(tie.has(tie.value, error) for tie, in ties),

@@ -37,7 +37,9 @@ class Results:
         self.displacement = self.moves and not self.entries["Supports/Group displacements"] and \
             numbers(self.entries["Supports/Displacement"])
         self.structure, self.boundary = None, []
-        if any(directory.glob("*.csv")) and self.summary["status"] != "packing":
+        has_tables = self.entries.get("Output/Files", "all") in ("all", "csv") or \
+            any(directory.glob("*.csv"))
+        if has_tables and self.summary["status"] != "packing":
             if not self.collapses:
                 self.boundary = self.table("boundary", "boundary_faces" if self.in_space else
                                            "boundary_edges")

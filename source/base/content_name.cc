@@ -11,14 +11,4 @@ std::string name_of_content(const std::string &content)
   boost::uuids::name_generator_sha1 of(boost::uuids::ns::oid());
   return to_string(of(content.data(), content.size()));
 }
-
-std::string
-name_of_content(const std::vector<const std::vector<double> *> &lists)
-{
-  std::string bytes;
-  for (const std::vector<double> *const list : lists)
-    bytes.append(reinterpret_cast<const char *>(list->data()),
-                 list->size() * sizeof(double));
-  return name_of_content(bytes);
-}
 } // namespace Voussoir

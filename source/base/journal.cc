@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/journal.h>
+#include <voussoir/base/text_file.h>
 
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -19,21 +20,33 @@ namespace
  * the least number of times that a write takes. */
 constexpr double least_interval = 10., intervals_of_write = 20.;
 
-/** A record: its length, and that many bytes of CBOR. */
-std::string record_of(const Journal::Json &content)
+/** A tree as bytes of CBOR, with all digits and what is not finite. */
+std::string bytes_of(const Journal::Json &content)
 {
-  const std::vector<std::uint8_t> bytes = Journal::Json::to_cbor(content);
-  const std::uint64_t length = bytes.size();
-  std::string record(sizeof(length) + bytes.size(), '\0');
-  std::memcpy(record.data(), &length, sizeof(length));
-  std::memcpy(record.data() + sizeof(length), bytes.data(), bytes.size());
-  return record;
+  std::string bytes;
+  Journal::Json::to_cbor(content, bytes);
+  return bytes;
 }
 
-/** The records of a text, but for one that is cut off. */
-std::vector<Journal::Json> records_in(const std::string &text)
+/** Discarded if they are not those of a tree. */
+Journal::Json tree_of(const std::string &bytes)
 {
-  std::vector<Journal::Json> records;
+  return Journal::Json::from_cbor(bytes, true, false);
+}
+
+/** Some bytes with their length before them. */
+std::string with_length(const std::string &bytes)
+{
+  const std::uint64_t length = bytes.size();
+  std::string with(sizeof(length), '\0');
+  std::memcpy(with.data(), &length, sizeof(length));
+  return with + bytes;
+}
+
+/** What stands in a text with lengths before, but for what is cut off. */
+std::vector<std::string> records_in(const std::string &text)
+{
+  std::vector<std::string> records;
   std::uint64_t length;
   for (std::size_t at = 0; at + sizeof(length) <= text.size(); at += length)
   {
@@ -41,21 +54,9 @@ std::vector<Journal::Json> records_in(const std::string &text)
     at += sizeof(length);
     if (length > text.size() - at)
       break;
-    const char *const begin = text.data() + at;
-    Journal::Json record =
-        Journal::Json::from_cbor(begin, begin + length, true, false);
-    if (record.is_discarded())
-      break;
-    records.push_back(std::move(record));
+    records.push_back(text.substr(at, length));
   }
   return records;
-}
-
-/** A name and what was found. */
-Journal::Json record_of_part(const std::string &name,
-                             const Journal::Json &found)
-{
-  return Journal::Json::array({name, found});
 }
 } // namespace
 
@@ -74,6 +75,7 @@ void Journal::begin(Place place_in, const bool resumes)
   place = std::move(place_in);
   keeps = true;
   start = last_write = Clock::now();
+  is_begun = false;
   parts.clear();
   written.clear();
   if (resumes)
@@ -87,56 +89,56 @@ void Journal::begin(Place place_in, const bool resumes)
 
 void Journal::read()
 {
-  std::ifstream in(place.file, std::ios::binary);
-  if (!in)
+  const std::optional<std::string> text = bytes_of_file(place.file);
+  if (!text)
     refuse("is not there: nothing was interrupted in this directory after "
            "'Output/Checkpoint after', or its results are complete. Run "
            "without --resume.");
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  const std::vector<Json> records = records_in(text);
-  if (records.empty() || !records.front().is_object())
+  // The identity, and then a name and what was found in turn.
+  const std::vector<std::string> records = records_in(*text);
+  const Json before = records.empty() ? Json() : tree_of(records.front());
+  if (!before.is_object())
     refuse("cannot be read. Run without --resume.");
-  const Json &identity = records.front();
   for (const auto &[name, value] : place.identity.items())
-    if (!identity.contains(name) || identity.at(name) != value)
-      refuse("is of a run with another '" + name + "': " +
-             (identity.contains(name) ? identity.at(name).dump() : "none") +
+    if (!before.contains(name) || before.at(name) != value)
+      refuse("is of a run with another '" + name +
+             "': " + (before.contains(name) ? before.at(name).dump() : "none") +
              ", now " + value.dump() +
              ". Make it the same, or run without --resume.");
-  for (std::size_t k = 1; k < records.size(); ++k)
-    if (const Json &part = records[k]; part.is_array() && part.size() == 2)
-      parts[part[0].get<std::string>()] = part[1];
+  for (std::size_t k = 1; k + 1 < records.size(); k += 2)
+    parts[records[k]] = records[k + 1];
   // From now on without a record that was cut off.
   write_all();
 }
 
-const Journal::Json *Journal::find(const std::string &name) const
+Journal::Json Journal::find(const std::string &name) const
 {
   const std::lock_guard<std::mutex> lock(mutex);
   const auto found = parts.find(name);
-  return found == parts.end() ? nullptr : &found->second;
+  return found == parts.end() ? Json() : tree_of(found->second);
 }
 
 bool Journal::is_due() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!keeps || seconds_since(start) < place.after)
+  if (!keeps || (!is_begun && seconds_since(start) < place.after))
     return false;
   return place.after == 0. ||
          seconds_since(last_write) >=
              std::max(least_interval, intervals_of_write * seconds_of_write);
 }
 
-void Journal::keep(const std::string &name, Json found)
+void Journal::keep(const std::string &name, const Json &found)
 {
-  const std::lock_guard<std::mutex> lock(mutex);
   if (!keeps)
     return;
-  parts[name] = std::move(found);
-  if (seconds_since(start) < place.after)
+  std::string bytes = bytes_of(found);
+  const std::lock_guard<std::mutex> lock(mutex);
+  parts[name] = std::move(bytes);
+  if (!is_begun && seconds_since(start) < place.after)
     return;
   const Clock::time_point before = Clock::now();
-  if (written.empty() || written.count(name) > 0)
+  if (!is_begun || written.count(name) > 0)
     write_all();
   else
     append(name);
@@ -144,43 +146,43 @@ void Journal::keep(const std::string &name, Json found)
   seconds_of_write = seconds_since(before);
 }
 
+/** Write @p records behind what @p file has, or anew. */
+void Journal::write(const fs::path &file,
+                    const std::string &records,
+                    const std::ios::openmode mode) const
+{
+  std::ofstream out(file, std::ios::binary | mode);
+  if (!out.write(records.data(), records.size()).flush())
+    throw InputError(
+        "'" + file.string() +
+        "' cannot be written: the disk may be full. Make room, or set "
+        "'Output/Checkpoint after' to more seconds than the run takes.");
+}
+
 /** Write a new file beside the old one, and put it in its place. */
 void Journal::write_all()
 {
-  std::error_code error;
+  std::error_code ignored;
   if (!place.file.parent_path().empty())
-    fs::create_directories(place.file.parent_path(), error);
-  const fs::path beside = place.file.string() + ".new";
+    fs::create_directories(place.file.parent_path(), ignored);
+  std::string records = with_length(bytes_of(place.identity));
+  for (const auto &[name, found] : parts)
   {
-    std::ofstream out(beside, std::ios::binary);
-    out << record_of(place.identity);
-    for (const auto &[name, found] : parts)
-    {
-      out << record_of(record_of_part(name, found));
-      written.insert(name);
-    }
-    if (!out.flush())
-      throw InputError(
-          "'" + beside.string() +
-          "' cannot be written: the disk may be full. Make room, or set "
-          "'Output/Checkpoint after' to more seconds than the run "
-          "takes.");
+    records += with_length(name) + with_length(found);
+    written.insert(name);
   }
+  const fs::path beside = place.file.string() + ".new";
+  write(beside, records, std::ios::trunc);
   fs::rename(beside, place.file);
+  if (!std::exchange(is_begun, true) && place.when_begun)
+    place.when_begun();
 }
 
 void Journal::append(const std::string &name)
 {
-  std::ofstream out(place.file, std::ios::binary | std::ios::app);
   // In one call, so that it is cut off at most at the end of the file.
-  const std::string record = record_of(record_of_part(name, parts.at(name)));
-  out.write(record.data(), record.size());
-  if (!out.flush())
-    throw InputError(
-        "'" + place.file.string() +
-        "' cannot be written: the disk may be full. Make room, or set "
-        "'Output/Checkpoint after' to more seconds than the run "
-        "takes.");
+  write(place.file, with_length(name) + with_length(parts.at(name)),
+        std::ios::app);
   written.insert(name);
 }
 

@@ -16,19 +16,13 @@ constexpr int no_answer = 4;
 /** The message of this thread; null where no library is called. */
 thread_local const char *message_of_thread = nullptr;
 
-/** @{ */
-/** What the signals did before. */
-void (*before_abort)(int) = SIG_DFL;
-void (*before_fault)(int) = SIG_DFL;
-/** @} */
-
 /** The signal goes to the thread that has failed. */
 void end(const int signal)
 {
   if (message_of_thread == nullptr)
   {
     // Not a library's: as if it had come without this handler.
-    std::signal(signal, signal == SIGABRT ? before_abort : before_fault);
+    std::signal(signal, SIG_DFL);
     std::raise(signal);
     return;
   }
@@ -38,12 +32,19 @@ void end(const int signal)
   std::_Exit(no_answer);
 }
 
+/** For signals that nobody else handles. */
 void install()
 {
-  before_abort = std::signal(SIGABRT, end);
-  before_fault = std::signal(SIGSEGV, end);
+  for (const int signal : {SIGABRT, SIGSEGV})
+    if (const auto before = std::signal(signal, end); before != SIG_DFL)
+      std::signal(signal, before);
 }
 } // namespace
+
+const char *message_of_library()
+{
+  return message_of_thread;
+}
 
 LibraryFailure::LibraryFailure(const char *const message)
     : before(message_of_thread)

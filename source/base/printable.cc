@@ -54,14 +54,26 @@ bool is_control(const unsigned char letter)
   return letter < ' ' || letter == 0x7f;
 }
 
-std::string printable(const std::string &message)
+std::string without_controls(const std::string &text, const std::string &kept)
 {
-  std::string shown = message;
-  const bool is_readable = is_utf8(message);
+  std::string shown = text;
+  const bool is_readable = is_utf8(text);
   for (char &letter : shown)
-    if ((is_control(letter) && letter != '\n' && letter != '\t') ||
+    if ((is_control(letter) && kept.find(letter) == kept.npos) ||
         (!is_readable && (letter & 0x80) != 0))
       letter = '?';
+  // The other control characters, from U+0080 to U+009F.
+  constexpr char first_of_two = '\xC2';
+  for (std::size_t k = 0; is_readable && k + 1 < shown.size(); ++k)
+    if (shown[k] == first_of_two &&
+        static_cast<unsigned char>(shown[k + 1]) < 0xA0)
+      shown[k] = shown[k + 1] = '?';
+  return shown;
+}
+
+std::string printable(const std::string &message)
+{
+  const std::string shown = without_controls(message, "\n\t");
   if (shown.size() <= longest_line)
     return shown;
   std::string lines;

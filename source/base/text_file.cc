@@ -21,12 +21,21 @@ bool is_utf_16(const std::string &bytes)
 }
 } // namespace
 
-std::optional<std::string> read_text_file(const std::filesystem::path &file)
+std::optional<std::string> bytes_of_file(const std::filesystem::path &file)
 {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file))
     return {};
-  std::string text((std::istreambuf_iterator<char>(in)), {});
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  return in.bad() ? std::optional<std::string>() : bytes;
+}
+
+std::optional<std::string> read_text_file(const std::filesystem::path &file)
+{
+  const std::optional<std::string> bytes = bytes_of_file(file);
+  if (!bytes)
+    return {};
+  std::string text = *bytes;
   if (is_utf_16(text))
     throw InputError("The file '" + file.string() +
                      "' is in UTF-16; save it as UTF-8, which editors offer "

@@ -9,6 +9,7 @@
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -30,7 +31,8 @@ bool begins_list(const std::string &component)
 {
   return boost::algorithm::starts_with(component, list_word) &&
          (component.size() == list_word.size() ||
-          component[list_word.size()] == ' ');
+          std::isspace(
+              static_cast<unsigned char>(component[list_word.size()])) != 0);
 }
 
 /** The number @p word, place @p k of a list from 0 on. */
@@ -39,8 +41,11 @@ double number_of(const std::string &word,
                  const std::string &parameter)
 {
   double number;
+  // A plus is none of from_chars().
+  const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
   const char *const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, number);
+  const auto [rest, error] =
+      std::from_chars(word.data() + has_plus, end, number);
   if (error != std::errc() || rest != end)
     throw InputError(text("The parameter '", parameter, "' has '", word,
                           "' where number ", k,

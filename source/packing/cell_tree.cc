@@ -23,12 +23,8 @@ std::pair<double, Point<2>> nearest_point(const Point<2> &p, const Ring &ring)
   std::pair<double, Point<2>> nearest(std::numeric_limits<double>::max(), p);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    const Point<2> &a = ring[i];
-    const dealii::Tensor<1, 2> side = ring[(i + 1) % ring.size()] - a;
-    const double square = side.norm_square();
-    const double t =
-        square > 0. ? std::clamp((p - a) * side / square, 0., 1.) : 0.;
-    const Point<2> on_side = a + t * side;
+    const Point<2> on_side =
+        nearest_on_segment(p, ring[i], ring[(i + 1) % ring.size()]);
     const double distance = p.distance(on_side);
     if (distance < nearest.first)
       nearest = {distance, on_side};

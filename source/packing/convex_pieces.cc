@@ -18,6 +18,15 @@ namespace Voussoir
 namespace
 {
 using dealii::Point;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+std::vector<Kernel::Point_2> points_of(const std::vector<Point<2>> &ring)
+{
+  std::vector<Kernel::Point_2> points;
+  for (const Point<2> &p : ring)
+    points.emplace_back(p[0], p[1]);
+  return points;
+}
 
 /**
  * The distance, relative to the lengths of the sides at a vertex, that the
@@ -41,30 +50,32 @@ bool is_convex(const std::vector<Point<2>> &ring)
 
 bool is_simple(const std::vector<Point<2>> &ring)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_2> points;
-  for (const Point<2> &p : ring)
-    points.emplace_back(p[0], p[1]);
+  const std::vector<Kernel::Point_2> points = points_of(ring);
   return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
+}
+
+bool is_inside(const Point<2> &p, const std::vector<Point<2>> &ring)
+{
+  const std::vector<Kernel::Point_2> points = points_of(ring);
+  return CGAL::bounded_side_2(points.begin(), points.end(),
+                              Kernel::Point_2(p[0], p[1]),
+                              Kernel()) == CGAL::ON_BOUNDED_SIDE;
 }
 
 std::vector<std::vector<unsigned int>>
 convex_pieces(const std::vector<Point<2>> &ring)
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Places = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
   using Traits = CGAL::Partition_traits_2<Kernel, Places>;
   std::vector<unsigned int> all(ring.size());
   std::iota(all.begin(), all.end(), 0);
   if (is_convex(ring))
     return {all};
-  std::vector<Kernel::Point_2> points;
-  for (const Point<2> &p : ring)
-    points.emplace_back(p[0], p[1]);
+  const std::vector<Kernel::Point_2> points = points_of(ring);
   std::vector<Traits::Polygon_2> parts;
-  CGAL::approx_convex_partition_2(
-      all.begin(), all.end(), std::back_inserter(parts),
-      Traits(CGAL::make_property_map(std::as_const(points))));
+  CGAL::approx_convex_partition_2(all.begin(), all.end(),
+                                  std::back_inserter(parts),
+                                  Traits(CGAL::make_property_map(points)));
   std::vector<std::vector<unsigned int>> pieces;
   for (const Traits::Polygon_2 &part : parts)
     pieces.emplace_back(part.container().begin(), part.container().end());

@@ -53,12 +53,7 @@ bool is_name_of_cell(const std::string &name)
 
 std::string quoted_group_name(const std::string &name)
 {
-  std::string shown = name;
-  const bool readable = is_utf8(name);
-  for (char &letter : shown)
-    if (is_control(letter) || (!readable && (letter & 0x80) != 0))
-      letter = '?';
-  return "'" + shown + "'";
+  return "'" + without_controls(name) + "'";
 }
 
 std::string fault_of_group_name(const std::string &name)

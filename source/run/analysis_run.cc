@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
+#include <voussoir/output/csv.h>
 #include <voussoir/output/report/verdict.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/packing/polygons/drawing_faults.h>
@@ -44,6 +45,16 @@ AnalysisRun::shared_packing(const std::filesystem::path &directory,
       [&] { return analysis.read_packing(directory); }, terminal);
 }
 
+std::vector<std::filesystem::path> AnalysisRun::files_of_forces() const
+{
+  std::vector<std::filesystem::path> files;
+  const std::filesystem::path directory = analysis.forces_from();
+  for (const std::string &name : {interfaces_csv, cells_csv, links_csv})
+    if (!directory.empty() && std::filesystem::exists(directory / name))
+      files.push_back(directory / name);
+  return files;
+}
+
 void AnalysisRun::validate(const std::filesystem::path &directory) const
 {
   show_settings();
@@ -69,7 +80,7 @@ RunOutcome AnalysisRun::carry_out(const std::filesystem::path &directory,
   outcome.status = result.status();
   if (files)
   {
-    outcome.message = write(directory, *files, result);
+    outcome.message = write(*files, result);
     journal.end();
   }
   outcome.summary =
@@ -95,16 +106,15 @@ RunResult AnalysisRun::answer(const std::filesystem::path &directory,
 void AnalysisRun::write(const std::filesystem::path &directory,
                         RunResult &result)
 {
-  write(directory, *open(directory), result);
+  made_of = provenance(directory, writer.output().directory);
+  write(*open(directory), result);
 }
 
-std::string AnalysisRun::write(const std::filesystem::path &directory,
-                               ResultDirectory &files,
-                               RunResult &result)
+std::string AnalysisRun::write(ResultDirectory &files, RunResult &result)
 {
   return std::visit(
       [&](auto &found) {
-        found.provenance = provenance(directory, writer.output().directory);
+        found.provenance = made_of;
         return writer.write(files, found, prm);
       },
       result.found);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/summary.h>
 #include <voussoir/run/make_run.h>
@@ -13,9 +14,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
+/** Seconds after which it makes no checkpoint that nobody could go on from. */
+const std::string never = "1e300";
+
 /** A directory that is removed with all that is in it. */
 struct TemporaryDirectory
 {
@@ -62,6 +66,8 @@ public:
     {
       summary = Json::parse(in);
       const Json &of = summary.at(provenance_key);
+      if (of.contains("given_blocks"))
+        refuse("is of blocks that Python has given, which no file has");
       origin = (directory() / of.at("directory").get<std::string>())
                    .lexically_normal();
       content_of_parameters = of.at("parameters");
@@ -186,57 +192,69 @@ Differences differences_of(const Json &before, const Json &now)
   return found;
 }
 
+/** The end of load factors that a summary gives a number; or else infinity. */
+double end_of_factor(const Json &factor, const std::string &name)
+{
+  const Json end = factor.value(name, Json());
+  return end.is_number() ? end.get<double>()
+                         : std::numeric_limits<double>::infinity();
+}
+
 /** Whether both have the same status, and load factors that may be the same. */
 bool have_same_answer(const Json &before, const Json &now)
 {
   if (before.at("status") != now.at("status"))
     return false;
-  const auto bounds_of = [](const Json &summary) {
-    std::pair<double, double> bounds;
-    const double unbounded = std::numeric_limits<double>::infinity();
-    const Json factor = summary.value("load_factor", Json::object());
-    for (const auto &[name, value] : {std::pair("carried", &bounds.first),
-                                      std::pair("bound", &bounds.second)})
-      *value = factor.contains(name) && factor.at(name).is_number()
-                   ? factor.at(name).get<double>()
-                   : unbounded;
-    // The least factor is bounded from below.
-    return std::minmax({bounds.first, bounds.second});
-  };
-  const auto [least, greatest] = bounds_of(before);
-  const auto [least_now, greatest_now] = bounds_of(now);
+  const Json factor = before.value("load_factor", Json::object()),
+             other = now.value("load_factor", Json::object());
+  if (factor.empty() != other.empty() ||
+      factor.value("unbounded", false) != other.value("unbounded", false))
+    return false;
+  // Without a bound only what is carried can be compared.
+  const double a = end_of_factor(factor, "carried"),
+               b = end_of_factor(factor, "bound"),
+               c = end_of_factor(other, "carried"),
+               d = end_of_factor(other, "bound");
+  if (!std::isfinite(a + b + c + d))
+    return std::isfinite(a) == std::isfinite(c) &&
+           std::isfinite(b) == std::isfinite(d);
   constexpr double rounding = 1e-12;
-  const double slack = rounding * std::abs(least);
-  return least <= greatest_now + slack && least_now <= greatest + slack;
+  const double slack = rounding * std::max(std::abs(a), std::abs(c));
+  return std::min(a, b) <= std::max(c, d) + slack &&
+         std::min(c, d) <= std::max(a, b) + slack;
 }
 
-/** A table as it is written. */
-std::string text_of(const fs::path &file)
+/** The names of the tables in a directory. */
+std::set<std::string> tables_in(const fs::path &directory)
 {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::set<std::string> names;
+  const std::vector<std::string> results = files_of_all_runs().results;
+  for (const std::string &name : results)
+    if (fs::path(name).extension() == ".csv" && fs::exists(directory / name))
+      names.insert(name);
+  return names;
 }
 
-/** Show which tables differ. */
+/** Show which tables differ, or are in one of the directories alone. */
 void compare_tables(const fs::path &before,
                     const fs::path &now,
                     Terminal &terminal)
 {
+  std::set<std::string> names = tables_in(before);
+  names.merge(tables_in(now));
   std::vector<std::string> different;
-  unsigned int n_tables = 0;
-  for (const fs::directory_entry &entry : fs::directory_iterator(now))
-    if (const fs::path file = entry.path(); file.extension() == ".csv")
-    {
-      ++n_tables;
-      if (text_of(file) != text_of(before / file.filename()))
-        different.push_back(file.filename().string());
-    }
-  std::sort(different.begin(), different.end());
+  for (const std::string &name : names)
+    if (const auto one = bytes_of_file(before / name),
+        other = bytes_of_file(now / name);
+        !one || !other || *one != *other)
+      different.push_back(name);
   if (different.empty())
-    terminal.summary("Tables", text(n_tables, ", the same to the last byte"));
+    terminal.summary("Tables",
+                     text(names.size(), ", the same to the last byte"));
   else
     terminal.summary("Tables", boost::algorithm::join(different, ", ") +
-                                   " differ, of " + std::to_string(n_tables));
+                                   " differ, of " +
+                                   std::to_string(names.size()));
 }
 
 /** Show where and by what the results were made, if that is another way now. */
@@ -274,7 +292,8 @@ bool reproduce(const fs::path &file,
   const std::unique_ptr<Run> run =
       make_run({results.directory() / parameters_prm,
                 {},
-                {"Output directory=" + again.string()}},
+                {"Output directory=" + again.string(),
+                 "Output/Checkpoint after=" + never}},
                Terminal::silent(), processes);
   terminal.set_verbosity(run->verbosity());
   results.check(run->provenance(results.origin, results.directory()));

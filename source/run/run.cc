@@ -5,6 +5,7 @@
 #include <voussoir/run/run.h>
 #include <voussoir/run/unused_settings.h>
 #include <voussoir/scene/scene_parameters.h>
+#include <voussoir/terminal/interruption.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -208,7 +209,8 @@ Run::provenance(const std::filesystem::path &directory,
                 const std::filesystem::path &results) const
 {
   Origin origin;
-  if (!written.file.empty())
+  origin.has_given_blocks = has_given_blocks;
+  if (!written.file.empty() && !has_given_blocks)
   {
     origin.command = "voussoir " + shell_word(written.file);
     for (const std::string &text : written.assignments)
@@ -225,6 +227,8 @@ Run::provenance(const std::filesystem::path &directory,
       ParameterFormat::prm, Detail::value);
   origin.parameters = parameters.str();
   origin.files = input_files(directory);
+  for (const std::filesystem::path &file : files_of_forces())
+    origin.files.push_back(file);
   return provenance_of(origin, results);
 }
 
@@ -233,9 +237,16 @@ void Run::begin_journal(const std::filesystem::path &directory,
 {
   if (resumes)
     remove_left_over(output.directory);
-  journal.begin({std::filesystem::path(output.directory) / checkpoint_file,
-                 identity_of(provenance(directory, output.directory)),
-                 output.checkpoint_after},
+  made_of = provenance(directory, output.directory);
+  const std::filesystem::path file =
+      std::filesystem::path(output.directory) / checkpoint_file;
+  journal.begin({file, identity_of(made_of), output.checkpoint_after,
+                 [file] {
+                   Uninterrupted whole;
+                   whole.state("no results were written; with --resume the "
+                               "run goes on from '" +
+                               file.string() + "'.");
+                 }},
                 resumes);
 }
 

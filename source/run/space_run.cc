@@ -5,6 +5,7 @@
 #include <voussoir/output/polyhedra_csv.h>
 #include <voussoir/output/report/packing_report.h>
 #include <voussoir/output/report/report.h>
+#include <voussoir/output/summary/messages.h>
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/space_ground_summary.h>
 #include <voussoir/output/summary/space_stress_summary.h>
@@ -63,6 +64,17 @@ void look_at_contacts(Terminal &terminal, const Packing<3> &packing)
            pairs_with(smaller_tolerance), " within a tenth of that, and ",
            pairs_with(larger_tolerance), " within ten times"));
 }
+
+/** What is said of the loads, in a sentence or some. */
+std::string verdict_of(const SpaceResults &answer)
+{
+  if (!answer.is_analysed)
+    return "No load acts: nothing but the packing was made.";
+  if (!answer.message.empty())
+    return answer.message;
+  return answer.sentence.empty() ? sentence_of(answer.status, true)
+                                 : answer.sentence;
+}
 } // namespace
 
 void SpaceRun::declare(const NamedSections & /*names*/)
@@ -112,26 +124,6 @@ void SpaceRun::validate(const std::filesystem::path &directory) const
   terminal.stage("Valid", "nothing was solved, and nothing written");
 }
 
-namespace
-{
-/** What is said of the loads, in a sentence or some. */
-std::string verdict_of(const SpaceResults &answer)
-{
-  if (!answer.is_analysed)
-    return "No load acts: nothing but the packing was made.";
-  if (!answer.message.empty())
-    return answer.message;
-  if (!answer.sentence.empty())
-    return answer.sentence;
-  return answer.status.kind == Status::Kind::carried_within
-             ? text("The loads are carried to within ", answer.status.within,
-                    " of the largest: whether they are carried exactly is "
-                    "open.")
-             : "The loads are carried: forces within the limits of all joints "
-               "and supports balance them.";
-}
-} // namespace
-
 RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
                                const bool writes,
                                PackingsOfRuns *const packings)
@@ -148,11 +140,10 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
   RunOutcome outcome;
   if (answer.is_analysed)
     outcome.status = answer.status;
-  outcome.summary = summary_of(answer, result.defects);
   outcome.verdict = verdict_of(answer);
   if (files)
   {
-    write(directory, *files, result);
+    write(*files, result);
     journal.end();
     if (!answer.message.empty())
       outcome.message =
@@ -160,6 +151,7 @@ RunOutcome SpaceRun::carry_out(const std::filesystem::path &directory,
           (reports ? report_html + " shows it in a browser, " : "") +
           blocks_vtu + " in ParaView.";
   }
+  outcome.summary = summary_of(answer, result.defects);
   return outcome;
 }
 
@@ -176,7 +168,8 @@ SpaceRun::open(const std::filesystem::path &directory)
 void SpaceRun::write(const std::filesystem::path &directory,
                      SpaceResult &result)
 {
-  write(directory, *open(directory), result);
+  made_of = provenance(directory, output.directory);
+  write(*open(directory), result);
 }
 
 void SpaceRun::write_page(std::ostream &out, const SpaceResult &result) const
@@ -269,14 +262,12 @@ SpaceRun::read_packing(const std::filesystem::path &directory) const
   return {std::move(packing), std::move(defects)};
 }
 
-void SpaceRun::write(const std::filesystem::path &directory,
-                     ResultDirectory &files,
-                     SpaceResult &result)
+void SpaceRun::write(ResultDirectory &files, SpaceResult &result)
 {
   terminal.begin("Output");
   timer.enter_subsection("output");
   SpaceResults &answer = result.answer;
-  answer.provenance = provenance(directory, output.directory);
+  answer.provenance = made_of;
   const std::vector<CellDefect> &defects = result.defects;
   using Writer = void (*)(std::ostream &, const SpaceResults &);
   const auto add = [&](const std::string &name, const Writer writer) {

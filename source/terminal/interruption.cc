@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/library_failure.h>
 #include <voussoir/terminal/interruption.h>
 #include <voussoir/terminal/screen.h>
 
@@ -120,6 +121,9 @@ std::atomic<bool> has_failed{false};
 std::atomic<bool> failure_is_said{false};
 /** @} */
 
+/** The message of a library that has failed and says so; null of others. */
+std::atomic<const char *> of_library{nullptr};
+
 /** What no one has caught; it needs no memory. */
 std::array<char, 512> uncaught = {};
 
@@ -152,6 +156,13 @@ void say_failure(const unsigned char failure, const char *const state)
 {
   if (failure_is_said.exchange(true))
     return;
+  if (const char *const message = of_library)
+  {
+    for (const char *const part : {"voussoir: ", message, "\n"})
+      if (write(STDERR_FILENO, part, std::strlen(part)) < 0)
+        break;
+    return;
+  }
   for (const char *const part :
        {"voussoir: The program, or a library that it uses, has failed by ",
         uncaught.front() != 0 ? uncaught.data() : words_of(failure), state,
@@ -211,7 +222,10 @@ extern "C" void end_by_failure(const int signal)
     _exit(final_status);
   // A second one may come on the way out.
   if (!has_failed.exchange(true))
+  {
+    of_library = message_of_library();
     wake(static_cast<unsigned char>(signal));
+  }
   else if (failure_is_said)
     _exit(no_answer);
   for (timespec left = {patience_with_undo, 0};
@@ -262,6 +276,8 @@ void wait_for_signals(const int read_end)
   // Also SIGPIPE, should the reader of the message have been interrupted, too.
   sigset_t all;
   sigfillset(&all);
+  for (const int one : failures) // of this thread, should the undo fail
+    sigdelset(&all, one);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   unsigned char signal = no_signal;
   while (read(read_end, &signal, 1) == -1 && errno == EINTR)
@@ -292,7 +308,7 @@ void Interruption::watch_failures()
 {
   if (failures.empty())
     return;
-  // Where the stack itself has come to its end.
+  // Where the stack itself has come to its end, that of the main thread.
   static std::array<char, 1 << 16> stack;
   stack_t other = {};
   other.ss_sp = stack.data();

@@ -18,6 +18,8 @@ void run()
             << printable("nach M\xc3\xbcnchen") << '\n'
             << printable("nach M\xfcnchen") << std::endl;
   show_refusal([] { throw InputError("'\x1b[2J' is no number."); });
+  check("controls of two bytes", printable("a\xc2\x9b"
+                                           "2J \xc2\xb0") == "a??2J \xc2\xb0");
 
   const std::string umlauts = [] {
     std::string many;

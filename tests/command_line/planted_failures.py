@@ -145,7 +145,7 @@ CASES = [
     # Clp.
     ("ranges", "primal:1:abort", CLP),
     ("ranges", "primal:3:fault", CLP),
-    ("ranges", "primal:2:exit", EXIT),
+    ("ranges", "primal:2:exit", CLP),
     ("ranges", "primal:2:error", ANSWER),
     ("ranges", "primal:2:throw_int", ANSWER),
     ("ranges", "primal:2+:throw", NO_ANSWER),
@@ -184,7 +184,7 @@ CASES = [
     # GDAL.
     ("drawing", "dlopen_gdal:1:none", NO_GDAL),
     ("drawing", "dlsym_gdal:5:none", NO_GDAL),
-    ("drawing", "GDALOpenEx:1:null", Message(2, "is of no format that GDAL reads")),
+    ("drawing", "GDALOpenEx:1:null", Message(2, "is of none of the formats that are read")),
     ("drawing", "GDALOpenEx:1:abort", ABORT),
     ("drawing", "GDALAllRegister:1:exit", EXIT),
     # A feature is read three times, with GDAL's chords of its arcs, with few and with many.

@@ -8,6 +8,8 @@ import sys
 import uuid
 from pathlib import Path
 
+from scene_text import prm
+
 PROGRAM = str(Path(sys.argv[1]).resolve())
 WALL = """set Title = A wall
 set Rotations = true
@@ -31,16 +33,6 @@ set Friction/Strength = 10
 set Loads/Body force = 0; 0; -1
 """
 fails = []
-
-
-def prm(settings):
-    """Lines such as "set Packing/Generator = wall", in their sections."""
-    lines = []
-    for line in settings.splitlines():
-        *sections, entry = line.split(" = ")[0].removeprefix("set ").split("/")
-        lines += [f"subsection {section}" for section in sections]
-        lines += [f"set {entry} = {line.split(' = ', 1)[1]}"] + ["end"] * len(sections)
-    return "\n".join(lines) + "\n"
 
 
 def check(name, holds, found=""):
@@ -163,6 +155,15 @@ status, out, _ = run("--reproduce", "here/results/summary.json")
 check("another factor is another answer",
       status == 1 and lines(out)["Reproduced"] == "ANOTHER ANSWER", out)
 Path("here/results/summary.json").write_text(text, encoding="utf-8")
+text = change(lambda tree: tree["load_factor"].update(unbounded=True, carried=None, bound=None))
+status, out, _ = run("--reproduce", "here/results/summary.json")
+check("a factor without bound is another one", status == 1, out)
+Path("here/results/summary.json").write_text(text, encoding="utf-8")
+Path("here/results/capacity.csv").write_text("a table of its own\n", encoding="utf-8")
+status, out, _ = run("--reproduce", "here/results/summary.json")
+check("a table that is not made again is told", status == 0 and
+      lines(out)["Tables"] == f"capacity.csv differ, of {len(after) + 1}", out)
+Path("here/results/capacity.csv").unlink()
 text = change(lambda tree: tree.update(status="collapse"))
 status, out, _ = run("--reproduce", "here/results/summary.json")
 check("and another status", status == 1, out)
@@ -183,6 +184,14 @@ run("cubes.prm", directory="here/scenes")
 status, out, error = run("--reproduce", "here/cubes/summary.json")
 check("blocks in space are made again", status == 0 and "last digit" in out and
       "the same to the last byte" in out, out + error)
+
+# Forces of an earlier run are input, too.
+run("wall.prm", directory="here/scenes")
+run("wall.prm", "--set", "Forces from=../results", "--set", "Output directory=../other",
+    directory="here/scenes")
+origin = summary("here/other")["provenance"]
+check("the files of forces are named", "../results/interfaces.csv" in origin["files"] and
+      origin["files"]["../scenes/blocks.wkt"] == name_of(BLOCKS), origin)
 
 # What cannot be made again.
 status, _, error = run("--reproduce", "here/none.json")
@@ -216,11 +225,12 @@ refused("other parameters", status, error,
         "'here/results/parameters.prm' is not the file that was written with "
         "'here/results/summary.json': its entries differ; bring it back, or run the scene itself.")
 parameters.write_text(written, encoding="utf-8")
-for words in (("here/scenes/wall.prm",), ("--set", "Rotations=false")):
+for words in (("here/scenes/wall.prm",), ("--set", "Rotations=false"), ("--validate",),
+              ("--resume",), ("--sweep", "Friction/Coefficient=0.5 | 0.6")):
     status, _, error = run(*words, "--reproduce", "here/results/summary.json")
     refused("with parameters", status, error,
             "--reproduce takes the parameters beside the summary; give it without a file of "
-            "parameters and --set.")
+            "parameters and other options than --quiet.")
 status, _, error = run("--reproduce", "here/results/summary.json", env={"TMPDIR": "/proc"})
 refused("no place for files", status, error,
         "No directory can be made in '/proc'; set TMPDIR to one that can be written to.")

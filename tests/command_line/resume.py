@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What was killed goes on, and ends with the same files: resume.py VOUSSOIR [options]
 
-Each computation is killed at random moments, N times (2), and resumed after each.
+Each computation is killed N times (1), and resumed after each: as soon as it has kept something,
+then at random moments.
 """
 import argparse
 import csv
@@ -14,9 +15,11 @@ import sys
 import time
 from pathlib import Path
 
+from scene_text import prm
+
 OPTIONS = argparse.ArgumentParser(description=__doc__)
 OPTIONS.add_argument("program", type=lambda name: str(Path(name).resolve()))
-OPTIONS.add_argument("--kills", type=int, default=2)
+OPTIONS.add_argument("--kills", type=int, default=1)
 OPTIONS.add_argument("--seed", type=int, default=1)
 OPTIONS.add_argument("--only", default="", metavar="REGEX",
                      help="of the computations those whose names match")
@@ -77,16 +80,6 @@ COMPUTATIONS = {
 fails = []
 
 
-def prm(settings):
-    """Lines such as "set Packing/Generator = wall", in their sections."""
-    lines = []
-    for line in settings.splitlines():
-        *sections, entry = line.split(" = ")[0].removeprefix("set ").split("/")
-        lines += [f"subsection {section}" for section in sections]
-        lines += [f"set {entry} = {line.split(' = ', 1)[1]}"] + ["end"] * len(sections)
-    return "\n".join(lines) + "\n"
-
-
 def check(name, holds, found=""):
     if not holds:
         fails.append(name)
@@ -125,6 +118,11 @@ def files():
             for file in sorted(RESULTS.rglob("*")) if file.is_file()}
 
 
+def wait_for_checkpoint(process):
+    while process.poll() is None and not CHECKPOINT.exists():
+        time.sleep(0.002)
+
+
 def go_on(scene, more):
     """From what there is, or anew."""
     return words(scene, more, *(["--resume"] if CHECKPOINT.exists() else []))
@@ -137,7 +135,10 @@ def kill_and_resume(name, scene, more, whole, seconds, moments):
         for _ in range(20):
             with subprocess.Popen(go_on(scene, more), stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE) as process:
-                time.sleep(moments.uniform(0.1, 0.8) * seconds)
+                if kill == 0:
+                    wait_for_checkpoint(process)
+                else:
+                    time.sleep(moments.uniform(0.1, 0.8) * seconds)
                 process.kill()
                 error = process.communicate()[1].decode()
             check(f"{name}: killed, or ended well", process.returncode in (-9, 0), error)
@@ -166,7 +167,7 @@ def check_all(moments):
         whole = files()
         n_kept = kill_and_resume(name, scene, more, whole, seconds, moments)
         check(f"{name}: something was kept", n_kept > 0)
-        if OPTIONS.kills > 2:
+        if OPTIONS.kills > 1:
             print(f"{name}: {seconds:.1f} s, {OPTIONS.kills} kills, {n_kept} of them resumed")
 
 
@@ -182,6 +183,14 @@ def leave_checkpoint(scene, more):
         process.kill()
 
 
+def leave_sweep(scene, *words_of_sweep):
+    """Kill a sweep when some of its runs are kept."""
+    shutil.rmtree(RESULTS, ignore_errors=True)
+    with subprocess.Popen(words(scene, words_of_sweep), stdout=subprocess.DEVNULL) as process:
+        wait_for_checkpoint(process)
+        process.kill()
+
+
 def check_that_it_goes_on():
     """What is done is not done again, and what is cut off at its end is read."""
     scene, more = COMPUTATIONS["load factor"]
@@ -190,11 +199,7 @@ def check_that_it_goes_on():
     first = re.search(r"iteration (\d+), factor", done.stdout)
     check("a load factor goes on in the middle", first and int(first.group(1)) > 1, done.stdout)
     scene, more = COMPUTATIONS["sweep"]
-    shutil.rmtree(RESULTS, ignore_errors=True)
-    with subprocess.Popen(words(scene, more), stdout=subprocess.DEVNULL) as process:
-        while process.poll() is None and not CHECKPOINT.exists():
-            time.sleep(0.002)
-        process.kill()
+    leave_sweep(scene, *more)
     kept = CHECKPOINT.read_bytes()
     CHECKPOINT.write_bytes(kept[:-7])
     begin = time.monotonic()
@@ -205,6 +210,27 @@ def check_that_it_goes_on():
              csv.DictReader((RESULTS / "sweep.csv").read_text().splitlines())]
     check("the table has the times of all runs", len(times) == 24 and min(times) > 0 and
           seconds > 0)
+
+
+def check_that_runs_are_told_apart():
+    """Runs of another text or file with the same values are not those that were kept."""
+    scene = WALL.format(courses=12, bricks=8)
+    leave_sweep(scene, "--sweep", "Loads/Body force=0.01*a; -1 for a=0:9:40")
+    done = run(scene, ["--sweep", "Loads/Body force=9*a; -1 for a=0:9:40", "--resume"])
+    statuses = [row["status"] for row in
+                csv.DictReader((RESULTS / "sweep.csv").read_text().splitlines())]
+    check("another text is another run", done.returncode == 0 and
+          statuses == ["solved"] + 39 * ["collapse"], (done.stderr, statuses))
+    leave_sweep(scene, "--sweep", "Friction/Coefficient=0.3:0.9:40")
+    done = run(scene, [], "--resume")
+    check("a single run is no sweep", done.returncode == 2 and
+          "of a run with another" in " ".join(done.stderr.split()), done.stderr)
+    leave_checkpoint(*COMPUTATIONS["load factor"])
+    done = run(COMPUTATIONS["load factor"][0], ["--set", "Analysis=load factor", "--sweep",
+                                                "Friction/Coefficient=0.3 | 0.6", "--resume"])
+    check("nor a sweep a single run", done.returncode == 2 and
+          "of a run with another 'kind': none, now \"many runs\"" in
+          " ".join(done.stderr.split()), done.stderr)
 
 
 def check_messages():
@@ -231,6 +257,19 @@ def check_messages():
             "--resume.")
     done = run(scene, more)
     check("without --resume it begins anew", done.returncode == 0 and not CHECKPOINT.exists())
+    # An interruption says that it can go on.
+    shutil.rmtree(RESULTS, ignore_errors=True)
+    with subprocess.Popen(words(scene, more), stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True) as process:
+        wait_for_checkpoint(process)
+        time.sleep(0.05)
+        process.terminate()
+        said = process.communicate()[1]
+    check("an interruption says that it can go on", process.returncode == 143 and
+          said == "voussoir: Interrupted by SIGTERM; no results were written; with --resume the "
+          "run goes on from 'results/checkpoint.bin'.\n", said)
+    done = run(scene, more, "--resume")
+    check("and it can", done.returncode == 0, done.stderr)
     # Before the time is over nothing is written.
     shutil.rmtree(RESULTS, ignore_errors=True)
     with subprocess.Popen(words(scene, more, "--set", "Output/Checkpoint after=60"),
@@ -242,6 +281,7 @@ def check_messages():
 
 check_all(random.Random(OPTIONS.seed))
 check_that_it_goes_on()
+check_that_runs_are_told_apart()
 check_messages()
 print("FAILED: " + ", ".join(fails) if fails else "OK")
 sys.exit(bool(fails))

@@ -17,6 +17,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from scene_text import prm
+
 PROGRAM = str(Path(sys.argv[1]).resolve())
 OUTPUT = Path("output")
 
@@ -70,13 +72,7 @@ def write_scenes():
     Path("beam.wkt").write_text(BEAM_WKT)
     Path("leaning.wkt").write_text(LEANING_WKT)
     for name, text in SCENES.items():
-        lines = []
-        for line in text.splitlines():
-            entry, value = line[4:].split(" = ", 1)
-            *sections, entry = entry.split("/")
-            lines += [f"subsection {section}" for section in sections]
-            lines += [f"set {entry} = {value}"] + ["end"] * len(sections)
-        Path(f"{name}.prm").write_text("\n".join(lines) + "\n")
+        Path(f"{name}.prm").write_text(prm(text))
 
 
 def run(scene, *arguments, status=0):

@@ -18,7 +18,7 @@ void run()
 {
   check("lists", is_value_list(" list 1") && is_value_list("list") &&
                      is_value_list("list 0; list -1") &&
-                     is_value_list("0; list -1"));
+                     is_value_list("0; list -1") && is_value_list("list\t1"));
   check("expressions", !is_value_list("1 + x") && !is_value_list("listed") &&
                            !is_value_list("0; -1") && !is_value_list(""));
 
@@ -42,6 +42,8 @@ void run()
   const double infinite = std::numeric_limits<double>::infinity();
   check("infinite", numbers_of_list("list inf, -inf", "entry", 2, "cell") ==
                         std::vector<double>{infinite, -infinite});
+  check("signs", numbers_of_list("list +0.5, -0.5", "entry", 2, "cell") ==
+                     std::vector<double>{0.5, -0.5});
   const std::vector<std::vector<double>> vectors = {{1., 2., 3.}, {4., 5., 6.}};
   check("vectors", vectors_of_lists("list 1, 2, 3; list 4, 5, 6", "entry", 2, 3,
                                     "cell") == vectors);

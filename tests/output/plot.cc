@@ -45,6 +45,8 @@ void check_curves()
   check("by ratio", std::abs(middle - 140.) < 1e-9 &&
                         has(svg, "<title>a &lt; b, x = 2: 10</title>") &&
                         has(svg, "cy=\"140\""));
+  check("ticks of a short axis by ratio",
+        PlotAxis({"", 0.6, 0.9, true}, 250., 30.).ticks().size() >= 3);
   check("a key for each", count(curves_key(plot), "<li>") == 2);
   plot.x = {"x", 0., 0., false, {"one", "two & more", "three"}};
   for (PlotCurve &curve : plot.curves)

@@ -185,6 +185,25 @@ def without(file):
     return f"{file} missing", plant
 
 
+def without_tables():
+    """An error: all tables are missing."""
+    def plant(directory):
+        for file in Path(directory).glob("*.csv"):
+            file.unlink()
+    return "all tables missing", plant
+
+
+def out_of_balance_within():
+    """An error: forces out of balance, of a state that says it is solved, within that."""
+    def plant(directory):
+        in_table("interfaces.csv", "normal_force", more)[1](directory)
+        file = Path(directory) / "summary.json"
+        summary = json.loads(file.read_text(encoding="utf-8"))
+        summary["within"] = 1.
+        file.write_text(json.dumps(summary), encoding="utf-8")
+    return "forces within 1", plant
+
+
 def in_summary(path, change):
     """An error: a number of summary.json, whose place is `path`."""
     def plant(directory):
@@ -250,7 +269,8 @@ ERRORS = {
         without_line("interfaces.csv", "normal_force"),
         without_column("interfaces.csv", "compressive_strength"),
         without_column("interfaces.csv", "normal_force_0"),
-        cut_off("interfaces.csv"), without("interfaces.csv"),
+        cut_off("interfaces.csv"), without("interfaces.csv"), without_tables(),
+        out_of_balance_within(),
         in_table("cells.csv", "load_y", more), in_table("cells.csv", "load_torque", moved),
         in_table("cells.csv", "x", moved), in_table("cells.csv", "area", less),
         without_column("cells.csv", "load_x"),

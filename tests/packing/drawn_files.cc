@@ -1,34 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Drawings as text, in DXF and as a table of curves: stones with arcs in every
-// entity that draws them, lines that bound stones together, layers that are
-// chosen and grouped, and what messages say of layers and handles.
+// entity that draws them, and lines that bound stones together.
 
 #include <voussoir/base/text_file.h>
 #include <voussoir/run/command_line/command_line.h>
 
 #include <nlohmann/json.hpp>
 
-#include "polygons.h"
+#include "dxf.h"
 #include "tests.h"
-#include <iomanip>
-#include <regex>
 
 namespace test_drawn_files
 {
 using namespace Voussoir;
-using dealii::Point;
-using Points = std::vector<Point<2>>;
-using Parameters = std::vector<std::pair<std::string, std::string>>;
+using namespace drawn;
 
 constexpr double pi = dealii::numbers::PI;
-
-/** A vertex and the bulge of the side behind it. */
-struct Vertex
-{
-  double x, y, bulge = 0.;
-};
-using Vertices = std::vector<Vertex>;
 
 /** The same loop from the same vertex, the other way round. */
 Vertices turned(const Vertices &loop)
@@ -41,104 +29,6 @@ Vertices turned(const Vertices &loop)
                      -loop[(k + loop.size() - 1) % loop.size()].bulge});
   }
   return other;
-}
-
-/** A DXF file of entities with handles from A0 on. */
-class Dxf
-{
-public:
-  Dxf() { out << std::setprecision(17) << "0\nSECTION\n2\nENTITIES\n"; }
-
-  void lwpolyline(const std::string &layer,
-                  const Vertices &vertices,
-                  const bool is_closed = true)
-  {
-    begin("LWPOLYLINE", layer);
-    out << "90\n" << vertices.size() << "\n70\n" << is_closed << '\n';
-    for (const Vertex &v : vertices)
-      add(v);
-  }
-  /** The form of AutoCAD's release 12. */
-  void polyline(const std::string &layer, const Vertices &vertices)
-  {
-    begin("POLYLINE", layer);
-    out << "66\n1\n70\n1\n";
-    for (const Vertex &v : vertices)
-    {
-      out << "0\nVERTEX\n8\n" << layer << '\n';
-      add(v);
-    }
-    out << "0\nSEQEND\n8\n" << layer << '\n';
-  }
-  void line(const std::string &layer, const Point<2> &a, const Point<2> &b)
-  {
-    begin("LINE", layer);
-    out << "10\n" << a[0] << "\n20\n" << a[1] << '\n';
-    out << "11\n" << b[0] << "\n21\n" << b[1] << '\n';
-  }
-  /** Counterclockwise from one angle in degrees to another. */
-  void arc(const std::string &layer,
-           const Point<2> &centre,
-           const double radius,
-           const double from,
-           const double to)
-  {
-    begin("ARC", layer);
-    round(centre, radius);
-    out << "50\n" << from << "\n51\n" << to << '\n';
-  }
-  void
-  circle(const std::string &layer, const Point<2> &centre, const double radius)
-  {
-    begin("CIRCLE", layer);
-    round(centre, radius);
-  }
-  void ellipse(const std::string &layer,
-               const Point<2> &centre,
-               const double half_length,
-               const double ratio)
-  {
-    begin("ELLIPSE", layer);
-    out << "10\n" << centre[0] << "\n20\n" << centre[1] << '\n';
-    out << "11\n" << half_length << "\n21\n0\n40\n" << ratio << '\n';
-    out << "41\n0\n42\n" << 2. * pi << '\n';
-  }
-  void text_entity(const std::string &layer)
-  {
-    begin("TEXT", layer);
-    out << "10\n0\n20\n0\n40\n1\n1\nwall\n";
-  }
-  void write(const std::string &file = "drawing.dxf") const
-  {
-    write_file(file, out.str() + "0\nENDSEC\n0\nEOF\n");
-  }
-
-private:
-  void begin(const std::string &entity, const std::string &layer)
-  {
-    out << "0\n" << entity << "\n5\n" << std::hex << std::uppercase << handle++;
-    out << std::dec << "\n8\n" << layer << '\n';
-  }
-  void add(const Vertex &v)
-  {
-    out << "10\n" << v.x << "\n20\n" << v.y << '\n';
-    if (v.bulge != 0.)
-      out << "42\n" << v.bulge << '\n';
-  }
-  void round(const Point<2> &centre, const double radius)
-  {
-    out << "10\n" << centre[0] << "\n20\n" << centre[1] << '\n';
-    out << "40\n" << radius << '\n';
-  }
-
-  std::ostringstream out;
-  int handle = 0xA0;
-};
-
-CellLoops cells_of(const Dxf &drawing, const Parameters &parameters = {})
-{
-  drawing.write();
-  return imported_cells("drawing.dxf", parameters);
 }
 
 Packing<2> packing_of(const Dxf &drawing, const Parameters &parameters = {})
@@ -385,123 +275,12 @@ void walls()
   }
 }
 
-/** Stones on three layers, a dimension and a text. */
-Dxf three_layers()
-{
-  Dxf drawing;
-  drawing.lwpolyline("pier left", {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  drawing.lwpolyline("pier right", {{2, 0}, {3, 0}, {3, 1}, {2, 1}});
-  drawing.lwpolyline("LINTEL", {{0, 1}, {3, 1}, {3, 2}, {0, 2}});
-  drawing.line("dimensions", {0, -1}, {3, -1.5});
-  drawing.text_entity("dimensions");
-  return drawing;
-}
-
-void layers()
-{
-  const Dxf drawing = three_layers();
-  const CellLoops stones = cells_of(drawing, {{"Layers", "pier *, LINTEL"}});
-  check("chosen layers",
-        stones.n_cells() == 3 && stones.notices.empty() &&
-            stones.group_names == std::vector<std::string>(
-                                      {"pier left", "pier right", "LINTEL"}));
-  check("a layer by each wildcard",
-        cells_of(drawing, {{"Layers", "pier ?eft, [KL]INTEL"}}).n_cells() == 2);
-  const CellLoops grouped =
-      cells_of(drawing, {{"Layers", "pier *, LINTEL"},
-                         {"Layer groups", "*right: abutment | pier*: pier"}});
-  check("groups of layers, the first that fits",
-        grouped.group_names ==
-            std::vector<std::string>({"pier", "abutment", "LINTEL"}));
-  for (const Parameters &parameters : std::vector<Parameters>{
-           {{"Layers", "pier *, lintel"}},
-           {{"Layers", "dimensions"}, {"Lines", "ignore"}},
-           {{"Layers", "pier *,"}},
-           {{"Layers", "pier *"}, {"Layer groups", "LINTEL: beam"}},
-           {{"Layer groups", "beam"}}})
-    show_refusal([&] { cells_of(drawing, parameters); });
-  Dxf words;
-  words.text_entity("dimensions");
-  show_refusal([&] { cells_of(words); });
-}
-
-/** Messages have layers, handles or ids, and scaled coordinates. */
-void messages()
-{
-  const Parameters in_mm = {{"Scale", "0.001"}};
-  const auto wide = [](const std::string &layer, const double x,
-                       const double y) {
-    return std::make_pair(
-        layer,
-        Vertices({{x, y}, {x + 1000, y}, {x + 1000, y + 1000}, {x, y + 1000}}));
-  };
-  const auto drawn =
-      [&](const std::vector<std::pair<std::string, Vertices>> &stones) {
-        Dxf drawing;
-        for (const auto &[layer, vertices] : stones)
-          drawing.lwpolyline(layer, vertices);
-        return drawing;
-      };
-  show_refusal([&] {
-    cells_of(drawn({wide("pier", 0, 0), wide("arch", 900, 0)}), in_mm);
-  });
-  show_refusal([&] {
-    cells_of(drawn({{"pier", {{0, 0}, {1000, 1000}, {1000, 0}, {0, 1000}}}}),
-             in_mm);
-  });
-  Dxf open = three_layers();
-  show_refusal([&] { cells_of(open, in_mm); });
-  write_file("lines.geojson",
-             R"({"type": "FeatureCollection", "features": [
-      {"type": "Feature", "properties": {}, "geometry": {"type": "LineString",
-       "coordinates": [[0, 0], [1000, 0], [1000, 1000], [1, 1]]}}]})");
-  show_refusal([&] { imported_cells("lines.geojson", in_mm); });
-  const CellLoops cells =
-      cells_of(drawn({wide("pier", 0, 0), wide("arch", 1020, 0)}), in_mm);
-  std::cout << cells.describe(1) << '\n' << cells.notices.at(0) << std::endl;
-  Dxf fine;
-  fine.circle("pier", {0, 0}, 1000.);
-  show_refusal([&] {
-    cells_of(fine, {{"Scale", "0.001"}, {"Arc tolerance", "1e-12"}});
-  });
-}
-
-/** Open lines are in the pictures of a drawing with several faults. */
-void pictures()
-{
-  Dxf drawing = three_layers();
-  drawing.lwpolyline("pier left", {{0, 2}, {1, 2, 0.5}, {1, 3}}, false);
-  drawing.write();
-  write_file("scene.prm", "set Output directory = faulty\n"
-                          "subsection Packing\n"
-                          "  set Generator = polygons\n"
-                          "  subsection polygons\n"
-                          "    set File = drawing.dxf\n"
-                          "    set Scale = 0.1\n"
-                          "  end\n"
-                          "end\n");
-  std::ostringstream out, error;
-  const int status = run_command_line({"scene.prm", "--quiet"}, out, error);
-  std::cout << "status " << status << '\n' << error.str();
-  const std::string page = *read_text_file("faulty/drawing_check.html"),
-                    grid = *read_text_file("faulty/drawing_check.vtu");
-  const std::regex lines("class=\"open\"");
-  check("both open lines are on the page",
-        std::distance(std::sregex_iterator(page.begin(), page.end(), lines),
-                      std::sregex_iterator()) == 2);
-  check("and in the grid, with three stones",
-        grid.find("NumberOfCells=\"5\"") != std::string::npos);
-}
-
 void run()
 {
   half_disc();
   rings();
   arch();
   walls();
-  layers();
-  messages();
-  pictures();
 }
 
 const RoomTest test("drawn_files", run);

@@ -267,7 +267,12 @@ void test_ogr()
   std::filesystem::remove("missing.dxf");
   check_refusal("a missing file", "missing.dxf", "does not exist");
   write_file("squares.geojson", "nonsense");
-  check_refusal("nonsense", "squares.geojson", "no format that GDAL reads");
+  check_refusal("nonsense", "squares.geojson", "none of the formats");
+  // GDAL reads it, and would read what it leads to.
+  write_file("squares.vrt", R"(<OGRVRTDataSource><OGRVRTLayer name="squares">
+<SrcDataSource>squares.shp</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>)");
+  check_refusal("a file that leads to another", "squares.vrt",
+                "none of the formats");
   write_file("squares.geojson", head + left + "\n");
   check_refusal("a truncated file", "squares.geojson", "(GDAL: ");
   write_file("squares.geojson", head + "]}");

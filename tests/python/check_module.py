@@ -13,15 +13,11 @@ import sys
 import numpy as np
 import voussoir
 
-SOURCE, PROGRAM = sys.argv[1:]
+from checks import PROGRAM, SOURCE, expect
+
 SQUARES = [np.array([[0, k], [1, k], [1, k + 1], [0, k + 1]], float) for k in range(3)]
 STANDING = {"Supports/Where": "y < 1e-9", "Loads/Body force": "0; -1",
             "Friction/Strength": 1, "Formulation": "least energy"}
-
-
-def expect(what, condition):
-    if not condition:
-        sys.exit(f"{what}: not as expected")
 
 
 def raised(kind, what, action):

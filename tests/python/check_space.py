@@ -10,26 +10,13 @@ import sys
 import numpy as np
 import voussoir
 
-SOURCE, PROGRAM = sys.argv[1:]
+from checks import PROGRAM, SOURCE, expect, raised
+
 BOX = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
 FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
 TOWER = [(BOX + [0, 0, k], FACES) for k in range(3)]
 STANDING = {"Rotations": True, "Supports/Where": "z < 1e-9", "Loads/Body force": "0; 0; -1",
             "Friction/Law": "associated Coulomb", "Friction/Coefficient": 0.5}
-
-
-def expect(what, condition):
-    if not condition:
-        sys.exit(f"{what}: not as expected")
-
-
-def raised(kind, message, action):
-    """Expect an exception with exactly this message."""
-    try:
-        action()
-    except kind as error:
-        return expect(f"{error!r} instead of {message!r}", str(error).strip("\"") == message)
-    sys.exit(f"{message}: nothing was raised")
 
 
 def column(file, name):

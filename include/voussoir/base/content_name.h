@@ -3,7 +3,6 @@
 #define voussoir_base_content_name_h
 
 #include <string>
-#include <vector>
 
 namespace Voussoir
 {
@@ -12,9 +11,6 @@ namespace Voussoir
  * of object identifiers, as Python's uuid.uuid5(uuid.NAMESPACE_OID, content).
  */
 std::string name_of_content(const std::string &content);
-/** The same of the bytes of numbers, one list behind the other. */
-std::string
-name_of_content(const std::vector<const std::vector<double> *> &lists);
 } // namespace Voussoir
 
 #endif

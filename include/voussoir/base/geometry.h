@@ -5,6 +5,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -28,6 +29,18 @@ inline dealii::Tensor<2, 2> rotation_by(const double angle)
   rotation[1][0] = std::sin(angle);
   rotation[0][1] = -rotation[1][0];
   return rotation;
+}
+
+/** The point of the segment from @p a to @p b that is nearest to @p p. */
+template <int dim>
+dealii::Point<dim> nearest_on_segment(const dealii::Point<dim> &p,
+                                      const dealii::Point<dim> &a,
+                                      const dealii::Point<dim> &b)
+{
+  const dealii::Tensor<1, dim> along = b - a;
+  const double square = along.norm_square();
+  return square > 0. ? a + std::clamp((p - a) * along / square, 0., 1.) * along
+                     : a;
 }
 
 /**

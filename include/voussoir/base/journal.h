@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <ios>
 #include <map>
 #include <mutex>
 #include <set>
@@ -46,6 +48,8 @@ public:
     Json identity;
     /** When the file is begun, in seconds from now. */
     double after;
+    /** Called when it is begun; may be null. */
+    std::function<void()> when_begun = nullptr;
   };
   /**
    * Begin it, in the place of one that may be there.
@@ -58,7 +62,7 @@ public:
   void begin(Place place, bool resumes);
 
   /** What the part @p name has found; null if it has to be looked for. */
-  const Json *find(const std::string &name) const;
+  Json find(const std::string &name) const;
   /**
    * True if a part that is not at its end may keep where it is: not more often
    * than every ten seconds, and than takes a twentieth of the time.
@@ -67,9 +71,9 @@ public:
   /**
    * Keep what the part @p name has found, in the place of what it had before.
    *
-   * @throws InputError if the file cannot be written.
+   * @throws InputError, or a filesystem_error, if the file cannot be written.
    */
-  void keep(const std::string &name, Json found);
+  void keep(const std::string &name, const Json &found);
   /** Remove the file: the results are there. */
   void end();
 
@@ -77,6 +81,9 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void read();
+  void write(const std::filesystem::path &file,
+             const std::string &records,
+             std::ios::openmode mode) const;
   void write_all();
   void append(const std::string &name);
   double seconds_since(Clock::time_point then) const;
@@ -85,7 +92,10 @@ private:
   mutable std::mutex mutex;
   Place place = {};
   bool keeps = false;
-  std::map<std::string, Json> parts;
+  /** True if the file is there. */
+  bool is_begun = false;
+  /** What each has found, as bytes. */
+  std::map<std::string, std::string> parts;
   /** Those that are in the file. */
   std::set<std::string> written;
   Clock::time_point start, last_write;

@@ -7,7 +7,8 @@ namespace Voussoir
 /**
  * While this lives, a library that fails in its thread by std::abort(), as in
  * an assertion, or by an invalid address ends the program by a message and with
- * exit status 4, as SolverError does, instead of by a signal.
+ * exit status 4, as SolverError does, instead of by a signal. An Interruption
+ * sees to that if there is one, and else this class does.
  */
 class LibraryFailure
 {
@@ -22,6 +23,9 @@ public:
 private:
   const char *const before;
 };
+
+/** The message of the LibraryFailure in this thread; null without one. */
+const char *message_of_library();
 } // namespace Voussoir
 
 #endif

@@ -13,6 +13,13 @@ bool is_utf8(const std::string &text);
 bool is_control(unsigned char letter);
 
 /**
+ * A text with question marks for control characters, but for those @p kept, and
+ * for the bytes above ASCII of a text that is not UTF-8.
+ */
+std::string without_controls(const std::string &text,
+                             const std::string &kept = {});
+
+/**
  * A message as it can be shown, whatever it quotes from a file or a command
  * line: control characters but tabs and ends of lines are question marks, and
  * so are the bytes above ASCII of a text that is not UTF-8; and a line of more

@@ -20,13 +20,19 @@ std::string text(const Arguments &...arguments)
   return out.str();
 }
 
+/** A number with @p n_digits digits at most. */
+inline std::string text_with_digits(const double x, const int n_digits)
+{
+  std::ostringstream out;
+  out.precision(n_digits);
+  out << x;
+  return out.str();
+}
+
 /** A number with digits enough to be copied, and to see what differs. */
 inline std::string text_to_copy(const double x)
 {
-  std::ostringstream out;
-  out.precision(12);
-  out << x;
-  return out.str();
+  return text_with_digits(x, 12);
 }
 
 /** A number that may be none: without the sign that a NaN may have. */

@@ -8,6 +8,9 @@
 
 namespace Voussoir
 {
+/** All that a file has; none if it cannot be read, as a directory. */
+std::optional<std::string> bytes_of_file(const std::filesystem::path &file);
+
 /**
  * The text of a file as UTF-8: without the byte order mark that some editors
  * put before it, and with a line feed for every end of a line of Windows.

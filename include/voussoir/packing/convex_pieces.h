@@ -24,6 +24,10 @@ convex_pieces(const std::vector<dealii::Point<2>> &ring);
 /** True if no two sides of a closed polygon cross or touch. */
 bool is_simple(const std::vector<dealii::Point<2>> &ring);
 
+/** True if a point is inside a simple polygon, however it runs. */
+bool is_inside(const dealii::Point<2> &p,
+               const std::vector<dealii::Point<2>> &ring);
+
 /** The vertices of a cell. */
 std::vector<dealii::Point<2>> ring_of(const Packing<2> &packing,
                                       unsigned int cell);

@@ -33,7 +33,11 @@ public:
                        const ProcessGroup &processes = ProcessGroup());
 
   /** Take polygons as the packing; see PackingParameters::give(). */
-  void give(PolygonList polygons) { analysis.give(std::move(polygons)); }
+  void give(PolygonList polygons)
+  {
+    take_given_blocks();
+    analysis.give(std::move(polygons));
+  }
 
   unsigned int dimension() const override { return 2; }
   unsigned int verbosity() const override { return writer.verbosity(); }
@@ -42,6 +46,7 @@ public:
   {
     return analysis.input_files(directory);
   }
+  std::vector<std::filesystem::path> files_of_forces() const override;
   void validate(const std::filesystem::path &directory) const override;
   RunOutcome carry_out(const std::filesystem::path &directory,
                        bool writes,
@@ -88,9 +93,7 @@ private:
                  ResultDirectory *files,
                  SharedPackings<Packing<2>> *packings);
   /** Write what was found; what ResultWriter::write() returns. */
-  std::string write(const std::filesystem::path &directory,
-                    ResultDirectory &files,
-                    RunResult &result);
+  std::string write(ResultDirectory &files, RunResult &result);
   /** Where results go, with the files protected that the scene is read from. */
   std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
   /**

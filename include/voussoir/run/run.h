@@ -133,6 +133,11 @@ public:
    */
   virtual std::vector<std::filesystem::path>
   input_files(const std::filesystem::path &directory) const = 0;
+  /** Files of an earlier run that forces are read from. */
+  virtual std::vector<std::filesystem::path> files_of_forces() const
+  {
+    return {};
+  }
   /**
    * Show what was understood; nothing is solved, and nothing written.
    *
@@ -168,7 +173,8 @@ protected:
   /** Declare all parameters but `Dimension`, with sections of users. */
   virtual void declare(const NamedSections &names) = 0;
   /**
-   * Begin to keep what is found on the way, or go on from what was kept.
+   * Look at what the results are made of, before it is read, and begin to keep
+   * what is found on the way, or go on from what was kept.
    *
    * @param directory that of the file of parameters, where paths begin.
    * @param output where results go.
@@ -179,6 +185,9 @@ protected:
   /** Show the variables, and warn of settings that have no effect. */
   void show_settings() const;
 
+  /** Blocks are given, which no file and no entry has. */
+  void take_given_blocks() { has_given_blocks = true; }
+
   /** The terminal of the run. */
   Terminal &terminal;
   /** All parameters. */
@@ -187,6 +196,8 @@ protected:
   dealii::TimerOutput timer;
   /** What is found on the way to results that are written. */
   Journal journal;
+  /** The provenance() of the results, when what they are made of was read. */
+  nlohmann::ordered_json made_of;
 
 private:
   template <typename F>
@@ -200,7 +211,7 @@ private:
   AssignedEntries assigned;
   WrittenParameters written;
   Variables variables;
-  bool resumes = false;
+  bool resumes = false, has_given_blocks = false;
   /** True if values may stand in the places of variables already. */
   bool has_listing = false;
 };

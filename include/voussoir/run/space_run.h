@@ -53,7 +53,11 @@ public:
                        PackingsOfRuns *packings = nullptr) override;
 
   /** Take blocks as the packing; see PackingParameters::give(). */
-  void give(BlockMeshes blocks) { of_scene.give(std::move(blocks)); }
+  void give(BlockMeshes blocks)
+  {
+    take_given_blocks();
+    of_scene.give(std::move(blocks));
+  }
   /** @{ */
   /** @param directory that of the file of parameters, where paths begin. */
   /**
@@ -111,9 +115,7 @@ private:
   void find_stress(SpaceResults &results) const;
   /** Where results go, with the files protected that the scene is read from. */
   std::unique_ptr<ResultDirectory> open(const std::filesystem::path &directory);
-  void write(const std::filesystem::path &directory,
-             ResultDirectory &files,
-             SpaceResult &result);
+  void write(ResultDirectory &files, SpaceResult &result);
   void write_packing(ResultDirectory &files, const SpaceResults &answer) const;
 
   /** The times of this run so far, into what is written. */

@@ -37,6 +37,9 @@ constexpr double rounding_of_load_factor = 1e-12;
  */
 constexpr double largest_plain_limit = 1e6, sufficient_limit = 1e4;
 
+/** The name of a search in a journal. */
+const std::string load_factor_name = "load factor";
+
 /** The joints from which on the dead loads have a thread of their own. */
 constexpr std::size_t n_joints_of_a_thread = 1024;
 
@@ -64,6 +67,7 @@ public:
   LoadFactorSearch(const SceneOf &dead,
                    const SceneOf &live,
                    const LoadFactorControls &controls,
+                   std::string name,
                    Terminal &terminal);
 
   FactorAnswerOf<SceneOf> find();
@@ -82,7 +86,7 @@ private:
   ProvenFactor::Controls controls_of_factor() const
   {
     return {controls.tolerance, small_load_factor, controls.n_max_iterations,
-            found.unit, controls.journal};
+            found.unit,         controls.journal,  name};
   }
   MotionOfBlocks motion_of(std::vector<double> u) const
   {
@@ -96,6 +100,8 @@ private:
 
   const SceneOf &dead, &live;
   const LoadFactorControls &controls;
+  /** In a journal. */
+  const std::string name;
   Terminal &terminal;
   const DiscreteProblem problem;
   RowProblem by_rows;
@@ -108,9 +114,10 @@ template <typename SceneOf>
 LoadFactorSearch<SceneOf>::LoadFactorSearch(const SceneOf &dead,
                                             const SceneOf &live,
                                             const LoadFactorControls &controls,
+                                            std::string name,
                                             Terminal &terminal)
-    : dead(dead), live(live), controls(controls), terminal(terminal),
-      problem(problem_of(dead, live)),
+    : dead(dead), live(live), controls(controls), name(std::move(name)),
+      terminal(terminal), problem(problem_of(dead, live)),
       by_rows(problem), program{by_rows.loads(discretise_loads(problem, dead),
                                               true),
                                 by_rows.loads(discretise_loads(problem, live),
@@ -310,10 +317,14 @@ find_with_sufficient_strengths(const SceneOf &dead,
                                Terminal &terminal)
 {
   const auto find = [&](const SceneOf &a, const SceneOf &b) {
-    return LoadFactorSearch<SceneOf>(a, b, controls, terminal).find();
+    return LoadFactorSearch<SceneOf>(a, b, controls, load_factor_name, terminal)
+        .find();
   };
   FactorAnswerOf<SceneOf> inner =
-      find(with_strengths_up_to(dead, most), with_strengths_up_to(live, most));
+      LoadFactorSearch<SceneOf>(
+          with_strengths_up_to(dead, most), with_strengths_up_to(live, most),
+          controls, load_factor_name + " of sufficient strengths", terminal)
+          .find();
   if (!inner.factor || inner.factor->is_unbounded ||
       !inner.factor->has_mechanism())
     return find(dead, live);
@@ -364,7 +375,9 @@ FactorAnswerOf<SceneOf> find_load_factor(const SceneOf &dead,
       return find_with_sufficient_strengths(
           dead, live, sufficient_limit * problem.stress_scale(), controls,
           terminal);
-  return LoadFactorSearch<SceneOf>(dead, live, controls, terminal).find();
+  return LoadFactorSearch<SceneOf>(dead, live, controls, load_factor_name,
+                                   terminal)
+      .find();
 }
 
 template struct FactorOf<Scene>;

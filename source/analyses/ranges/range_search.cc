@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/ranges/range_search.h>
+#include <voussoir/base/chunks.h>
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
-
-#include <deal.II/base/parallel.h>
 
 #include <algorithm>
 #include <limits>
@@ -132,17 +131,19 @@ Range &RangeSearch<SceneOf>::range_of(const Part &part, const std::size_t k)
   return part.finds_places ? found_places[k] : found[k];
 }
 
-/** One more end is found; every few, what follows begins anew from there. */
+/** One more end is found; of programmes, what follows begins anew every few. */
 template <typename SceneOf>
 void RangeSearch<SceneOf>::end_item(Part &part)
 {
   ++part.n_done;
   count(1);
-  if (++part.n_since_renewal < n_between_renewals)
-    return;
-  part.n_since_renewal = 0;
   if (part.program)
+  {
+    if (++part.n_since_renewal < n_between_renewals)
+      return;
+    part.n_since_renewal = 0;
     part.program->renew(*first);
+  }
   if (journal != nullptr && journal->is_due())
     keep(part);
 }
@@ -172,21 +173,21 @@ void RangeSearch<SceneOf>::keep(const Part &part)
 template <typename SceneOf>
 void RangeSearch<SceneOf>::go_on(Part &part)
 {
-  const Journal::Json *const from =
-      journal != nullptr ? journal->find(part.name) : nullptr;
-  if (from == nullptr)
+  const Journal::Json from =
+      journal != nullptr ? journal->find(part.name) : Journal::Json();
+  if (from.is_null())
     return;
-  part.pass = from->at("pass");
-  part.has_begun = from->at("has_begun");
-  part.left = from->at("left").get<std::vector<unsigned int>>();
-  part.most = unpacked(from->at("most"));
-  part.n_done = from->at("done");
-  part.proofs = range_proofs_of(from->at("proofs"));
-  const std::vector<double> ends = unpacked(from->at("ends"));
+  part.pass = from.at("pass");
+  part.has_begun = from.at("has_begun");
+  part.left = from.at("left").get<std::vector<unsigned int>>();
+  part.most = unpacked(from.at("most"));
+  part.n_done = from.at("done");
+  part.proofs = range_proofs_of(from.at("proofs"));
+  const std::vector<double> ends = unpacked(from.at("ends"));
   for (unsigned int k = part.begin; k < part.end; ++k)
     range_of(part, k) = {ends[2 * (k - part.begin)],
                          ends[2 * (k - part.begin) + 1]};
-  if (const Journal::Json &program = from->at("program"); !program.is_null())
+  if (const Journal::Json &program = from.at("program"); !program.is_null())
     program_of(part).go_on(program, *first);
   count(part.n_done);
 }
@@ -335,25 +336,23 @@ void RangeSearch<SceneOf>::find_parts(const std::string &name,
 {
   const unsigned int n_parts = std::max<unsigned int>(
       fewest_parts, functions.size() / n_functions_of_part);
-  dealii::parallel::apply_to_subranges(
-      0U, n_parts,
-      [&](const unsigned int begin, const unsigned int end) {
-        for (unsigned int number = begin; number < end; ++number)
-        {
-          Part part(name, number, n_parts,
-                    finds_places ? pressed.size() : functions.size());
-          part.finds_places = finds_places;
-          go_on(part);
-          find(part);
-          if (journal != nullptr && journal->is_due())
-            keep(part);
-          if (part.program)
-            part.proofs.n_iterations = part.program->n_iterations();
-          const std::lock_guard<std::mutex> lock(mutex);
-          proofs.add(part.proofs);
-        }
-      },
-      1);
+  for_chunks(n_parts, 1,
+             [&](const std::size_t number, std::size_t, std::size_t) {
+               Part part(name, number, n_parts,
+                         finds_places ? pressed.size() : functions.size());
+               part.finds_places = finds_places;
+               go_on(part);
+               find(part);
+               if (part.program)
+               {
+                 part.program->forget_vertices();
+                 part.proofs.n_iterations = part.program->n_iterations();
+               }
+               if (journal != nullptr)
+                 keep(part);
+               const std::lock_guard<std::mutex> lock(mutex);
+               proofs.add(part.proofs);
+             });
 }
 
 template <typename SceneOf>

@@ -162,7 +162,9 @@ const wordsOfLink = (tables, data, k) => {
   words.push(["Bears", `${amount(least, unit)} to ${amount(most, unit)}, tension positive`]);
   if (tables.has("links", "elongation")) {
     const [longer] = tables.numbers("links", k, ["elongation"]);
-    words.push(["Ends draw apart by", written(longer)]);
+    words.push([longer < 0 ? "Ends draw nearer by" : "Ends draw apart by",
+      amount(Math.abs(longer), data.units.length)]);
+    if (data.motion && !data.motion.hasSize) words.push(wordsOfSize(data));
   }
   return words;
 };

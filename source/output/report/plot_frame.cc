@@ -103,7 +103,10 @@ std::vector<double> PlotAxis::ticks() const
       if (scaled(value) > low - 1e-9 && scaled(value) < high + 1e-9)
         values.push_back(value);
     }
-  return values;
+  // Of less than a step of these there are those of a linear axis.
+  return values.size() < 2
+             ? ticks_of(std::pow(10., low), std::pow(10., high), n_ticks)
+             : values;
 }
 
 PlotFrame::PlotFrame(const PlotRange &x, const PlotRange &y)

@@ -6,7 +6,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <cmath>
-#include <sstream>
 
 namespace Voussoir
 {
@@ -18,19 +17,13 @@ constexpr double hardly_above_one = 5e-4;
 /** A number with four digits. */
 std::string four_digits(const double x)
 {
-  std::ostringstream words;
-  words.precision(4);
-  words << x;
-  return words.str();
+  return text_with_digits(x, 4);
 }
 
 /** A number with two digits, such as an error. */
 std::string two_digits(const double x)
 {
-  std::ostringstream words;
-  words.precision(2);
-  words << x;
-  return words.str();
+  return text_with_digits(x, 2);
 }
 
 /** An AnalysisResult::sentence with the units of the user. */
@@ -49,20 +42,6 @@ std::string answer_of(const AnalysisResult &analysis, const UnitNames &names)
   return analysis.sentence.empty()
              ? analysis.title + ": " + analysis.description + "."
              : with_units(analysis.sentence, names);
-}
-
-/** The verdict on loads as they are given. */
-std::string sentence_of_state(const Results &results)
-{
-  if (results.status.kind == Status::Kind::carried_within)
-    return "The loads are carried to within " +
-           two_digits(results.status.within) +
-           " of the largest: whether they are carried exactly is open.";
-  return results.scene.packing.n_supports() == 0
-             ? "The loads are carried: forces within the limits of all joints "
-               "balance them."
-             : "The loads are carried: forces within the limits of all joints "
-               "and supports balance them.";
 }
 
 std::string certificate_of(const Results &results)
@@ -115,7 +94,10 @@ ReportVerdict verdict_of(const Results &results, const UnitNames &names)
 {
   const bool is_solved = results.status.kind == Status::Kind::solved;
   ReportVerdict verdict = {
-      is_solved ? "carried" : "within", sentence_of_state(results), {}, {}};
+      is_solved ? "carried" : "within",
+      sentence_of(results.status, results.scene.packing.n_supports() > 0),
+      {},
+      {}};
   for (const AnalysisResult &analysis : results.analyses)
   {
     const std::string answer = answer_of(analysis, names);

@@ -168,10 +168,8 @@ std::string swatch(const std::string &kind, const std::string &words)
 /** A number with its unit, in HTML. */
 std::string amount(const double number, const std::string &unit)
 {
-  std::ostringstream words;
-  words.precision(4);
-  words << number << (unit.empty() ? "" : " ") << unit;
-  return html_text(words.str());
+  return html_text(text_with_digits(number, 4) + (unit.empty() ? "" : " ") +
+                   unit);
 }
 
 /** What links without forces look like. */

@@ -6,6 +6,9 @@ if(DEFINED ENV{CTEST_INTERACTIVE_DEBUG_MODE} AND EXISTS ${HEADER})
 endif()
 set(_commit "")
 if(GIT)
+  # Not that of a repository around this directory.
+  get_filename_component(_above ${CMAKE_CURRENT_LIST_DIR}/../../../.. ABSOLUTE)
+  set(ENV{GIT_CEILING_DIRECTORIES} ${_above})
   execute_process(
     COMMAND ${GIT} describe --always --dirty --abbrev=40 --exclude=*
     OUTPUT_VARIABLE _commit ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)

@@ -105,6 +105,17 @@ bool is_loaded(const Scene &scene)
 }
 } // namespace
 
+std::string sentence_of(const Status &status, const bool has_supports)
+{
+  if (status.kind == Status::Kind::carried_within)
+    return "The loads are carried to within " +
+           text_with_digits(status.within, 2) +
+           " of the largest: whether they are carried exactly is open.";
+  return std::string("The loads are carried: forces within the limits of all "
+                     "joints ") +
+         (has_supports ? "and supports " : "") + "balance them.";
+}
+
 std::vector<std::string> cells_not_convex(const Packing<2> &packing)
 {
   if (packing.not_convex().empty())

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/blas.h>
 #include <voussoir/base/content_name.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/versions.h>
 
 #include <deal.II/base/multithread_info.h>
 
-#include <fstream>
-#include <iterator>
+#include <optional>
 
 namespace Voussoir
 {
@@ -16,11 +16,9 @@ namespace
 /** Null if it cannot be read, which who needs it says. */
 nlohmann::ordered_json name_of_file(const std::filesystem::path &file)
 {
-  std::ifstream in(file, std::ios::binary);
-  const std::string content((std::istreambuf_iterator<char>(in)), {});
-  if (!in.is_open() || in.bad())
-    return {};
-  return name_of_content(content);
+  const std::optional<std::string> content = bytes_of_file(file);
+  return content ? nlohmann::ordered_json(name_of_content(*content))
+                 : nlohmann::ordered_json();
 }
 } // namespace
 
@@ -36,13 +34,17 @@ nlohmann::ordered_json provenance_of(const Origin &origin,
   nlohmann::ordered_json files = nlohmann::ordered_json::object();
   for (const std::filesystem::path &file : origin.files)
     files[from_results(file)] = name_of_file(file);
-  return {{"command", origin.command},
-          {"directory", from_results(origin.directory)},
-          {"parameters", name_of_content(origin.parameters)},
-          {"files", files},
-          {"commit", commit()},
-          {"kernel", blas_kernel()},
-          {"threads", dealii::MultithreadInfo::n_threads()}};
+  nlohmann::ordered_json provenance;
+  if (origin.has_given_blocks)
+    provenance["given_blocks"] = true;
+  provenance.update({{"command", origin.command},
+                     {"directory", from_results(origin.directory)},
+                     {"parameters", name_of_content(origin.parameters)},
+                     {"files", files},
+                     {"commit", commit()},
+                     {"kernel", blas_kernel()},
+                     {"threads", dealii::MultithreadInfo::n_threads()}});
+  return provenance;
 }
 
 nlohmann::ordered_json identity_of(const nlohmann::ordered_json &provenance)

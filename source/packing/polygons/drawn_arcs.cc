@@ -18,6 +18,9 @@ constexpr double noncircular = 1e-6;
 /** The rounding of vertices that are computed, over the largest coordinate. */
 constexpr double relative_rounding = 1e-11;
 
+/** The ends of an arc are one, if they are this part of its size apart. */
+constexpr double whole_circle = 1e-9;
+
 /** Goes from one vertex of a coarse chain to the next. */
 class ChainReader
 {
@@ -151,7 +154,7 @@ void DrawnChain::add_arc(const Point<2> &middle, const Point<2> &end)
   const Point<2> start = points.back();
   if (middle == start || middle == end)
     add(end);
-  else if (start == end)
+  else if (start.distance(end) <= whole_circle * start.distance(middle))
   {
     // A half each; which way round is not told, and does not matter.
     add(middle, 1.);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace Voussoir
 {
@@ -57,6 +58,10 @@ LineFace face_of(const Arrangement::Face_const_handle &face)
   while (++edge != begin);
   for (auto hole = face->holes_begin(); hole != face->holes_end(); ++hole)
     found.has_hole |= !is_loose(*hole);
+  std::set<unsigned int> all;
+  for (const auto &of_side : found.sources)
+    all.insert(of_side.begin(), of_side.end());
+  found.all_sources.assign(all.begin(), all.end());
   return found;
 }
 
@@ -103,17 +108,10 @@ LineFaces faces_of(const std::vector<LinePiece> &pieces)
        ++face)
     if (!face->is_unbounded() && !face->is_fictitious())
       found.faces.push_back(face_of(face));
-  const auto key = [](const LineFace &face) {
-    std::vector<unsigned int> sources;
-    for (const auto &of_side : face.sources)
-      sources.insert(sources.end(), of_side.begin(), of_side.end());
-    std::sort(sources.begin(), sources.end());
-    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
-    return sources;
-  };
-  std::stable_sort(
-      found.faces.begin(), found.faces.end(),
-      [&](const LineFace &a, const LineFace &b) { return key(a) < key(b); });
+  std::stable_sort(found.faces.begin(), found.faces.end(),
+                   [&](const LineFace &a, const LineFace &b) {
+                     return a.all_sources < b.all_sources;
+                   });
   found.loose = loose_lines(arrangement);
   return found;
 }

@@ -56,9 +56,13 @@ vertices_of(const Points &points, const Tree &tree, const double tolerance)
 std::vector<LinePiece> pieces_of_lines(const PolygonList &polygons,
                                        const double tolerance)
 {
+  // Others are told of later.
+  const auto is_used = [](const PolygonList::Polygon &polygon) {
+    return !polygon.is_broken && polygon.is_finite();
+  };
   Points points;
   for (const PolygonList::Polygon &polygon : polygons.polygons)
-    if (!polygon.is_broken)
+    if (is_used(polygon))
       points.insert(points.end(), polygon.ring.begin(), polygon.ring.end());
   const Tree tree = dealii::pack_rtree_of_indices(points);
   const std::vector<std::size_t> vertex = vertices_of(points, tree, tolerance);
@@ -93,7 +97,7 @@ std::vector<LinePiece> pieces_of_lines(const PolygonList &polygons,
   for (unsigned int c = 0; c < polygons.polygons.size(); ++c)
   {
     const PolygonList::Polygon &polygon = polygons.polygons[c];
-    if (polygon.is_broken)
+    if (!is_used(polygon))
       continue;
     const std::size_t n = polygon.ring.size();
     for (std::size_t i = 0; i < polygon.n_sides(); ++i)

@@ -8,16 +8,11 @@
 #include <deal.II/boost_adaptors/point.h>
 #include <deal.II/numerics/rtree.h>
 
-#include <boost/geometry/algorithms/within.hpp>
-#include <boost/geometry/geometries/register/ring.hpp>
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
 #include <utility>
-
-BOOST_GEOMETRY_REGISTER_RING(std::vector<dealii::Point<2>>)
 
 namespace Voussoir
 {
@@ -31,10 +26,19 @@ using Box = dealii::BoundingBox<2>;
 /** The distance of a point from a segment; a length. */
 double distance_from(const Point<2> &p, const LinePiece &piece)
 {
-  const dealii::Tensor<1, 2> along = piece.end - piece.start;
-  const double position =
-      std::clamp((p - piece.start) * along / along.norm_square(), 0., 1.);
-  return p.distance(piece.start + position * along);
+  return p.distance(nearest_on_segment(p, piece.start, piece.end));
+}
+
+/** Some point inside, if it is a cell; others are refused later. */
+std::optional<Point<2>> point_inside(const Ring &ring)
+{
+  if (!is_simple(ring) || !(signed_area(ring) > 0.))
+    return {};
+  Ring piece;
+  const auto pieces = convex_pieces(ring);
+  for (const unsigned int v : pieces.front())
+    piece.push_back(ring[v]);
+  return centroid(piece);
 }
 
 /** Joins the lines of one list; one object, used once. */
@@ -138,15 +142,15 @@ private:
     {
       if (!is_cell(face))
         continue;
-      const Point<2> inside = point_inside(face.ring);
       std::optional<unsigned int> whole;
-      for (auto k = tree.qbegin(boost::geometry::index::intersects(inside));
-           k != tree.qend(); ++k)
-        if (boost::geometry::within(inside, closed_ring(closed[*k])))
-        {
-          is_divided[closed[*k]] = true;
-          whole = whole ? std::min(*whole, closed[*k]) : closed[*k];
-        }
+      if (const std::optional<Point<2>> inside = point_inside(face.ring))
+        for (auto k = tree.qbegin(boost::geometry::index::intersects(*inside));
+             k != tree.qend(); ++k)
+          if (is_inside(*inside, polygons.polygons[closed[*k]].ring))
+          {
+            is_divided[closed[*k]] = true;
+            whole = whole ? std::min(*whole, closed[*k]) : closed[*k];
+          }
       const Polygon &source =
           polygons.polygons[whole ? *whole : longest_part(face)];
       if (face.has_hole)
@@ -161,25 +165,6 @@ private:
         cells.push_back(polygons.polygons[c]);
     n_kept = cells.size();
     cells.insert(cells.end(), faces.begin(), faces.end());
-  }
-
-  /** The ring of a polygon, counterclockwise and closed for Boost. */
-  Ring closed_ring(const unsigned int c) const
-  {
-    Ring ring = polygons.polygons[c].ring;
-    if (signed_area(ring) > 0.) // Boost's run clockwise
-      std::reverse(ring.begin(), ring.end());
-    ring.push_back(ring.front());
-    return ring;
-  }
-
-  static Point<2> point_inside(const Ring &ring)
-  {
-    Ring piece;
-    const auto pieces = convex_pieces(ring);
-    for (const unsigned int v : pieces.front())
-      piece.push_back(ring[v]);
-    return centroid(piece);
   }
 
   /** The open line that is the longest part of a cell's boundary, the first of

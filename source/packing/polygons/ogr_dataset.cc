@@ -10,6 +10,14 @@ namespace
 {
 constexpr const char *step_option = "OGR_ARC_STEPSIZE";
 
+// Drawings and maps that are files. Others of GDAL lead to other files, data
+// bases and addresses: a drawing from elsewhere must not.
+constexpr const char *formats[] = {
+    "DXF",        "CAD",          "DGN",  "GeoJSON", "GeoJSONSeq",
+    "ESRIJSON",   "TopoJSON",     "GPKG", "SQLite",  "ESRI Shapefile",
+    "FlatGeobuf", "MapInfo File", "GML",  "KML",     "LIBKML",
+    "CSV",        "OpenFileGDB",  nullptr};
+
 dealii::Point<2> vertex(const OGRGeometryH curve, const int i)
 {
   return {gdal().OGR_G_GetX(curve, i), gdal().OGR_G_GetY(curve, i)};
@@ -73,7 +81,7 @@ OgrDataset::OgrDataset(const std::filesystem::path &file, std::string step)
                 return gdal().GDALOpenEx(file.c_str(),
                                          GDAL_OF_VECTOR | GDAL_OF_READONLY |
                                              GDAL_OF_VERBOSE_ERROR,
-                                         nullptr, nullptr, nullptr);
+                                         formats, nullptr, nullptr);
               }),
               [](const GDALDatasetH which) { gdal().GDALClose(which); })
 {}

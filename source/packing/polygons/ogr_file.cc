@@ -62,7 +62,7 @@ public:
     gdal().GDALAllRegister();
     OgrDataset dataset(list.file);
     if (!dataset.is_open())
-      refuse_file("is of no format that GDAL reads" + messages.error() +
+      refuse_file("is of none of the formats that are read" + messages.error() +
                   "; save it as .wkt, .off, GeoPackage, GeoJSON or DXF.");
     is_dxf = dataset.is_dxf();
     if (is_dxf)
@@ -184,7 +184,7 @@ private:
     else if (is_a(wkbCurvePolygon))
       try_to([&] { read_polygon(geometry); });
     else if (is_a(wkbCurve))
-      add(chain(drawn), true);
+      try_to([&] { add(chain(drawn), true); });
     else if (n_left_out++ == 0)
       first_left_out =
           text("feature ", feature, ", a ", gdal().OGRGeometryTypeToName(type));

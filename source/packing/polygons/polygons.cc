@@ -48,9 +48,9 @@ void PolygonGenerator::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter(
       "File", file,
       "The file of the polygons, each a cell: WKT if its name ends in .wkt or "
-      ".txt, OFF if in .off, otherwise any format that GDAL reads, such as "
-      "DXF, GeoJSON, GeoPackage and Shapefile. A relative path starts at the "
-      "directory of the .prm file.",
+      ".txt, OFF if in .off, otherwise a format of drawings that GDAL reads, "
+      "such as DXF, GeoJSON, GeoPackage and Shapefile. A relative path starts "
+      "at the directory of the .prm file.",
       Anything());
   prm.add_parameter(
       "Scale", scale,

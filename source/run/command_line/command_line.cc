@@ -104,10 +104,19 @@ ExitStatus run_again(const Arguments &arguments,
                      const ProcessGroup &processes,
                      Terminal &terminal)
 {
-  if (!arguments.file.empty() || !arguments.assignments.empty())
+  const bool has_others =
+      !arguments.file.empty() || !arguments.assignments.empty() ||
+      !arguments.sweeps.empty() || !arguments.find.empty() ||
+      !arguments.results.empty() || arguments.has_directories ||
+      arguments.writes_critical || arguments.validate || arguments.resumes ||
+      arguments.print_parameters || arguments.print_settings ||
+      arguments.print_schema || arguments.print_reference ||
+      arguments.print_completion;
+  if (has_others)
     throw InputError(
         "--reproduce takes the parameters beside the summary; give "
-        "it without a file of parameters and --set.");
+        "it without a file of parameters and other options than "
+        "--quiet.");
   return reproduce(arguments.reproduced, terminal, processes)
              ? ExitStatus::solved
              : ExitStatus::another_answer;
@@ -172,10 +181,10 @@ ExitStatus run(const Arguments &arguments,
                           : Terminal(streams.out, 1, streams.screens.out);
   if (arguments.quiet)
     terminal.be_quiet();
-  if (run_many(arguments, processes, terminal))
-    return ExitStatus::solved;
   if (!arguments.reproduced.empty())
     return run_again(arguments, processes, terminal);
+  if (run_many(arguments, processes, terminal))
+    return ExitStatus::solved;
   ParameterSources sources;
   if (!arguments.file.empty())
     sources.file = arguments.file;

@@ -37,13 +37,14 @@ Envelope envelope_of(const SweepLayout &layout,
                        std::vector<std::size_t>(layout.runs.size(), no_run)};
   for (std::size_t place = 0; place < n; ++place)
   {
-    bool collapses = false;
+    bool is_open = false;
     for (std::size_t curve = 0; curve < layout.runs.size(); ++curve)
     {
       const std::size_t k = layout.runs[curve][place];
       if (k == no_run)
         continue;
-      collapses = collapses || runs[k].verdict == Status::Kind::collapse;
+      is_open = is_open || runs[k].verdict == Status::Kind::collapse ||
+                (!runs[k].has_answer && !runs[k].is_unloaded);
       const std::optional<double> factor = factor_of(runs[k]);
       if (!factor || !std::isfinite(*factor))
         continue;
@@ -52,7 +53,7 @@ Envelope envelope_of(const SweepLayout &layout,
                                              : envelope.upper[place],
                          k, runs);
     }
-    if (collapses)
+    if (is_open)
       envelope.upper[place] = envelope.lower[place] = no_run;
   }
   return envelope;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/analyses/factors/no_live_loads.h>
+#include <voussoir/base/content_name.h>
 #include <voussoir/base/exceptions.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/sweep/repeated_run.h>
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -43,6 +47,7 @@ RepeatedRun::RepeatedRun(std::filesystem::path file_in,
   of_forces = value_in(scene->tree(), "/Forces from/value");
   of_input = identity_of(scene->provenance(origin, directory));
   of_input.erase("threads"); // each run has one
+  of_input["kind"] = "many runs";
   seconds_to_checkpoint =
       std::stod(value_in(scene->tree(), "/Output/Checkpoint after/value"));
 }
@@ -80,13 +85,29 @@ SweepRun sweep_run_of(const nlohmann::ordered_json &json)
   return run;
 }
 
+std::vector<std::string>
+RepeatedRun::assignments_with(const std::vector<std::string> &values) const
+{
+  std::vector<std::string> all = assignments;
+  for (std::size_t k = 0; k < changing.size(); ++k)
+    all.push_back(changing[k].assignment(values[k]));
+  return all;
+}
+
+std::string RepeatedRun::key(const std::vector<std::string> &values) const
+{
+  std::vector<std::string> texts = assignments_with(values);
+  for (const std::string &value : values)
+    if (const auto content = bytes_of_file(origin / value))
+      texts.push_back(name_of_content(*content));
+  return boost::algorithm::join(texts, "\n");
+}
+
 SweepRun RepeatedRun::run(const std::vector<std::string> &values,
                           const std::string &results)
 {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<std::string> all = assignments;
-  for (std::size_t k = 0; k < changing.size(); ++k)
-    all.push_back(changing[k].assignment(values[k]));
+  std::vector<std::string> all = assignments_with(values);
   if (!results.empty())
     all.push_back("Output directory=" + results);
   std::ostringstream nowhere;

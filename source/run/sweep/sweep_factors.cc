@@ -2,8 +2,6 @@
 #include <voussoir/run/sweep/sweep_factors.h>
 #include <voussoir/run/sweep/sweep_results.h>
 
-#include <boost/lexical_cast/try_lexical_convert.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -23,11 +21,7 @@ bool is_less(const double a, const double b)
 
 std::optional<double> factor_of(const SweepRun &run)
 {
-  double factor = 0.;
-  if (!boost::conversion::try_lexical_convert(
-          result_at(run.summary, "load_factor/carried"), factor))
-    return {};
-  return factor;
+  return number_at(run.summary, "load_factor/carried");
 }
 
 bool is_more_critical(const SweepRun &a, const SweepRun &b)

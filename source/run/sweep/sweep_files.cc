@@ -45,6 +45,15 @@ std::string word_of(const SweepRun &run)
                         : "failed";
 }
 
+std::string kind_of_verdict(const SweepRun &run)
+{
+  if (!run.verdict)
+    return "none";
+  return *run.verdict == Status::Kind::collapse         ? "collapse"
+         : *run.verdict == Status::Kind::carried_within ? "within"
+                                                        : "carried";
+}
+
 std::string counts_of(const std::vector<SweepRun> &runs)
 {
   std::map<std::string, std::size_t> of_word;

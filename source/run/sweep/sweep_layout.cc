@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <voussoir/base/text.h>
 #include <voussoir/output/report/curves_plot.h>
 #include <voussoir/run/sweep/sweep_layout.h>
 
@@ -9,7 +10,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 namespace Voussoir
 {
@@ -86,10 +86,10 @@ bool SweptEntry::is_by_ratio() const
   const std::size_t n = numbers.size();
   if (n < 3 || numbers.front() <= 0.)
     return false;
-  const double middle = numbers[n / 2];
+  const double middle = numbers[n / 2], share = double(n / 2) / (n - 1);
   const double first = numbers.front(), last = numbers.back();
-  return std::abs(middle - std::sqrt(first * last)) <
-         std::abs(middle - 0.5 * (first + last));
+  return std::abs(middle - first * std::pow(last / first, share)) <
+         std::abs(middle - (first + share * (last - first)));
 }
 
 SweepLayout layout_of(const std::vector<std::string> &names,
@@ -174,10 +174,7 @@ std::string short_value(const std::string &value)
   if (value.size() <= letters_as_given ||
       !boost::conversion::try_lexical_convert(value, number))
     return value;
-  std::ostringstream out;
-  out.precision(digits_in_sentence);
-  out << number;
-  return out.str();
+  return text_with_digits(number, digits_in_sentence);
 }
 
 std::string short_words_of(const std::vector<std::string> &names,

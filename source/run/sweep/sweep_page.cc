@@ -13,7 +13,6 @@
 #include <voussoir/version.h>
 
 #include <boost/algorithm/string/join.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -109,11 +108,13 @@ std::string section_on_ends(const SweepPage &page)
   const SweepRun &collapses = page.runs[page.ends->collapses];
   const double a = std::stod(carried.values[0]);
   const double b = std::stod(collapses.values[0]);
-  const double size = std::max(std::abs(a), std::abs(b));
+  const double width = std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+  const int n_digits = std::clamp(-std::log10(width), 3., 12.);
   std::string html =
       "<section id=\"ends\">\n<p>The answer changes at " +
-      html_text(page.names[0]) + " = " + number_in_sentence(0.5 * (a + b)) +
-      ", known to " + number_in_sentence(std::abs(a - b) / size) + " of it" +
+      html_text(page.names[0]) + " = " +
+      text_with_digits(0.5 * (a + b), n_digits) + ", known to " +
+      number_in_sentence(width) + " of it" +
       (page.ends->is_open ? "; between the two values the answer is open"
                           : "") +
       ".</p>\n<div class=\"scrolls\"><table>\n";
@@ -183,16 +184,6 @@ std::string table_of_curves(const SweepPage &page,
   return html + "</section>\n";
 }
 
-/** The class of a verdict, for its colour. */
-std::string kind_of_verdict(const SweepRun &run)
-{
-  if (!run.verdict)
-    return "none";
-  return *run.verdict == Status::Kind::collapse         ? "collapse"
-         : *run.verdict == Status::Kind::carried_within ? "within"
-                                                        : "carried";
-}
-
 /** What the page of a run says first: its sentence up to the proof. */
 std::string verdict_in_words(const SweepRun &run)
 {
@@ -250,11 +241,9 @@ private:
   {
     double largest = 1.;
     for (const SweepRun &run : page.runs)
-      if (double number = 0.;
-          boost::conversion::try_lexical_convert(
-              result_at(run.summary, column.second), number) &&
-          std::isfinite(number))
-        largest = std::max(largest, std::abs(number));
+      if (const auto number = number_at(run.summary, column.second);
+          number && std::isfinite(*number))
+        largest = std::max(largest, std::abs(*number));
     return largest;
   }
 
@@ -275,15 +264,15 @@ private:
 
   std::string number_in_column(const SweepRun &run, const std::size_t n)
   {
-    const std::string of_run = result_at(run.summary, columns[n].second);
-    double number = 0.;
-    if (boost::conversion::try_lexical_convert(of_run, number) &&
-        number != 0. && std::abs(number) < rounding_in_tables * largest[n])
+    const std::optional<double> number =
+        number_at(run.summary, columns[n].second);
+    if (number && *number != 0. &&
+        std::abs(*number) < rounding_in_tables * largest[n])
     {
       has_rounding = true;
       return "rounding";
     }
-    return html_text(of_run);
+    return html_text(result_at(run.summary, columns[n].second));
   }
 
   const SweepPage &page;

@@ -8,7 +8,6 @@
 #include <voussoir/run/sweep/sweep_results.h>
 
 #include <boost/algorithm/string/join.hpp>
-#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,16 +34,6 @@ constexpr double most_ratio_of_factors = 10.;
 /** A factor, over the largest, that is zero but for rounding. */
 constexpr double same_as_zero = 1e-9;
 
-/** A run's number in a column, which may be infinite. */
-std::optional<double> number_of(const SweepRun &run, const std::string &path)
-{
-  double number = 0.;
-  if (!boost::conversion::try_lexical_convert(result_at(run.summary, path),
-                                              number))
-    return {};
-  return number;
-}
-
 /** Draws one column over what a layout says. */
 class ColumnPlot
 {
@@ -55,7 +44,7 @@ public:
       : layout(layout), column(column), runs(runs)
   {
     for (const SweepRun &run : runs)
-      numbers.push_back(number_of(run, column.second));
+      numbers.push_back(number_at(run.summary, column.second));
   }
 
   /** The number of points that a plot would have. */
@@ -89,12 +78,13 @@ public:
                     layout.along.is_by_ratio(),
                     layout.across.is_by_ratio(),
                     {}};
-    for (const std::vector<std::size_t> &row : layout.runs)
+    for (std::size_t j = 0; j < layout.runs.size(); ++j)
     {
       plot.fields.emplace_back();
-      for (const std::size_t k : row)
-        plot.fields.back().push_back(k == SweepLayout::no_run ? MapField()
-                                                              : field_of(k));
+      for (std::size_t i = 0; i < layout.runs[j].size(); ++i)
+        plot.fields.back().push_back(layout.runs[j][i] == SweepLayout::no_run
+                                         ? MapField()
+                                         : field_of(j, i));
     }
     return scrolled(map_svg(plot)) + map_key(plot, column.first) +
            notes_of_map();
@@ -135,13 +125,6 @@ private:
     return "<div class=\"scrolls\">\n" + svg + "</div>\n";
   }
 
-  static std::string kind_of(const SweepRun &run)
-  {
-    return run.verdict == Status::Kind::collapse         ? "collapse"
-           : run.verdict == Status::Kind::carried_within ? "within"
-                                                         : "carried";
-  }
-
   /** True for load factors of which the least would be on the axis of x. */
   bool is_far_apart() const
   {
@@ -178,7 +161,8 @@ private:
     {
       const std::size_t k = of_places[place];
       if (k != SweepLayout::no_run && is_finite(k))
-        parts.back().push_back({x_at(place), *numbers[k], kind_of(runs[k])});
+        parts.back().push_back(
+            {x_at(place), *numbers[k], kind_of_verdict(runs[k])});
       else if (!parts.back().empty())
         parts.emplace_back();
     }
@@ -243,7 +227,7 @@ private:
             std::pair("within", "carried to within a small error"),
             std::pair("collapse", "not carried")})
         if (count([&, of = std::string(kind)](const std::size_t k) {
-              return is_finite(k) && kind_of(runs[k]) == of;
+              return is_finite(k) && kind_of_verdict(runs[k]) == of;
             }))
           add("<span class=\"swatch line of-" + std::string(kind) +
                   "\"></span>",
@@ -277,12 +261,16 @@ private:
                 ", which the plot leaves out.</p>\n");
   }
 
-  MapField field_of(const std::size_t k) const
+  /** That of the run in row @p j and column @p i. */
+  MapField field_of(const std::size_t j, const std::size_t i) const
   {
+    const std::size_t k = layout.runs[j][i];
     MapField field;
     const std::string number = numbers[k] ? text(*numbers[k]) : "";
     field.words =
-        words_of({layout.along.name, layout.across.name}, values_of(k)) + ": ";
+        short_words_of({layout.along.name, layout.across.name},
+                       {layout.along.values[i], layout.across.values[j]}) +
+        ": ";
     if (is_finite(k))
     {
       field.number = *numbers[k];
@@ -301,7 +289,10 @@ private:
     else
     {
       field.kind = "none";
-      field.words += runs[k].has_answer ? "carried" : "no answer";
+      field.words += runs[k].is_unloaded   ? "no live loads"
+                     : !runs[k].has_answer ? "no answer"
+                     : runs[k].verdict     ? "carried"
+                                           : "no loads";
     }
     if (runs[k].verdict)
       field.side =
@@ -312,16 +303,6 @@ private:
 
   /** True for load factors some of which carry the live loads once. */
   bool has_both_sides_of_one() const { return column.first == of_factors; }
-
-  std::vector<std::string> values_of(const std::size_t k) const
-  {
-    for (std::size_t j = 0; j < layout.runs.size(); ++j)
-      for (std::size_t i = 0; i < layout.runs[j].size(); ++i)
-        if (layout.runs[j][i] == k)
-          return {short_value(layout.along.values[i]),
-                  short_value(layout.across.values[j])};
-    return {"", ""};
-  }
 
   std::string notes_of_map() const
   {

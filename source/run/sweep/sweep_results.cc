@@ -64,6 +64,15 @@ std::string result_at(const Json &summary, const std::string &result)
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+std::optional<double> number_at(const Json &summary, const std::string &result)
+{
+  if (!has_result(summary, result))
+    return {};
+  const Json &value = summary.at(place_of(result));
+  return value.is_number() ? std::optional<double>(value.get<double>())
+                           : std::nullopt;
+}
+
 void add_results(const Json &summary, std::set<std::string> &results)
 {
   if (!summary.is_object()) // that of a run without an answer

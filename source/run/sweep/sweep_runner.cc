@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/output/report/report.h>
 #include <voussoir/run/output_entries.h>
 #include <voussoir/run/sweep/sweep_files.h>
@@ -12,9 +13,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -236,10 +235,9 @@ SweepRun SweepRunner::kept_or_run(const std::size_t number,
                                   const std::vector<std::string> &values)
 {
   const std::string directory = wanted.has_directories ? name_of(number) : "";
-  const std::string name = words_of(names(), values) +
-                           (directory.empty() ? "" : ", in " + directory);
-  if (const Journal::Json *const before = journal.find(name))
-    return sweep_run_of(*before);
+  const std::string name = scene.key(values) + '\n' + directory;
+  if (const Journal::Json before = journal.find(name); !before.is_null())
+    return sweep_run_of(before);
   SweepRun run = run_into(directory, values);
   journal.keep(name, json_of(run));
   return run;
@@ -299,8 +297,7 @@ void SweepRunner::copy_results(const std::string &from, const std::string &to)
 void SweepRunner::remove_earlier_results() const
 {
   const fs::path top = scene.output_directory();
-  std::ifstream in(top / sweep_html);
-  const std::string page((std::istreambuf_iterator<char>(in)), {});
+  const std::string page = bytes_of_file(top / sweep_html).value_or("");
   std::error_code ignored;
   for (const std::string &name :
        {critical_directory, carried_directory, collapses_directory})

@@ -12,7 +12,6 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace Voussoir
@@ -92,14 +91,9 @@ std::optional<TextAndVariable> text_and_variable(const std::string &all)
 /** A number that people read: 2.2, and not 2.1999999999999997. */
 std::string short_number(const double number, const double range)
 {
-  constexpr int n_digits = 12;
   constexpr double rounding = 1e-14;
-  if (std::abs(number) <= rounding * std::abs(range))
-    return "0";
-  std::ostringstream text;
-  text.precision(n_digits);
-  text << number;
-  return text.str();
+  return std::abs(number) <= rounding * std::abs(range) ? "0"
+                                                        : text_to_copy(number);
 }
 
 struct NameAndValues

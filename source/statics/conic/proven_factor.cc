@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
-#include <voussoir/base/content_name.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/proven_factor.h>
@@ -35,10 +34,11 @@ ProvenFactor::ProvenFactor(ConicForces &forces,
                            const Controls &controls,
                            Terminal &terminal)
     : forces(forces), program(std::move(program_in)), controls(controls),
-      terminal(terminal),
-      least_bound(program.sense * std::numeric_limits<double>::infinity()),
-      least_merit(merit_worth_correcting)
-{}
+      terminal(terminal)
+{
+  found.least_bound = program.sense * std::numeric_limits<double>::infinity();
+  found.least_merit = merit_worth_correcting;
+}
 
 void ProvenFactor::Course::cut(const double least)
 {
@@ -50,63 +50,48 @@ void ProvenFactor::Course::cut(const double least)
 
 double ProvenFactor::width() const
 {
-  if (!best_state || !best_motion)
+  if (!found.best_state || !found.best_motion)
     return std::numeric_limits<double>::infinity();
-  const double size = std::max(
-      {std::abs(best_state->alpha), std::abs(least_bound), controls.small});
-  return size > 0. ? std::abs(least_bound - best_state->alpha) / size : 0.;
+  const double size = std::max({std::abs(found.best_state->alpha),
+                                std::abs(found.least_bound), controls.small});
+  return size > 0.
+             ? std::abs(found.least_bound - found.best_state->alpha) / size
+             : 0.;
 }
 
 void ProvenFactor::take_known()
 {
   if (!known)
     return;
-  anchor = std::exchange(known, nullptr)();
-  best_state = anchor;
+  found.anchor = std::exchange(known, nullptr)();
+  found.best_state = found.anchor;
 }
 
 void ProvenFactor::find_anchors(const SelfDual::Point &point)
 {
-  if (!anchor)
+  if (!found.anchor)
     if (FactorState early = state_near(forces, program, point);
         early.residual <= largest_residual_of_state)
-      anchor = std::move(early);
-  if (!open)
+      found.anchor = std::move(early);
+  if (!found.open)
     if (FactorMotion early = mechanism_near(forces, program, point);
         early.closing <= largest_closing_of_anchor)
-      open = std::move(early);
+      found.open = std::move(early);
 }
 
-/** Of this program among those of a run. */
-std::string ProvenFactor::name() const
+void ProvenFactor::keep(const SelfDual &search)
 {
-  const std::vector<double> limits = forces.limits();
-  return "load factor " +
-         name_of_content({&program.dead, &program.live, &limits}) +
-         (program.sense > 0. ? ", the greatest" : ", the least");
-}
-
-KeptFactor ProvenFactor::kept(const SelfDual &search) const
-{
-  return {search.where(),   best,        least_merit, last_trial,
-          known == nullptr, anchor,      open,        best_state,
-          has_state,        best_motion, least_bound};
+  found.progress = search.where();
+  found.has_taken_known = known == nullptr;
+  controls.journal->keep(controls.name, json_of(found));
 }
 
 void ProvenFactor::go_on(KeptFactor from, SelfDual &search)
 {
-  search.go_on(std::move(from.progress));
-  best = std::move(from.best);
-  least_merit = from.least_merit;
-  last_trial = from.last_trial;
   if (from.has_taken_known)
     take_known();
-  anchor = std::move(from.anchor);
-  open = std::move(from.open);
-  best_state = std::move(from.best_state);
-  has_state = from.has_state;
-  best_motion = std::move(from.best_motion);
-  least_bound = from.least_bound;
+  found = std::move(from);
+  search.go_on(std::move(found.progress));
 }
 
 void ProvenFactor::find(const std::function<bool()> &is_enough)
@@ -117,17 +102,17 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
                       : nullptr);
   // Of one that follows others the whole course would have to be kept.
   Journal *const journal = followed == nullptr ? controls.journal : nullptr;
-  const std::string name_of_this = journal != nullptr ? name() : "";
   if (journal != nullptr)
-    if (const Journal::Json *const before = journal->find(name_of_this))
-      go_on(kept_factor_of(*before), search);
+    if (const Journal::Json before = journal->find(controls.name);
+        !before.is_null())
+      go_on(kept_factor_of(before), search);
   bool is_last = false;
   state_of_program = SelfDual::State::running;
   while (state_of_program == SelfDual::State::running && !is_last &&
          !is_enough() && search.n_iterations() < controls.n_max_iterations)
   {
     if (journal != nullptr && journal->is_due())
-      journal->keep(name_of_this, json_of(kept(search)));
+      keep(search);
     // One step beyond what is wanted costs little and brings many digits.
     is_last = width() <= controls.tolerance;
     state_of_program = search.step();
@@ -137,27 +122,27 @@ void ProvenFactor::find(const std::function<bool()> &is_enough)
                             search.merit()));
     if (followed != nullptr)
       followed->stops.push_back({search.merit(), search.variables()});
-    if (!(search.merit() < least_merit))
+    if (!(search.merit() < found.least_merit))
       continue;
-    least_merit = search.merit();
-    best = search.point();
+    found.least_merit = search.merit();
+    found.best = search.point();
     take_known();
-    find_anchors(*best);
-    if (least_merit > first_trial_factor * controls.tolerance ||
-        (search.n_iterations() < last_trial + n_between_factors &&
-         least_merit > controls.tolerance))
+    find_anchors(*found.best);
+    if (found.least_merit > first_trial_factor * controls.tolerance ||
+        (search.n_iterations() < found.last_trial + n_between_factors &&
+         found.least_merit > controls.tolerance))
       continue;
-    last_trial = search.n_iterations();
-    look_near(*best, near_enough_to_leave);
+    found.last_trial = search.n_iterations();
+    look_near(*found.best, near_enough_to_leave);
   }
   iterations += search.n_iterations();
   ray = search.point();
   take_known();
-  if (!best)
+  if (!found.best)
     return;
-  look_near(*best, 0.);
+  look_near(*found.best, 0.);
   if (state_of_program != SelfDual::State::unbounded)
-    look_farther(*best);
+    look_farther(*found.best);
 }
 
 /** Look for proofs unless there are some, @p near_enough wanted widths away. */
@@ -171,15 +156,16 @@ void ProvenFactor::look_near(const SelfDual::Point &point,
   const double share = share_of_anchor * controls.tolerance;
   if (!(program.sense * (point.alpha - alpha_of_carried()) <= near))
   {
-    FactorState state = state_near(forces, program, point, anchor, share);
-    if (state.residual > largest_residual_of_state && anchor)
+    FactorState state = state_near(forces, program, point, found.anchor, share);
+    if (state.residual > largest_residual_of_state && found.anchor)
       state = state_near(forces, program, point);
     keep_if_carried(std::move(state));
   }
-  if (!(program.sense * (least_bound - point.alpha) <= near))
+  if (!(program.sense * (found.least_bound - point.alpha) <= near))
   {
-    FactorMotion motion = mechanism_near(forces, program, point, open, share);
-    if (motion.closing > largest_closing_of_factor && open)
+    FactorMotion motion =
+        mechanism_near(forces, program, point, found.open, share);
+    if (motion.closing > largest_closing_of_factor && found.open)
       motion = mechanism_near(forces, program, point);
     keep_if_bound(std::move(motion));
   }
@@ -195,17 +181,17 @@ void ProvenFactor::look_farther(const SelfDual::Point &point)
   const InvalidOperationsAllowed allowed;
   const double least = larger_share * share_of_anchor * controls.tolerance;
   for (double share = least;
-       anchor && !has_state && share <= largest_inner_share;
+       found.anchor && !found.has_state && share <= largest_inner_share;
        share *= larger_share)
-    keep_if_carried(state_near(forces, program, point, anchor, share));
-  if (anchor && !has_state)
-    keep_if_carried(*anchor);
+    keep_if_carried(state_near(forces, program, point, found.anchor, share));
+  if (found.anchor && !found.has_state)
+    keep_if_carried(*found.anchor);
   for (double share = least;
-       open && !best_motion && share <= largest_inner_share;
+       found.open && !found.best_motion && share <= largest_inner_share;
        share *= larger_share)
-    keep_if_bound(mechanism_near(forces, program, point, open, share));
-  if (open && !best_motion)
-    keep_if_bound(*open);
+    keep_if_bound(mechanism_near(forces, program, point, found.open, share));
+  if (found.open && !found.best_motion)
+    keep_if_bound(*found.open);
 }
 
 void ProvenFactor::keep_if_carried(FactorState near)
@@ -213,8 +199,8 @@ void ProvenFactor::keep_if_carried(FactorState near)
   if (near.residual <= largest_residual_of_state &&
       program.sense * (near.alpha - alpha_of_carried()) > 0.)
   {
-    best_state = std::move(near);
-    has_state = true;
+    found.best_state = std::move(near);
+    found.has_state = true;
   }
 }
 
@@ -228,10 +214,10 @@ void ProvenFactor::keep_if_bound(FactorMotion motion)
                        live_work;
   if (!(motion.closing <= largest_closing_of_factor &&
         program.sense * live_work > 0. &&
-        program.sense * (least_bound - bound) > 0.))
+        program.sense * (found.least_bound - bound) > 0.))
     return;
-  least_bound = bound;
-  best_motion = std::move(motion);
+  found.least_bound = bound;
+  found.best_motion = std::move(motion);
 }
 
 std::optional<FactorMotion> ProvenFactor::mechanism_of_all()

@@ -64,6 +64,8 @@ public:
    */
   void loosen_balance(double by);
 
+  /** Leave what the next ones could start from, if there are none. */
+  void forget_vertices() { kept.clear(); }
   /** Let the next one start from the beginning, should a state be wrong. */
   void forget();
 

@@ -12,6 +12,13 @@ namespace Voussoir
 /** A sentence for the user on the cells that are not convex, or none. */
 std::vector<std::string> cells_not_convex(const Packing<2> &packing);
 
+/**
+ * The verdict on loads that are carried as they are given, in a sentence.
+ *
+ * @param has_supports false if nothing is held.
+ */
+std::string sentence_of(const Status &status, bool has_supports);
+
 /** Warnings on forces that the certificate accepts. */
 std::vector<std::string> doubts_about(const Results &results);
 

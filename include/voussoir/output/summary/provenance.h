@@ -18,6 +18,8 @@ struct Origin
 {
   /** A command that makes them; empty if no file has the parameters. */
   std::string command;
+  /** True if blocks were given by Python, so that nothing else has them. */
+  bool has_given_blocks = false;
   /** Where paths of the parameters begin. */
   std::filesystem::path directory;
   /** All parameters but those of the output, as a text. */

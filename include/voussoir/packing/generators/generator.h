@@ -51,6 +51,12 @@ public:
 };
 
 /**
+ * The most cells that a generator makes: a packing then needs some 100 GB. Who
+ * tries what comes, as contrib/fuzz does, may set less at the start.
+ */
+inline double most_generated_cells = 1e8;
+
+/**
  * Check the number of cells, before any memory is asked for.
  *
  * @throws InputError if a packing has more cells than numbers of 32 bits can
@@ -60,14 +66,10 @@ public:
 inline void check_number_of_cells(const double n_cells,
                                   const std::string &entries)
 {
-#ifdef VOUSSOIR_FUZZ
-  constexpr double largest = 1000.; // what takes its time is no find
-#else
-  constexpr double largest = 1e8; // a packing then needs some 100 GB
-#endif
-  if (n_cells > largest)
+  if (n_cells > most_generated_cells)
     throw InputError(text(entries, " make some ", n_cells,
-                          " cells; there may be ", largest, " at most."));
+                          " cells; there may be ", most_generated_cells,
+                          " at most."));
 }
 
 /**

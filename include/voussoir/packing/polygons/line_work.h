@@ -33,6 +33,8 @@ struct LineFace
   std::vector<dealii::Point<2>> ring;
   /** For each side the polygons of the list that it is a part of, ascending. */
   std::vector<std::vector<unsigned int>> sources;
+  /** All of these once, ascending. */
+  std::vector<unsigned int> all_sources;
   /** True if lines inside touch its boundary nowhere. */
   bool has_hole;
 };

@@ -16,7 +16,8 @@ struct Envelope
   /**
    * For each value along x the number of the run with the least of the greatest
    * factors, and with the greatest of the least ones; SweepLayout::no_run where
-   * none is finite, and where the dead loads of some curve collapse.
+   * none is finite, and where the dead loads of some curve collapse or it
+   * has no answer.
    */
   std::vector<std::size_t> upper, lower;
   /** @} */

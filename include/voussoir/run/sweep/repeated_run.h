@@ -87,7 +87,16 @@ public:
   SweepRun run(const std::vector<std::string> &values,
                const std::string &results);
 
+  /**
+   * What tells a run with these @p values from others, and the contents of the
+   * files that they name.
+   */
+  std::string key(const std::vector<std::string> &values) const;
+
 private:
+  std::vector<std::string>
+  assignments_with(const std::vector<std::string> &values) const;
+
   const std::filesystem::path file;
   const std::vector<std::string> assignments;
   const std::vector<ChangingEntry> changing;

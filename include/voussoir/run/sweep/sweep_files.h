@@ -27,6 +27,9 @@ extern const std::vector<SweepColumn> sweep_columns;
 /** The status of a run in one word. */
 std::string word_of(const SweepRun &run);
 
+/** The class of a verdict in a style sheet, for its colour. */
+std::string kind_of_verdict(const SweepRun &run);
+
 /** How often each status is there: "12 solved, 8 collapse". */
 std::string counts_of(const std::vector<SweepRun> &runs);
 

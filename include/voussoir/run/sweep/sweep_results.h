@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -16,6 +17,10 @@ bool has_result(const nlohmann::ordered_json &summary,
 /** What a summary has there, as a text; empty if nothing, or null. */
 std::string result_at(const nlohmann::ordered_json &summary,
                       const std::string &result);
+
+/** The number there, which may be infinite; none if it is none. */
+std::optional<double> number_at(const nlohmann::ordered_json &summary,
+                                const std::string &result);
 
 /** Add all results that a summary has, those without parts. */
 void add_results(const nlohmann::ordered_json &summary,

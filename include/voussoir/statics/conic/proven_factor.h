@@ -44,6 +44,8 @@ public:
     double unit = 1.;
     /** Where it keeps what it knows on its way, or null. */
     Journal *journal = nullptr;
+    /** Its name there, among all of the computation. */
+    std::string name = {};
   };
 
   /**
@@ -88,13 +90,16 @@ public:
   /** What is known of the program. */
   SelfDual::State state() const { return state_of_program; }
   /** The forces with the best factor; none if there are no proven ones. */
-  const std::optional<FactorState> &carried() const { return best_state; }
+  const std::optional<FactorState> &carried() const { return found.best_state; }
   /** False if that is only what set_carried() had. */
-  bool has_found_state() const { return has_state; }
+  bool has_found_state() const { return found.has_state; }
   /** The mechanism with the best bound. */
-  const std::optional<FactorMotion> &mechanism() const { return best_motion; }
+  const std::optional<FactorMotion> &mechanism() const
+  {
+    return found.best_motion;
+  }
   /** What it proves; infinite without one. */
-  double bound() const { return least_bound; }
+  double bound() const { return found.least_bound; }
   /**
    * The mechanism that proves that no factor is carried, of any size, or near
    * one, if state() is infeasible; or if it is unbounded, as where more of the
@@ -111,12 +116,11 @@ private:
   double width() const;
   double alpha_of_carried() const
   {
-    return best_state
-               ? best_state->alpha
+    return found.best_state
+               ? found.best_state->alpha
                : -program.sense * std::numeric_limits<double>::infinity();
   }
-  std::string name() const;
-  KeptFactor kept(const SelfDual &search) const;
+  void keep(const SelfDual &search);
   void go_on(KeptFactor from, SelfDual &search);
   void take_known();
   void find_anchors(const SelfDual::Point &point);
@@ -132,20 +136,7 @@ private:
   KnownForces known;
   Course *followed = nullptr;
   SelfDual::State state_of_program = SelfDual::State::running;
-  /** A state far from the limits, and a motion far from closing joints. */
-  std::optional<FactorState> anchor;
-  std::optional<FactorMotion> open;
-  std::optional<FactorState> best_state;
-  /** True if that was found here. */
-  bool has_state = false;
-  std::optional<FactorMotion> best_motion;
-  double least_bound;
-  /** @{ */
-  /** The best point so far, its merit, and when proofs were looked for. */
-  std::optional<SelfDual::Point> best;
-  double least_merit;
-  unsigned int last_trial = 0;
-  /** @} */
+  KeptFactor found;
   /** The last point, of a ray. */
   SelfDual::Point ray;
   unsigned int iterations = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/polyhedra/models/compas_json.h>
 #include <voussoir/packing/polyhedra/models/compas_map.h>
 #include <voussoir/packing/polyhedra/models/compas_mesh.h>
 #include <voussoir/packing/polyhedra/models/model_text.h>
@@ -9,13 +10,9 @@
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
-#include <unordered_set>
 
 namespace Voussoir
 {
@@ -26,50 +23,6 @@ namespace
 {
 /** Lists within lists that a model may have; a deeper tree is none. */
 constexpr unsigned int deepest_list = 16;
-
-/**
- * Lists and objects within one another that a tree may have, which is gone
- * through by functions that call themselves.
- */
-constexpr int deepest_tree = 1000;
-
-/** The bytes before a fault of the notation that its message shows. */
-constexpr std::size_t shown_before_fault = 20;
-
-/** Finds keys that an object has twice, of which the tree keeps one. */
-class KeysOfObjects
-{
-public:
-  /** See what is parsed, one event after the other. */
-  void see(const Json::parse_event_t event, const Json &parsed)
-  {
-    if (event == Json::parse_event_t::object_start)
-      open.emplace_back();
-    else if (event == Json::parse_event_t::object_end)
-      open.pop_back();
-    else if (event == Json::parse_event_t::key)
-    {
-      Keys &keys = open.back();
-      keys.last = parsed.get<std::string>();
-      if (!keys.all.insert(keys.last).second)
-        found.push_back("the key '" + keys.last + "'" +
-                        (open.size() > 1
-                             ? " of '" + open[open.size() - 2].last + "'"
-                             : ""));
-    }
-  }
-  /** Each with what has it, such as "the key '3' of 'node'". */
-  const std::vector<std::string> &repeated() const { return found; }
-
-private:
-  struct Keys
-  {
-    std::unordered_set<std::string> all;
-    std::string last;
-  };
-  std::vector<Keys> open;
-  std::vector<std::string> found;
-};
 
 /** Reads one file; one object, used once. */
 class CompasReader
@@ -101,45 +54,15 @@ private:
 
   Json parse()
   {
-    const std::string bytes = read_model_bytes(model.file);
-    KeysOfObjects keys;
-    try
-    {
-      Json tree = Json::parse(bytes, [&](const int depth,
-                                         const Json::parse_event_t event,
-                                         const Json &parsed) {
-        if (depth > deepest_tree)
-          refuse(text("has more than ", deepest_tree,
-                      " lists and objects within one another, more than any "
-                      "model; remove the innermost."));
-        keys.see(event, parsed);
-        return true;
-      });
-      for (const std::string &repeated : keys.repeated())
-        model.faults.push_back(fault_of_file(
-            DefectKind::repeated_key,
-            "'" + model.file.string() + "' has " + repeated +
-                " twice, of which one is lost; rename or delete it"));
-      return tree;
-    }
-    catch (const Json::parse_error &error)
-    {
-      const std::size_t at = std::min(error.byte, bytes.size());
-      const std::size_t start =
-          at - std::min(at, shown_before_fault); // enough to find it
-      std::string shown = bytes.substr(start, at - start);
-      for (char &letter : shown)
-        if (letter < ' ' || letter > '~')
-          letter = ' ';
-      refuse(text("is no JSON in line ",
-                  1 + std::count(bytes.begin(), bytes.begin() + at, '\n'),
-                  ", behind '", shown,
-                  "'; numbers must be finite, and the file whole."));
-    }
-    catch (const Json::exception &)
-    {
-      refuse("has a number or a text that cannot be read.");
-    }
+    CompasTree tree =
+        parse_compas(read_model_bytes(model.file),
+                     [this](const std::string &fault) { refuse(fault); });
+    for (const std::string &repeated : tree.repeated_keys)
+      model.faults.push_back(fault_of_file(
+          DefectKind::repeated_key,
+          "'" + model.file.string() + "' has " + repeated +
+              " twice, of which one is lost; rename or delete it"));
+    return std::move(tree.json);
   }
 
   static ModelDefect fault_of_file(const DefectKind kind,

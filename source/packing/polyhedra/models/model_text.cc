@@ -164,9 +164,9 @@ void ModelText::refuse_file(const std::string &fault) const
 
 std::string read_model_bytes(const std::filesystem::path &file)
 {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
+  std::optional<std::string> bytes = bytes_of_file(file);
+  if (!bytes)
     refuse_unreadable_model(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return std::move(*bytes);
 }
 } // namespace Voussoir
