@@ -23,6 +23,16 @@ install(TARGETS voussoir COMPONENT program
 # Scenes of models read files of tests, which are not installed.
 install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir
   COMPONENT program PATTERN prm/space/models EXCLUDE)
+# What --check runs, found by the program beside where it is.
+install(PROGRAMS contrib/check_proof DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir
+  COMPONENT program)
+install(DIRECTORY contrib/proof DESTINATION ${CMAKE_INSTALL_DATADIR}/voussoir
+  COMPONENT program FILES_MATCHING PATTERN "*.py")
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/voussoir)
+foreach(_file check_proof proof)
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/contrib/${_file}
+    ${CMAKE_BINARY_DIR}/share/voussoir/${_file} SYMBOLIC)
+endforeach()
 install(DIRECTORY doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc
   COMPONENT program PATTERN doxygen EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff
@@ -118,6 +128,7 @@ list(APPEND _depends python3 python3-numpy)
 string(REPLACE ";" ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${_depends}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "cmake, g++, coinor-libclp-dev, coinor-libipopt-dev, libboost-dev, libboost-program-options-dev, libcgal-dev, libdeal.ii-dev, liblz4-dev, libsuitesparse-dev, mpi-default-dev, nlohmann-json3-dev, zlib1g-dev")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3") # for --check
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "paraview, python3-voussoir")
 
 foreach(_name ${_names})

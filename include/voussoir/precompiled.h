@@ -14,6 +14,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <boost/container/small_vector.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

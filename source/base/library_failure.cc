@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/library_failure.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -32,18 +33,25 @@ void end(const int signal)
   std::_Exit(no_answer);
 }
 
-/** For signals that nobody else handles. */
+/** Whether somebody else says the message. */
+std::atomic<bool> is_left_to_others{false};
+
 void install()
 {
-  for (const int signal : {SIGABRT, SIGSEGV})
-    if (const auto before = std::signal(signal, end); before != SIG_DFL)
-      std::signal(signal, before);
+  if (!is_left_to_others)
+    for (const int signal : {SIGABRT, SIGSEGV})
+      std::signal(signal, end);
 }
 } // namespace
 
 const char *message_of_library()
 {
   return message_of_thread;
+}
+
+void leave_failures_to_others()
+{
+  is_left_to_others = true;
 }
 
 LibraryFailure::LibraryFailure(const char *const message)

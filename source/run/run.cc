@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/shell_word.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/run/run.h>
 #include <voussoir/run/unused_settings.h>
@@ -10,11 +11,8 @@
 #include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <iostream>
 #include <sstream>
 #include <utility>
@@ -23,18 +21,6 @@ namespace Voussoir
 {
 namespace
 {
-/** A text as one word for a shell. */
-std::string shell_word(const std::string &text)
-{
-  const auto needs_no_quotes = [](const char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::strchr("/._-=+:,", c) != nullptr;
-  };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), needs_no_quotes))
-    return text;
-  return "'" + boost::replace_all_copy(text, "'", "'\\''") + "'";
-}
-
 /** The names that users have given to sections. */
 NamedSections named_sections_in(const WrittenParameters &written)
 {

@@ -315,6 +315,7 @@ void Interruption::watch_failures()
   other.ss_size = stack.size();
   sigaltstack(&other, nullptr);
   struct sigaction action = {};
+  leave_failures_to_others();
   action.sa_handler = end_by_failure;
   action.sa_flags = SA_ONSTACK;
   for (const int signal : failures)

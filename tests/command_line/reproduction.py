@@ -175,6 +175,22 @@ check("another machine is told", status == 0 and 'the kernel "Another", now with
       "threads: 77, now with " in out, out)
 Path("here/results/summary.json").write_text(text, encoding="utf-8")
 
+# Proven again from the files, without being made.
+status, out, error = run("--check", "here/results")
+check("results are proven", status == 0 and not error and
+      out.startswith("here/results: a state without dilatancy: balance "), out + error)
+table.write_text(table.read_text(encoding="utf-8").replace(".", ".9", 1), encoding="utf-8")
+status, out, error = run("--check", "here/results", "here/other", "--quiet")
+check("one that is not is told", status == 1 and not out and
+      error.startswith("here/results: ") and ": WRONG, " in error and
+      error.count("\n") == 1, out + error)
+table.write_bytes(after["interfaces.csv"])
+status, out, error = run("--check", "here/none")
+check("no results are not proven", status == 1 and "here/none: " in out, out + error)
+status, _, error = run("--check", "here/results", "--set", "Title=Another")
+refused("more than a check", status, error, "--check takes directories of results; give it "
+        "without a file of parameters and other options than --quiet.")
+
 # A collapse, and blocks in space.
 run("wall.prm", "--set", "Loads/Body force=9; -1", directory="here/scenes")
 check("a collapse", summary()["status"] == "collapse")

@@ -7,6 +7,7 @@ then at random moments.
 import argparse
 import csv
 import json
+import os
 import random
 import re
 import shutil
@@ -279,6 +280,9 @@ def check_messages():
     check("a short run keeps nothing", not CHECKPOINT.exists())
 
 
+# Where no other test writes.
+Path("resume").mkdir(exist_ok=True)
+os.chdir("resume")
 check_all(random.Random(OPTIONS.seed))
 check_that_it_goes_on()
 check_that_runs_are_told_apart()

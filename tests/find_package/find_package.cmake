@@ -15,6 +15,12 @@ foreach(component program development)
     --component ${component})
 endforeach()
 run(${prefix}/bin/voussoir --version)
+run(${prefix}/bin/voussoir ${prefix}/share/voussoir/prm/shear_wall.prm
+  --set "Output directory=shear_wall")
+run(${prefix}/bin/voussoir --check shear_wall)
+if(NOT output MATCHES "^shear_wall: carried: balance")
+  message(FATAL_ERROR "not proven:\n${output}")
+endif()
 foreach(file share/voussoir/prm/shear_wall.prm share/man/man1/voussoir.1.gz
     share/bash-completion/completions/voussoir include/voussoir/version.h)
   if(NOT EXISTS ${prefix}/${file})

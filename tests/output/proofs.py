@@ -63,9 +63,9 @@ def run(scene, name, *settings):
     return subprocess.run(words, check=False).returncode
 
 
-def proven(*directories):
-    return subprocess.run([TOP / "contrib/check_proof", *directories], check=False, text=True,
-                          stdout=subprocess.PIPE)
+def proven(*directories, by=(TOP / "contrib/check_proof",)):
+    return subprocess.run([*by, *directories], check=False, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
 
 
 def fail(words):
@@ -75,7 +75,9 @@ def fail(words):
 def check_lines(names, statements):
     """All are proven, and what is said of them is there."""
     found = proven(*names)
-    print(found.stdout)
+    print(found.stdout, found.stderr)
+    if proven(*names, by=(PROGRAM, "--check")).stdout != found.stdout:
+        fail("the program's --check says something else")
     lines = found.stdout.splitlines()
     if found.returncode != 0 or len(lines) != len(names):
         fail("a scene is not proven")

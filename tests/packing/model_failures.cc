@@ -256,6 +256,19 @@ void test_tess()
                        " **polyhedron\n 1\n 1 3 1 1 -1\n");
 }
 
+/** A side that is too short for its length to be a number. */
+void test_short_sides()
+{
+  auto block = cube();
+  block.vertices.emplace_back(1e-300, 0., 0.);
+  auto &face = block.faces.front();
+  face.insert(std::find(face.begin(), face.end(), 0u) + 1, 8u);
+  write_file("a.obj", obj_of("a", block));
+  const ModelCells model = cells_of_model(read_model("a.obj"), {});
+  std::cout << "A short side is "
+            << (model.cells.n_cells() == 1 ? "closed" : "FAILED") << std::endl;
+}
+
 void test_generator()
 {
   const auto refuse_setting = [](const std::string &entry,
@@ -274,6 +287,8 @@ void test_generator()
   refuse_setting("File", "cube");
   refuse_setting("Scale", "0");
   refuse_setting("Scale", "-1");
+  refuse_setting("Scale", "1e-300");
+  refuse_setting("Scale", "1e100");
   refuse_setting("Tolerance", "1e-12");
   refuse_setting("Tolerance", "0.5");
   std::filesystem::create_directory("folder.stl");
@@ -292,6 +307,7 @@ void run()
   test_stl();
   test_compas();
   test_tess();
+  test_short_sides();
   test_generator();
 }
 

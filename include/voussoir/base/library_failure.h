@@ -26,6 +26,9 @@ private:
 
 /** The message of the LibraryFailure in this thread; null without one. */
 const char *message_of_library();
+
+/** The signals of failures have a handler that asks for that message. */
+void leave_failures_to_others();
 } // namespace Voussoir
 
 #endif

@@ -52,6 +52,10 @@ po::options_description visible_options(Arguments &arguments)
       "reproduce", po::value(&arguments.reproduced)->value_name("SUMMARY"),
       "make the results of a summary.json again, in a directory that is "
       "removed, and say what differs")(
+      "check",
+      po::value(&arguments.checked)->value_name("DIRECTORY")->multitoken(),
+      "prove the results in directories again from their files, by a script of "
+      "Python that has no code of the program")(
       "print-parameters",
       po::value<std::string>()
           ->value_name("SECTION")
@@ -154,10 +158,11 @@ std::string help()
           "the rigid blocks\nof the packing that FILE describes, a file of "
           "parameters in deal.II's formats:\n.prm, .json or .xml.\n\n"
        << visible_options(defaults)
-       << "\nExit status: 0 solved, 1 another answer with --reproduce, 2 bad "
-          "input, 3 the load is\nnot carried, 4 the solver failed, 130 "
-          "interrupted by SIGINT (Ctrl-C), 143 by SIGTERM,\n129 by SIGHUP: "
-          "then nothing is written, or all results are complete.\n";
+       << "\nExit status: 0 solved, 1 another answer with --reproduce or not "
+          "proven with --check,\n2 bad input, 3 the load is not carried, 4 the "
+          "solver failed, 130 interrupted by SIGINT\n(Ctrl-C), 143 by SIGTERM, "
+          "129 by SIGHUP: then nothing is written, or all results\nare "
+          "complete.\n";
   return text.str();
 }
 

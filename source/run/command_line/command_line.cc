@@ -6,6 +6,7 @@
 #include <voussoir/run/command_line/arguments.h>
 #include <voussoir/run/command_line/bash_completion.h>
 #include <voussoir/run/command_line/command_line.h>
+#include <voussoir/run/command_line/proof_script.h>
 #include <voussoir/run/make_run.h>
 #include <voussoir/run/reproduction.h>
 #include <voussoir/run/sweep/search.h>
@@ -99,20 +100,40 @@ bool run_many(const Arguments &arguments,
   return true;
 }
 
+/** Whether anything is given besides what concerns results that are there. */
+bool has_others(const Arguments &arguments)
+{
+  return !arguments.file.empty() || !arguments.assignments.empty() ||
+         !arguments.sweeps.empty() || !arguments.find.empty() ||
+         !arguments.results.empty() || arguments.has_directories ||
+         arguments.writes_critical || arguments.validate || arguments.resumes ||
+         arguments.print_parameters || arguments.print_settings ||
+         arguments.print_schema || arguments.print_reference ||
+         arguments.print_completion;
+}
+
+/** Prove results again that are there. */
+ExitStatus check(const Arguments &arguments, const Streams &streams)
+{
+  if (has_others(arguments) || !arguments.reproduced.empty())
+    throw InputError("--check takes directories of results; give it without a "
+                     "file of parameters and other options than --quiet.");
+  const bool are_proven =
+      prove_again(arguments.checked, [&](const std::string &line) {
+        if (!arguments.quiet)
+          streams.out << printable(line) << std::endl;
+        else if (line.find(": WRONG, ") != line.npos)
+          streams.error << printable(line) << std::endl;
+      });
+  return are_proven ? ExitStatus::solved : ExitStatus::another_answer;
+}
+
 /** Make results again that are there. */
 ExitStatus run_again(const Arguments &arguments,
                      const ProcessGroup &processes,
                      Terminal &terminal)
 {
-  const bool has_others =
-      !arguments.file.empty() || !arguments.assignments.empty() ||
-      !arguments.sweeps.empty() || !arguments.find.empty() ||
-      !arguments.results.empty() || arguments.has_directories ||
-      arguments.writes_critical || arguments.validate || arguments.resumes ||
-      arguments.print_parameters || arguments.print_settings ||
-      arguments.print_schema || arguments.print_reference ||
-      arguments.print_completion;
-  if (has_others)
+  if (has_others(arguments))
     throw InputError(
         "--reproduce takes the parameters beside the summary; give "
         "it without a file of parameters and other options than "
@@ -175,6 +196,8 @@ ExitStatus run(const Arguments &arguments,
 {
   if (const auto text = text_to_print(arguments))
     return print(streams.out, *text);
+  if (!arguments.checked.empty())
+    return check(arguments, streams);
   // A quiet run shows warnings only, which belong to the errors.
   Terminal terminal = arguments.quiet
                           ? Terminal(streams.error, 1, streams.screens.error)

@@ -31,6 +31,8 @@ struct Arguments
   bool resumes = false;
   /** --reproduce: a summary.json; empty if that is not asked for. */
   std::string reproduced;
+  /** --check: directories of results. */
+  std::vector<std::string> checked;
   /** --print-parameters: the section to print; empty for all parameters. */
   std::optional<std::string> print_parameters;
   /** --print-settings. */

@@ -34,8 +34,8 @@ struct Screens
  * @param error takes the one message of a run that did not solve its scene.
  * @param processes the processes that help; this one is the root.
  * @param screens the devices to which the streams write.
- * @return the exit status: 0 solved, 2 bad input, 3 the load is not carried, 4
- *   the solver failed. Never throws.
+ * @return the exit status: 0 solved, 1 another answer or not proven, 2 bad
+ *   input, 3 the load is not carried, 4 the solver failed. Never throws.
  */
 int run_command_line(const std::vector<std::string> &arguments,
                      std::ostream &out,

@@ -30,6 +30,12 @@ constexpr double tolerance_of_meshes = 1e-2, tolerance_of_computed = 1e-9;
 constexpr double rounding_of_coordinates =
     16. * std::numeric_limits<double>::epsilon();
 
+/** @{ */
+/** Volumes, and squares of them, of such coordinates are numbers. */
+constexpr double smallest_to_compute_with = 1e-70;
+constexpr double largest_to_compute_with = 1e70;
+/** @} */
+
 /** The cube root of the mean volume of what has one; else of the boxes. */
 double size_of_blocks(const std::vector<ModelBlock> &blocks)
 {
@@ -67,8 +73,16 @@ double model_tolerance(const std::vector<ModelBlock> &blocks,
                        const double relative)
 {
   const double size = size_of_blocks(blocks);
-  const double rounding =
-      rounding_of_coordinates * largest_coordinate_of(blocks);
+  const double largest = largest_coordinate_of(blocks);
+  if (largest > largest_to_compute_with ||
+      (largest > 0. && largest < smallest_to_compute_with))
+    throw InputError(text("The largest coordinate in '", meshes.file.string(),
+                          "' is ", largest, ", too ",
+                          largest > 1. ? "large" : "small",
+                          " to compute with; choose a unit of length in which "
+                          "it is between 1e-70 and 1e70. In a binary file the "
+                          "order of bytes may be another one."));
+  const double rounding = rounding_of_coordinates * largest;
   if (relative == 0.)
     return std::max(rounding,
                     size * (meshes.is_computed ? tolerance_of_computed

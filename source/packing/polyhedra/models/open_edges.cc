@@ -91,6 +91,8 @@ std::vector<unsigned int> vertices_within(const Surface &surface,
   const Point<3> &start = surface.vertices[side.low];
   const Tensor<1, 3> line = surface.vertices[side.high] - start;
   const double length = line.norm();
+  if (length <= 2. * distance)
+    return {};
   std::vector<std::pair<double, unsigned int>> within;
   for (const unsigned int v : vertices.near(side, distance))
   {
