@@ -59,7 +59,16 @@ void parameter_texts()
   for (unsigned int k = 0; k < 300000; ++k)
     sections += "subsection a\n";
   run_text(sections);
-  run_text("set \x1b[2J = \xff\n");
+  run_text("set \x1b[2J = 1\n");
+  // ISO 8859-1, in which a comment may be.
+  run_text("# f\xfcr alle\nset Title = Mauer f\xfcr alle # 1\n");
+  run_text("# f\xfcr alle\nset Width = 1\n");
+  std::ofstream("scene.xml") << "<?xml version=\"1.0\"?><ParameterHandler>"
+                                "<Title>f\xfcr</Title></ParameterHandler>";
+  run({"scene.xml"});
+  std::ofstream("scene.json") << "{\"Title\": \"f\xfcr\"}";
+  run({"scene.json"});
+  run({"scene.prm", "--set", "Title=f\xfcr"});
   run_text(wall + " end\n");
   run_text(wall);
   run_text(wall + " end\nsubsection Loads\nend\n");

@@ -14,9 +14,9 @@ VOUSSOIR, PROGRAM, SOURCE = (Path(word).resolve() for word in sys.argv[1:4])
 WANTED = sys.argv[4:]
 SEEDS = Path("spoilt/seeds").resolve()
 # Inputs made of the good ones.
-NUMBERS = {"run": 25, "earlier_run": 150, "prm": 100, "settings": 100, "json": 200, "xml": 200,
+NUMBERS = {"run": 25, "earlier_run": 100, "prm": 60, "settings": 60, "json": 200, "xml": 200,
            "dxf": 1000, "wkt": 1000}
-ELSE = 1500
+ELSE = 1000
 # Leaks are those of foreign libraries, which contrib/sanitize looks for.
 ENVIRONMENT = {"ASAN_OPTIONS": "detect_leaks=0:detect_container_overflow=0",
                "UBSAN_OPTIONS": "print_stacktrace=1", "OMP_NUM_THREADS": "1"}

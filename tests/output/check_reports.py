@@ -91,7 +91,7 @@ class Page:
                        ".map(i => i.id.slice(5))")
 
     def show(self, view):
-        self.driver.find_element(By.CSS_SELECTOR, f"label[for=view-{view}]").click()
+        self.js("document.querySelector(`label[for=view-${arguments[0]}]`).click()", view)
 
     def pixels(self):
         png = self.driver.find_element(By.ID, "drawing").screenshot_as_png
@@ -156,14 +156,14 @@ def check_views(page):
     pictures = {}
     for view in views:
         page.show(view)
-        shown = page.js(
-            "return [...document.querySelectorAll('.layer, .legend')]"
-            ".filter(e => getComputedStyle(e).display !== 'none')"
-            ".every(e => e.id === 'supports' || e.classList.contains('in-' + arguments[0]))",
-            view)
+        shown, legend = page.js(
+            "const shown = e => getComputedStyle(e).display !== 'none',"
+            " legend = document.querySelector('.legend.in-' + arguments[0]);"
+            "return [[...document.querySelectorAll('.layer, .legend')].filter(shown)"
+            ".every(e => e.id === 'supports' || e.classList.contains('in-' + arguments[0])),"
+            " legend.checkVisibility() && legend.innerText.trim()]", view)
         page.expect(f"layers of {view}", shown)
-        legend = page.driver.find_element(By.CSS_SELECTOR, f".legend.in-{view}")
-        page.expect(f"legend of {view}", legend.is_displayed() and legend.text.strip())
+        page.expect(f"legend of {view}", legend)
         picture = page.pixels()
         inked = (picture.min(axis=2) < 250).mean()
         page.expect(f"ink of {view}, {inked}", 0.005 < inked < 0.98)
@@ -227,7 +227,7 @@ def check_pointing(page):
     box = page.js("const b = arguments[0].getBoundingClientRect();"
                   "return [b.x + b.width / 2, b.y + b.height / 2]", drawing)
     x, y = places[index][0] - box[0], places[index][1] - box[1]
-    ActionChains(page.driver).move_to_element_with_offset(
+    ActionChains(page.driver, duration=0).move_to_element_with_offset(
         drawing, round(x), round(y)).perform()
     shown = dict(page.numbers())
     page.expect(f"block {index} under the mouse", shown.get(names[0]) == rows[index][0])
@@ -238,7 +238,7 @@ def check_pointing(page):
     page.js("arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -500,"
             "clientX: 300, clientY: 400, bubbles: true, cancelable: true}))", drawing)
     page.expect("zoomed", float(seen().split()[2]) < 0.6 * float(before.split()[2]))
-    ActionChains(page.driver).double_click(drawing).perform()
+    ActionChains(page.driver, duration=0).double_click(drawing).perform()
     page.expect("all of it again", seen() == before)
 
 

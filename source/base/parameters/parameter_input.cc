@@ -5,6 +5,7 @@
 #include <voussoir/base/parameters/parameter_input.h>
 #include <voussoir/base/parameters/parameter_lines.h>
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/printable.h>
 #include <voussoir/base/text.h>
 #include <voussoir/base/text_file.h>
 
@@ -73,6 +74,37 @@ const Nested &section_of(const Nested &nested, const std::string &section)
   return found == nested.not_found() ? nothing : found->second;
 }
 
+/** Values are written to JSON, and shown on pages. */
+void refuse_other_encoding(const std::string &text, const std::string &place)
+{
+  if (!is_utf8(text))
+    throw InputError(place + " is not UTF-8 text: " + trim(text) +
+                     "; save the file as UTF-8, which editors offer as the "
+                     "encoding.");
+}
+
+/** In lines, of which comments may be in any. */
+void refuse_other_encoding_of_lines(const std::string &lines,
+                                    const std::string &name)
+{
+  if (is_utf8(lines))
+    return;
+  std::istringstream in(lines);
+  std::string line;
+  for (unsigned int number = 1; std::getline(in, line); ++number)
+    refuse_other_encoding(line.substr(0, line.find('#')),
+                          text("Line ", number, " of '", name, "'"));
+}
+
+void refuse_other_encoding_of_nested(const Nested &node,
+                                     const std::string &path,
+                                     const std::string &file)
+{
+  refuse_other_encoding(path + node.data(), "A value of '" + file + "'");
+  for (const auto &[name, inner] : node)
+    refuse_other_encoding_of_nested(inner, path + name + '/', file);
+}
+
 /** Replace the values in a node. @param path of it, without the last '. */
 template <typename Replaced>
 void replace_nested(Nested &node,
@@ -112,12 +144,23 @@ ParameterInput::ParameterInput(const std::filesystem::path &file)
     content = nested_from_xml(*text, name);
   else
     content = *text;
+  check_encoding();
 }
 
 ParameterInput::ParameterInput(const std::string &lines,
                                const std::string &name)
     : name(name), content(lines)
-{}
+{
+  check_encoding();
+}
+
+void ParameterInput::check_encoding() const
+{
+  if (const auto *const lines = std::get_if<std::string>(&content))
+    refuse_other_encoding_of_lines(*lines, name);
+  else
+    refuse_other_encoding_of_nested(std::get<Nested>(content), "", name);
+}
 
 std::set<std::string>
 ParameterInput::sections_in(const std::string &section) const

@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/parameters/faulty_assignment.h>
 #include <voussoir/base/parameters/parameters.h>
+#include <voussoir/base/printable.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -65,6 +66,10 @@ const std::string how_to_list_parameters =
 
 Assignment assignment_of_text(const std::string &text)
 {
+  if (!is_utf8(text))
+    throw InputError("--set '" + text +
+                     "' is not UTF-8 text; set the terminal to UTF-8, or use "
+                     "a file of parameters.");
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw InputError("--set '" + text +

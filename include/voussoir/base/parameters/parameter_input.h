@@ -29,10 +29,15 @@ public:
    * Read a file: JSON if its name ends in .json, XML if in .xml, and .prm
    * otherwise.
    *
-   * @throws InputError if it cannot be read, or is no valid JSON or XML.
+   * @throws InputError if it cannot be read, is not in UTF-8 but for comments,
+   *   or is no valid JSON or XML.
    */
   explicit ParameterInput(const std::filesystem::path &file);
-  /** @param lines as in a .prm file. @param name of them, for messages. */
+  /**
+   * @param lines as in a .prm file.
+   * @param name of them, for messages.
+   * @throws InputError if they are not in UTF-8 but for comments.
+   */
   ParameterInput(const std::string &lines, const std::string &name);
 
   /** The names of the sections directly in @p section, which need not exist. */
@@ -70,6 +75,8 @@ public:
   bool assign_to(dealii::ParameterHandler &prm) const;
 
 private:
+  void check_encoding() const;
+
   /** Sections and entries by their names, of JSON or XML. */
   using Nested = boost::property_tree::ptree;
 

@@ -2,6 +2,7 @@
 #include <voussoir/packing/polyhedra/models/surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace Voussoir
@@ -109,7 +110,7 @@ SurfaceSums sums_of(const Surface &surface)
     sums.area += 0.5 * twice_area.norm();
   }
   sums.centroid = origin;
-  if (sums.volume != 0.)
+  if (std::isnormal(sums.volume)) // else 1/V is none
     sums.centroid += first / sums.volume;
   return sums;
 }
