@@ -100,9 +100,10 @@ void refuse_other_encoding_of_nested(const Nested &node,
                                      const std::string &path,
                                      const std::string &file)
 {
-  refuse_other_encoding(path + node.data(), "A value of '" + file + "'");
+  refuse_other_encoding(node.data(), "'" + path + "' of '" + file + "'");
   for (const auto &[name, inner] : node)
-    refuse_other_encoding_of_nested(inner, path + name + '/', file);
+    refuse_other_encoding_of_nested(
+        inner, path.empty() ? name : path + '/' + name, file);
 }
 
 /** Replace the values in a node. @param path of it, without the last '. */

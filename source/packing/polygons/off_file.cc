@@ -4,7 +4,15 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/readers.h>
 
+// It converts numbers that no integer holds; what comes of them is refused.
+#ifdef __clang__
+#pragma clang attribute push(                                                  \
+    __attribute__((no_sanitize("float-cast-overflow"))), apply_to = function)
+#endif
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
 
 #include <algorithm>
 #include <sstream>

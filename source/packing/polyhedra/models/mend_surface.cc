@@ -168,21 +168,20 @@ MendedSurface surface_of(const BlockMesh &block)
     mended.defects.push_back(bad_number);
     return mended;
   }
-  if (surface.faces.size() < least_faces_of_polyhedron)
-  {
+  const double diagonal =
+      largest < longest_length ? diagonal_of(surface.vertices) : longest_length;
+  // Of coordinates that are too small the diagonal may be none.
+  if (largest >= longest_length ||
+      (diagonal > 0. && diagonal < shortest_length) ||
+      (largest > 0. && largest < shortest_length))
+    mended.defects.push_back({DefectKind::bad_scale, 0, 1,
+                              dealii::numbers::invalid_unsigned_int, diagonal,
+                              surface.vertices[0]});
+  else if (surface.faces.size() < least_faces_of_polyhedron)
     mended.defects.push_back(
         {DefectKind::few_faces, 0, 1, dealii::numbers::invalid_unsigned_int,
          static_cast<double>(surface.faces.size()),
          surface.vertices.empty() ? Point<3>() : surface.vertices[0]});
-    return mended;
-  }
-  const double diagonal =
-      largest < longest_length ? diagonal_of(surface.vertices) : longest_length;
-  if (largest >= longest_length ||
-      (diagonal > 0. && diagonal < shortest_length))
-    mended.defects.push_back({DefectKind::bad_scale, 0, 1,
-                              dealii::numbers::invalid_unsigned_int, diagonal,
-                              surface.vertices[0]});
   return mended;
 }
 

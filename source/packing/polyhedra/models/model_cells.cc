@@ -62,26 +62,6 @@ double largest_coordinate_of(const std::vector<ModelBlock> &blocks)
   return largest;
 }
 
-/** Such as those of a binary file in another order of bytes. */
-void refuse_tiny_coordinates(const std::vector<ModelBlock> &blocks,
-                             const BlockMeshes &meshes)
-{
-  double largest = 0.;
-  for (const ModelBlock &block : blocks)
-    for (const Point<3> &p : block.mesh.vertices)
-      for (unsigned int d = 0; d < 3; ++d)
-        if (std::isfinite(p[d])) // else it is a fault of the block
-          largest = std::max(largest, std::abs(p[d]));
-  // Of whose squares' products there is still a number.
-  constexpr double smallest_to_compute_with = 1e-70;
-  if (largest > 0. && largest < smallest_to_compute_with)
-    throw InputError(text("The largest coordinate in '", meshes.file.string(),
-                          "' is ", largest,
-                          ", too small to compute with; choose a unit of "
-                          "length in which it is at least 1e-70. In a binary "
-                          "file the order of bytes may be another one."));
-}
-
 double model_tolerance(const std::vector<ModelBlock> &blocks,
                        const BlockMeshes &meshes,
                        const double relative)
@@ -168,7 +148,6 @@ ModelCells cells_of_model(const BlockMeshes &meshes,
   std::vector<ModelBlock> blocks = model_blocks(meshes, options);
   ModelCells model;
   static_cast<CellRecords &>(model.cells) = records_of(blocks, meshes);
-  refuse_tiny_coordinates(blocks, meshes);
   for (ModelBlock &block : blocks)
     mend_block(block);
   const double tolerance = model_tolerance(blocks, meshes, options.tolerance);
