@@ -268,6 +268,10 @@ void test_ogr()
   check_refusal("a missing file", "missing.dxf", "does not exist");
   write_file("squares.geojson", "nonsense");
   check_refusal("nonsense", "squares.geojson", "none of the formats");
+  // In which GDAL would look for the end of the line without end.
+  std::ofstream("zeros.dxf", std::ios::binary)
+      << "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\npier\r" << '\0' << "\n20\n0";
+  check_refusal("a byte 0", "zeros.dxf", "has a byte 0 in line 8");
   // GDAL reads it, and would read what it leads to.
   write_file("squares.vrt", R"(<OGRVRTDataSource><OGRVRTLayer name="squares">
 <SrcDataSource>squares.shp</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>)");

@@ -2,12 +2,16 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/floating_point.h>
 #include <voussoir/base/text.h>
+#include <voussoir/base/text_file.h>
 #include <voussoir/packing/polygons/readers.h>
 
 #ifdef VOUSSOIR_GDAL_LIBRARY
 #include <voussoir/packing/polygons/ogr_dataset.h>
 #endif
 
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -267,6 +271,26 @@ private:
   bool has_z = false;
   bool has_other_curves = false;
 };
+
+/**
+ * GDAL waits forever for the end of a line of a DXF with a byte 0, which the
+ * binary form and damaged files have.
+ */
+void refuse_zero_bytes_of_dxf(const std::filesystem::path &file)
+{
+  const std::string bytes = bytes_of_file(file).value_or("");
+  constexpr std::size_t beginning = 1000;
+  const bool is_dxf =
+      boost::iequals(file.extension().string(), ".dxf") ||
+      bytes.substr(0, beginning).find("SECTION") != std::string::npos;
+  const std::size_t place = bytes.find('\0');
+  if (is_dxf && place != std::string::npos)
+    throw InputError(text(
+        "The file of polygons '", file.string(), "' has a byte 0 in line ",
+        1 + std::count(bytes.begin(), bytes.begin() + place, '\n'),
+        ", as no text has; save the drawing as DXF in text (ASCII), not in "
+        "the binary form."));
+}
 } // namespace
 
 PolygonList read_ogr_file(const std::filesystem::path &file,
@@ -276,6 +300,7 @@ PolygonList read_ogr_file(const std::filesystem::path &file,
     throw InputError("The file of polygons '" + file.string() +
                      "' does not exist. Paths in a .prm file start at the "
                      "directory of that file.");
+  refuse_zero_bytes_of_dxf(file);
   // libxml2, which GDAL starts, computes 0/0 for its own NaN.
   const InvalidOperationsAllowed allowed;
   return OgrReader(file, layers).read();
