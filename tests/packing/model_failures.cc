@@ -175,6 +175,14 @@ void test_ply()
   refuse("a.ply", head + "end_header\n" + vertices + "-3 0 1 2\n");
   refuse("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
                   "property double x\nend_header\nabcdefgh");
+  // A signalling NaN.
+  std::string bytes("ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+                    "property double x\nproperty double y\n"
+                    "property double z\nelement face 1\n"
+                    "property list uchar int vertex_indices\nend_header\n");
+  bytes += std::string("\1\0\0\0\0\0\xf0\x7f", 8) + std::string(64, '\0');
+  bytes += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+  refuse("a.ply", bytes);
   for (const std::string faces : {"1\n", "4\n"})
     refuse("a.ply", "ply\nformat ascii 1.0\nelement face " + faces +
                         "property list uchar int vertex_indices\n"

@@ -4,10 +4,13 @@
 #include <voussoir/base/text.h>
 #include <voussoir/packing/polygons/readers.h>
 
-// It converts numbers that no integer holds; what comes of them is refused.
+// It converts numbers that no integer holds, and doubles that of edges; what
+// comes of them is refused, or not used.
 #ifdef __clang__
 #pragma clang attribute push(                                                  \
-    __attribute__((no_sanitize("float-cast-overflow"))), apply_to = function)
+    __attribute__((                                                            \
+        no_sanitize("float-cast-overflow", "signed-integer-overflow"))),       \
+    apply_to = function)
 #endif
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 #ifdef __clang__

@@ -12,6 +12,8 @@
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -278,13 +280,14 @@ private:
  */
 void refuse_zero_bytes_of_dxf(const std::filesystem::path &file)
 {
+  std::array<char, 1000> beginning = {};
+  std::ifstream(file, std::ios::binary)
+      .read(beginning.data(), beginning.size());
+  if (!boost::iequals(file.extension().string(), ".dxf") &&
+      !boost::contains(beginning, "SECTION"))
+    return;
   const std::string bytes = bytes_of_file(file).value_or("");
-  constexpr std::size_t beginning = 1000;
-  const bool is_dxf =
-      boost::iequals(file.extension().string(), ".dxf") ||
-      bytes.substr(0, beginning).find("SECTION") != std::string::npos;
-  const std::size_t place = bytes.find('\0');
-  if (is_dxf && place != std::string::npos)
+  if (const std::size_t place = bytes.find('\0'); place != bytes.npos)
     throw InputError(text(
         "The file of polygons '", file.string(), "' has a byte 0 in line ",
         1 + std::count(bytes.begin(), bytes.begin() + place, '\n'),

@@ -198,7 +198,9 @@ private:
     const auto *const data =
         reinterpret_cast<const unsigned char *>(bytes.data()) + at;
     at += size;
-    return load_ply_number(data, type, form);
+    const double value = load_ply_number(data, type, form);
+    // Each use of a signalling one would be an invalid operation.
+    return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
   }
 
   double next_word(const PlyElement &element, const std::size_t number)
