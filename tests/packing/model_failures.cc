@@ -153,6 +153,17 @@ void test_obj()
   refuse("a.obj", std::string("o\0\0\0\0\0", 6));
 }
 
+void test_crossing_in_a_plane()
+{
+  // Triangles of one plane whose sides are nearly parallel where they cross.
+  Shape shape;
+  shape.vertices = {{0., 0.5, 0.5}, {0., -0.5, 0.5}, {0., 0., 0.},
+                    {2., 0.5, 0.5}, {2., -0.5, 0.5}, {-0.5, 1., 0.5}};
+  shape.faces = {
+      {2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+  refuse("a.obj", obj_of("flat", shape));
+}
+
 void test_ply()
 {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\n"
@@ -311,6 +322,7 @@ void run()
   test_all_at_once();
   test_off();
   test_obj();
+  test_crossing_in_a_plane();
   test_ply();
   test_stl();
   test_compas();

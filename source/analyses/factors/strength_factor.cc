@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <voussoir/algebra/vectors.h>
+#include <voussoir/analyses/factors/divided_strengths.h>
 #include <voussoir/analyses/factors/strength_factor.h>
-#include <voussoir/base/text.h>
-#include <voussoir/scene/proofs/space_certificate.h>
-#include <voussoir/statics/conic/blended_loads.h>
-#include <voussoir/statics/conic/feasible_state.h>
-#include <voussoir/statics/problem/discretise.h>
-#include <voussoir/statics/problem/discretise_space.h>
+#include <voussoir/base/exceptions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace Voussoir
@@ -23,71 +17,26 @@ namespace
 constexpr double largest_divisor = 1e6;
 /** The step of a divisor where nothing says how long it is to be. */
 constexpr double usual_step = 4.;
-/** The largest step of log f. */
-constexpr double largest_step_of_log = 3.;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /** A step of Newton's, over the divisor, behind which its error is rounding. */
 constexpr double short_step = 1e-4;
 constexpr unsigned int n_max_of_newton = 40;
+/** How many slow steps show that the share jumps. */
+constexpr unsigned int n_slow_of_jump = 3;
+/** How many divisors without an answer end a search for a collapse. */
+constexpr unsigned int n_undecided_of_one_side = 3;
 /** Where an interval is cut, in turn. */
-constexpr std::array<double, 5> places = {{0.5, 0.25, 0.75, 0.05, 0.95}};
+constexpr std::array<double, 3> places = {{0.5, 0.25, 0.75}};
 /** The distance of a proof from the limit, over the tolerance, and its growth.
  */
 constexpr double first_distance = 0.4, growth_of_distance = 4.;
 /** Where the limit is not nearer than that, it is not known. */
 constexpr double largest_distance = 1e-2;
-/** The distance of the two bounds of a share that is enough, over its distance
- * from one, and where that is nothing. */
-constexpr double good_width = 1e-2, small_distance_from_one = 1e-6;
-/** The error of a point to go on from, over the change of log f, and at least.
- */
-constexpr double error_of_change = 10., least_error_of_start = 1e-4;
-constexpr double tolerance_of_share = 1e-10;
-constexpr unsigned int n_max_of_share = 100;
 
-/** The work of friction of forces @p x of rows in a motion. */
-double work_of_friction(const RowProblem &by_rows,
-                        const std::vector<double> &x,
-                        const std::vector<double> &u)
-{
-  const DiscreteProblem &problem = by_rows.of();
-  const std::vector<double> forces = by_rows.rows().forces_of(x);
-  double work = 0.;
-  if (!problem.is_plane())
-  {
-    const std::vector<double> jumps = by_rows.rows().jumps(u);
-    for (unsigned int e = 0; e < problem.joints().size(); ++e)
-      problem.for_each_set(e, [&](const unsigned int size,
-                                  const unsigned int row, unsigned int) {
-        const std::size_t first = problem.first_row(e) + row;
-        // Behind the pressure, if there is one.
-        for (std::size_t k = first + size % 2; k < first + size; ++k)
-          work += forces[k] * jumps[k];
-      });
-    return work;
-  }
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    work += std::abs(forces[problem.first_row(e) + problem.n_contacts(e)] *
-                     problem.sliding(e, u.data()));
-  return work;
-}
-
-/** @{ */
-/** Whether strengths grow with the pressure. */
-bool has_coefficient(const Scene &scene)
-{
-  return !scene.coefficient.empty();
-}
-bool has_coefficient(const SpaceScene &scene)
-{
-  return !scene.blocks->strengths.coefficient.empty();
-}
-/** @} */
 /**
- * The search. At a divisor f the greatest share t of loads that are blended,
- * BlendedLoads, says whether they are carried or collapse. Its derivative with
- * -log f is the work of friction in the mechanism in which the live loads do
- * the work one, with which Newton's method finds where it is one.
+ * The search for the divisor whose share is one, by Newton's method. Where
+ * blocks begin to wedge the share jumps; it may become infinite, as where a
+ * stress of the blocks alone carries any loads. There intervals are cut.
  */
 template <typename SceneOf>
 class StrengthSearch
@@ -96,188 +45,133 @@ public:
   StrengthSearch(const SceneOf &scene,
                  const LoadFactorControls &controls,
                  Terminal &terminal)
-      : scene(scene), controls(controls), terminal(terminal)
+      : scene(scene), controls(controls), strengths(scene, controls, terminal)
   {}
 
   FactorAnswerOf<SceneOf> find();
 
 private:
-  /** What is known of one divisor. */
-  struct Share
+  using Question = typename DividedStrengths<SceneOf>::Question;
+  /** A divisor that was looked at. */
+  struct End
   {
-    bool is_carried = false, collapses = false;
-    /** t, and its derivative with -log f; zero if not known. */
-    double t = 0., slope = 0.;
+    double divisor;
+    ShareOfLoads share;
   };
-  Share judge(double divisor);
-  void keep_forces(double divisor,
-                   const DiscreteProblem &problem,
-                   std::vector<double> forces);
-  bool keep_mechanism(double divisor,
-                      const SceneOf &divided,
-                      const RowProblem &by_rows,
-                      const ProvenFactor &factor);
-  double newton(double divisor, const Share &share) const;
-  double next(double divisor, const Share &share);
+  bool has_both() const
+  {
+    return found.carried > 0. && std::isfinite(found.bound);
+  }
+  double between();
+  double secant(double power) const;
+  double next(double divisor, const ShareOfLoads &share);
+  bool is_at_a_jump(double divisor);
   double find_limit();
   void find_proofs(double limit);
   void bisect();
 
   const SceneOf &scene;
   const LoadFactorControls &controls;
-  Terminal &terminal;
-  FactorOf<SceneOf> found;
-  /** The way to the share of a divisor, which others begin with. */
-  ProvenFactor::Course course;
-  double divisor_of_course = 1.;
+  DividedStrengths<SceneOf> strengths;
+  FactorOf<SceneOf> &found = strengths.found;
   /** Of the last two steps of Newton's, of log f. */
   std::array<double, 2> lengths = {{infinite, infinite}};
+  /** @{ */
+  /** The greatest that is carried and the least that collapses. */
+  End carried_end = {0., {}}, collapsing_end = {infinite, {}};
+  /** @} */
+  /** Their distance, of log f, when it was cut last. */
+  double length_before = infinite;
+  /** How often that was not halved. */
+  unsigned int n_slow = 0;
+  /** The next step from where any share is carried. */
+  double next_step = usual_step;
+  /** @{ */
+  /** The least divisor without an answer, and how many there were. */
+  double undecided = infinite;
+  unsigned int n_undecided = 0;
+  /** @} */
+  /** Whether the share jumps, so that its sides count, and not by how much. */
+  bool is_cutting = false;
   /** Whether no strengths at all were looked at. */
   bool has_seen_none = false;
 };
 
-/** Look at one divisor, and keep proofs that are better. */
-template <typename SceneOf>
-typename StrengthSearch<SceneOf>::Share
-StrengthSearch<SceneOf>::judge(const double divisor)
-{
-  const SceneOf divided = with_strengths_divided(scene, divisor);
-  const DiscreteProblem problem = discretise(divided);
-  BlendedLoads blend(problem);
-  RowProblem &by_rows = blend.by_rows();
-  ProvenFactor factor(by_rows.forces(), blend.program(),
-                      {tolerance_of_share, 1.,
-                       std::min(n_max_of_share, controls.n_max_iterations)},
-                      terminal);
-  const auto carried = [&] {
-    return factor.carried() ? factor.carried()->alpha : 0.;
-  };
-  const auto is_enough = [&] {
-    const double distance =
-        carried() >= 1. ? carried() - 1. : 1. - factor.bound();
-    return distance > 0. &&
-           factor.bound() - carried() <=
-               good_width * std::max(distance, small_distance_from_one);
-  };
-  course.cut(std::max(least_error_of_start,
-                      error_of_change *
-                          std::abs(std::log(divisor / divisor_of_course))));
-  const bool is_warm = !course.stops.empty();
-  divisor_of_course = divisor;
-  factor.follow(course);
-  factor.find(is_enough);
-  if (is_warm && factor.state() != SelfDual::State::unbounded && !is_enough())
-  {
-    // Once more from the usual start.
-    course.stops.clear();
-    factor.find(is_enough);
-  }
-  found.n_iterations += factor.n_iterations();
-  Share share;
-  if (carried() >= 1.)
-  {
-    share.is_carried = true;
-    keep_forces(divisor, problem,
-                blend.forces_of_all(factor.carried()->x, carried()));
-  }
-  else if (factor.mechanism() && factor.bound() < 1.)
-    share.collapses = keep_mechanism(divisor, divided, by_rows, factor);
-  if (factor.carried() && factor.mechanism() && factor.bound() > 0.)
-  {
-    const std::vector<double> &u = factor.mechanism()->u;
-    share.t = factor.bound();
-    share.slope = work_of_friction(by_rows, factor.carried()->x, u) /
-                  dot(blend.program().live, u);
-  }
-  if (!share.is_carried && !share.collapses)
-  {
-    // Where any share is carried none has been found.
-    const FeasibleForces any = find_feasible_forces(
-        by_rows, by_rows.loads(), controls.n_max_iterations, terminal);
-    found.n_iterations += any.n_iterations;
-    share.is_carried = any.state.has_value();
-    if (any.state)
-      keep_forces(divisor, problem, by_rows.rows().forces_of(any.state->x));
-  }
-  terminal.iteration("Strength factor",
-                     text("divided by ", divisor, ": share ", carried(), " to ",
-                          factor.bound()));
-  return share;
-}
-
-/** Keep forces that carry the loads. */
-template <typename SceneOf>
-void StrengthSearch<SceneOf>::keep_forces(const double divisor,
-                                          const DiscreteProblem &problem,
-                                          std::vector<double> forces)
-{
-  if (divisor <= found.carried)
-    return;
-  Solution state;
-  state.stop = Stop::Reason::converged;
-  state.forces = std::move(forces);
-  found.forces = dimensional_forces(problem, scene, state);
-  found.carried = divisor;
-}
-
-/** Whether the mechanism is a proof, kept if it is a better one. */
-template <typename SceneOf>
-bool StrengthSearch<SceneOf>::keep_mechanism(const double divisor,
-                                             const SceneOf &divided,
-                                             const RowProblem &by_rows,
-                                             const ProvenFactor &factor)
-{
-  typename SceneOf::MotionOfBlocks motion = dimensional_motion(
-      by_rows.of(), divided, by_rows.of_size_one(factor.mechanism()->u), 1.);
-  const MechanismCertificate proof = certify_mechanism(divided, motion);
-  if (!proves_collapse(proof))
-    return false;
-  if (divisor < found.bound)
-  {
-    found.mechanism = std::move(motion);
-    found.bound = divisor;
-    found.proof = {divisor, 0., proof.closing_violation};
-  }
-  return true;
-}
-
 /**
- * Where by Newton's method t is one. With one mechanism t is linear in one over
- * the divisor, and of Tresca's friction the least of such; of Coulomb's, in
- * whose mechanisms joints open the less the greater the divisor is, one over t
- * is nearly linear in its logarithm. Zero if nothing is known; infinite if no
- * strengths are needed.
+ * Between what is carried and what collapses, where the shares of both say that
+ * it is one, or in the middle.
  */
 template <typename SceneOf>
-double StrengthSearch<SceneOf>::newton(const double divisor,
-                                       const Share &share) const
+double StrengthSearch<SceneOf>::between()
 {
-  if (!(share.slope > 0.))
-    return share.is_carried ? infinite : 0.;
-  if (has_coefficient(scene))
-    return divisor *
-           std::exp(std::clamp((share.t - 1.) * share.t / share.slope,
-                               -largest_step_of_log, largest_step_of_log));
-  const double part = 1. + (1. - share.t) / share.slope;
-  return part > 0. ? divisor / part : infinite;
+  const double length = std::log(found.bound / found.carried);
+  const bool is_slow = !(length < 0.5 * length_before);
+  length_before = length;
+  if (is_slow && ++n_slow == n_slow_of_jump)
+    is_cutting = true;
+  if (!is_slow && carried_end.share.t > 0. && collapsing_end.share.t > 0.)
+  {
+    const double wanted = has_coefficient(scene) ? secant(-1.) : secant(1.);
+    if (wanted > found.carried && wanted < found.bound)
+      return wanted;
+  }
+  return std::sqrt(found.carried * found.bound);
+}
+
+/** Where a line through both ends is one: of t over one over the divisor, or of
+ * one over t over its logarithm. */
+template <typename SceneOf>
+double StrengthSearch<SceneOf>::secant(const double power) const
+{
+  const auto place = [&](const End &end) {
+    return power > 0. ? 1. / end.divisor : std::log(end.divisor);
+  };
+  const auto value = [&](const End &end) {
+    return std::pow(end.share.t, power) - 1.;
+  };
+  const double a = place(carried_end), b = place(collapsing_end),
+               at_a = value(carried_end), at_b = value(collapsing_end),
+               root = a + (b - a) * at_a / (at_a - at_b);
+  return power > 0. ? 1. / root : std::exp(root);
 }
 
 /** The divisor to look at behind one that was looked at. */
 template <typename SceneOf>
-double StrengthSearch<SceneOf>::next(const double divisor, const Share &share)
+double StrengthSearch<SceneOf>::next(const double divisor,
+                                     const ShareOfLoads &share)
 {
-  const double wanted = newton(divisor, share);
+  const double wanted = strengths.newton(divisor, share);
   const double length = std::abs(std::log(wanted / divisor));
+  if (share.is_carried && divisor >= carried_end.divisor)
+    carried_end = {divisor, share};
+  if (share.collapses && divisor <= collapsing_end.divisor)
+    collapsing_end = {divisor, share};
   // Where t jumps Newton's method goes to and fro.
-  const bool has_both = found.carried > 0. && std::isfinite(found.bound);
-  const bool is_slow = has_both && !(length < 0.5 * lengths[1]);
+  const bool is_slow = has_both() && !(length < 0.5 * lengths[1]);
   lengths = {{length, lengths[0]}};
-  if (!is_slow && wanted > found.carried && wanted <= found.bound &&
-      (std::isfinite(wanted) || !has_seen_none))
+  if (!is_cutting && !is_slow && wanted > found.carried &&
+      wanted <= found.bound && (std::isfinite(wanted) || !has_seen_none))
     return wanted;
-  if (has_both)
-    return std::sqrt(found.carried * found.bound);
-  return share.is_carried ? divisor * usual_step : divisor / usual_step;
+  if (has_both())
+    return between();
+  if (found.carried > 0. && std::isfinite(undecided))
+    return std::sqrt(found.carried * undecided);
+  if (!share.is_carried)
+    return divisor / usual_step;
+  const double step = std::isinf(wanted) ? next_step : usual_step;
+  next_step *= step;
+  return divisor * step;
+}
+
+/** Whether nothing more can be known where there is no answer. */
+template <typename SceneOf>
+bool StrengthSearch<SceneOf>::is_at_a_jump(const double divisor)
+{
+  undecided = std::min(undecided, divisor);
+  ++n_undecided;
+  is_cutting = has_both() ||
+               (found.carried > 0. && n_undecided == n_undecided_of_one_side);
+  return is_cutting;
 }
 
 /** Where the share is one; infinite if no strengths are needed. */
@@ -288,11 +182,15 @@ double StrengthSearch<SceneOf>::find_limit()
   for (unsigned int n = 0; n < n_max_of_newton; ++n)
   {
     const double last = divisor;
-    divisor = next(last, judge(last));
+    const ShareOfLoads share =
+        strengths.judge(last, is_cutting ? Question::side : Question::share);
+    if (!share.is_carried && !share.collapses && is_at_a_jump(last))
+      return last;
+    divisor = next(last, share);
     if (divisor > largest_divisor && !has_seen_none)
     {
       has_seen_none = true;
-      if (judge(infinite).is_carried)
+      if (strengths.judge(infinite, Question::side).is_carried)
         return infinite;
     }
     if (std::isinf(divisor))
@@ -319,7 +217,7 @@ void StrengthSearch<SceneOf>::find_proofs(const double limit)
       const double divisor = limit * (1. + side * distance);
       if (side < 0. ? found.carried >= divisor : found.bound <= divisor)
         break;
-      if (const Share share = judge(divisor);
+      if (const ShareOfLoads share = strengths.judge(divisor, Question::side);
           side < 0. ? share.is_carried : share.collapses)
         break;
     }
@@ -332,24 +230,21 @@ void StrengthSearch<SceneOf>::find_proofs(const double limit)
 template <typename SceneOf>
 void StrengthSearch<SceneOf>::bisect()
 {
-  unsigned int n_undecided = 0;
-  for (unsigned int n = 0; n < n_max_of_newton && n_undecided < places.size() &&
-                           found.carried > 0. && std::isfinite(found.bound) &&
-                           found.width() > controls.tolerance;
+  unsigned int n_missed = 0;
+  for (unsigned int n = 0; n < n_max_of_newton && n_missed < places.size() &&
+                           has_both() && found.width() > controls.tolerance;
        ++n)
   {
-    const Share share =
-        judge(found.carried *
-              std::pow(found.bound / found.carried, places[n_undecided]));
-    n_undecided = share.is_carried || share.collapses ? 0 : n_undecided + 1;
+    const ShareOfLoads share = strengths.judge(
+        found.carried * std::pow(found.bound / found.carried, places[n_missed]),
+        Question::side);
+    n_missed = share.is_carried || share.collapses ? 0 : n_missed + 1;
   }
 }
 
 template <typename SceneOf>
 FactorAnswerOf<SceneOf> StrengthSearch<SceneOf>::find()
 {
-  found.carried = 0.;
-  found.bound = infinite;
   FactorAnswerOf<SceneOf> answer;
   const double limit = find_limit();
   if (std::isinf(limit))
@@ -361,7 +256,7 @@ FactorAnswerOf<SceneOf> StrengthSearch<SceneOf>::find()
     answer.factor = std::move(found);
     return answer;
   }
-  if (limit * largest_divisor > 1. && limit < largest_divisor)
+  if (!is_cutting && limit * largest_divisor > 1. && limit < largest_divisor)
     find_proofs(limit);
   bisect();
   if (!(found.carried > 0.) && found.has_mechanism())

@@ -2,6 +2,8 @@
 #include <voussoir/base/floating_point.h>
 #include <voussoir/packing/polyhedra/models/check_surface.h>
 
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -27,6 +29,10 @@ using CrossingKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CrossingPlace = CrossingKernel::Point_3;
 using TriangleMesh = CGAL::Surface_mesh<CrossingPlace>;
 using CrossingTriangle = std::array<CrossingPlace, 3>;
+/** Of intersections: those of triangles in one plane are found from points that
+ * are found before, which are no numbers where lines are nearly parallel. */
+using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using ExactPlace = ExactKernel::Point_3;
 
 /** True if no vertex is further out of a face than @p distance. */
 bool is_convex_surface(const Surface &surface, const double distance)
@@ -75,13 +81,13 @@ CrossingTriangle corners_of_triangle(const TriangleMesh &mesh,
 /** The points that an intersection of triangles is the hull of. */
 struct PointsOfIntersection
 {
-  using Points = std::vector<CrossingPlace>;
-  Points operator()(const CrossingPlace &p) const { return {p}; }
-  Points operator()(const CrossingKernel::Segment_3 &s) const
+  using Points = std::vector<ExactPlace>;
+  Points operator()(const ExactPlace &p) const { return {p}; }
+  Points operator()(const ExactKernel::Segment_3 &s) const
   {
     return {s.source(), s.target()};
   }
-  Points operator()(const CrossingKernel::Triangle_3 &t) const
+  Points operator()(const ExactKernel::Triangle_3 &t) const
   {
     return {t[0], t[1], t[2]};
   }
@@ -92,14 +98,19 @@ struct PointsOfIntersection
 std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
                                                     const CrossingTriangle &b)
 {
-  const auto crossing =
-      CGAL::intersection(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
-                         CrossingKernel::Triangle_3(b[0], b[1], b[2]));
+  const CGAL::Cartesian_converter<CrossingKernel, ExactKernel> exact;
+  const CGAL::Cartesian_converter<ExactKernel, CrossingKernel> rounded;
+  const auto triangle = [&](const CrossingTriangle &t) {
+    return ExactKernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2]));
+  };
+  const auto crossing = CGAL::intersection(triangle(a), triangle(b));
   std::pair<double, CrossingPlace> extent = {0., a[0]};
   if (!crossing)
     return extent;
-  const std::vector<CrossingPlace> points =
-      boost::apply_visitor(PointsOfIntersection(), *crossing);
+  std::vector<CrossingPlace> points;
+  for (const ExactPlace &p :
+       boost::apply_visitor(PointsOfIntersection(), *crossing))
+    points.push_back(rounded(p));
   for (const CrossingPlace &p : points)
     for (const CrossingPlace &q : points)
       if (const double length = std::sqrt(CGAL::squared_distance(p, q));
