@@ -2,6 +2,8 @@
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -10,6 +12,8 @@ namespace
 {
 /** In units of stress. */
 constexpr double first_sufficient_strength = 100.;
+/** Of a mechanism, over the work of the loads. */
+constexpr double largest_dissipation = 0.5;
 
 /** The joints whose strength is lower in @p limited. */
 std::vector<unsigned int> lowered_joints(const DiscreteProblem &problem,
@@ -20,6 +24,27 @@ std::vector<unsigned int> lowered_joints(const DiscreteProblem &problem,
     if (limited.joints()[e].strength < problem.joints()[e].strength)
       lowered.push_back(e);
   return lowered;
+}
+
+/**
+ * Whether a mechanism with lowered strengths is one with the given ones, too:
+ * joints that are stronger hardly slide in it.
+ */
+bool collapses(const DiscreteProblem &problem,
+               const DiscreteProblem &limited,
+               const std::vector<unsigned int> &lowered,
+               Solution &found)
+{
+  if (!found.mechanism || !problem.is_plane())
+    return false;
+  Mechanism mechanism = *found.mechanism;
+  for (const unsigned int e : lowered)
+    mechanism.dissipation += (problem.limit(e) - limited.limit(e)) *
+                             std::abs(problem.sliding(e, mechanism.u.data()));
+  if (!(mechanism.dissipation < largest_dissipation * mechanism.work))
+    return false;
+  found.mechanism = std::move(mechanism);
+  return true;
 }
 
 bool any_slides(const std::vector<unsigned int> &joints, const Solution &found)
@@ -42,7 +67,8 @@ Solution solve_with_sufficient_strengths(
       problem.with_strengths_up_to(first_sufficient_strength);
   const std::vector<unsigned int> lowered = lowered_joints(problem, limited);
   Solution found = solve(limited, controls);
-  if (lowered.empty() || (found.converged() && !any_slides(lowered, found)))
+  if (lowered.empty() || (found.converged() && !any_slides(lowered, found)) ||
+      collapses(problem, limited, lowered, found))
     return found;
 
   SolverControls rest = controls;
@@ -51,7 +77,7 @@ Solution solve_with_sufficient_strengths(
   Solution second = solve(problem, rest);
   const unsigned int n_iterations = found.n_iterations + second.n_iterations;
   const unsigned int n_evaluations = found.n_evaluations + second.n_evaluations;
-  // A proof with lowered strengths proves nothing about the given ones.
+  // Other proofs with lowered strengths prove nothing about the given ones.
   const bool first_is_better =
       !second.converged() && !second.mechanism && !found.mechanism;
   Solution &best = first_is_better ? found : second;

@@ -16,7 +16,8 @@ namespace Voussoir
  * the difference of two multipliers that sum up to the strength, and in the
  * centre the square of the strength multiplies the rounding of the coordinates.
  * If that has no answer, or one in which a lowered strength is used up
- * (always_sliding), then with the strengths as they are.
+ * (always_sliding), then with the strengths as they are; a mechanism in which
+ * stronger joints hardly slide is an answer.
  *
  * @param problem with its own strengths.
  * @param controls for both together.
