@@ -28,6 +28,9 @@ namespace
  */
 constexpr unsigned int n_elastic_before_doubt = 8;
 constexpr double imbalance_without_doubt = 1e-4;
+/** The iterations, and the imbalance over the first one, that leave no hope. */
+constexpr unsigned int n_elastic_astray = 3;
+constexpr double imbalance_astray = 0.5;
 constexpr double error_to_start_from = 1e-8;
 /** The imbalance that the rounding of small displacements leaves. */
 constexpr double rounding_of_balance = 1e-12;
@@ -151,11 +154,20 @@ Solution minimise_elastic(const SharedProblem &problem,
   // On the root.
   EnergyProgram program;
   const DiscreteProblem *of_program = nullptr;
+  const double first_imbalance = newton.imbalance();
+  bool has_doubts = false;
+  const auto is_in_doubt = [&] {
+    const unsigned int n = newton.n_iterations();
+    return n == n_elastic_before_doubt
+               ? newton.imbalance() > imbalance_without_doubt
+               : n >= n_elastic_astray && n < n_elastic_before_doubt &&
+                     newton.imbalance() > imbalance_astray * first_imbalance;
+  };
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
-    if (newton.n_iterations() == n_elastic_before_doubt &&
-        newton.imbalance() > imbalance_without_doubt)
+    if (!has_doubts && is_in_doubt())
     {
+      has_doubts = true;
       std::vector<double> u =
           problem.displacement([&](const DiscreteProblem &whole) {
             // Of what friction hardly takes part in, it says more.
