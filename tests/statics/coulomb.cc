@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Coulomb's friction: states of blocks that slide without lifting, and their
-// factors, which friction with dilatancy bounds; factors of strengths; factors
-// that do not depend on the units of the loads, and that are zero; what is said
-// of factors that were tried; Anderson's acceleration of a linear fixed point.
+// factors, which friction with dilatancy bounds; factors that do not depend on
+// the units of the loads, and that are zero; what is said of factors that were
+// tried; Anderson's acceleration of a linear fixed point.
 
 #include <voussoir/algebra/anderson.h>
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/analyses/factor_analysis.h>
 #include <voussoir/analyses/factors/factor_without_dilatancy.h>
-#include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/analyses/state/assess.h>
 #include <voussoir/statics/energy/coulomb_state.h>
 #include <voussoir/statics/energy/least_energy.h>
@@ -203,69 +202,6 @@ void factors()
   check_error("a block", std::abs(block.factor->carried / 0.3 - 1.), 3e-6);
 }
 
-/** Both proofs of a strength factor, and the exact one. */
-void compare(const std::string &name, const Scene &scene, const double exact)
-{
-  const LoadFactorAnswer answer =
-      find_strength_factor(scene, {}, Terminal::silent());
-  check(name, answer.factor.has_value());
-  const LoadFactor &found = *answer.factor;
-  check_error(
-      "  state",
-      certify(with_strengths_divided(scene, found.carried), found.forces)
-          .error(),
-      1e-10);
-  check("  mechanism",
-        proves_collapse(certify_mechanism(
-            with_strengths_divided(scene, found.bound), found.mechanism)));
-  check_error("  factor", std::abs(found.carried / exact - 1.), 1e-7);
-  check_error("  bound", std::abs(found.bound / exact - 1.), 1e-7);
-}
-
-void strengths()
-{
-  compare("a dry block", wall_under(1, 1, 2., -10., 0.6, 0.), 3.);
-  compare("just rough enough", wall_under(1, 1, 6., -10., 0.6, 0.), 1.);
-  compare("rougher than the push asks for", wall_under(1, 1, 2., -10., 0.1, 0.),
-          0.5);
-  // mu W + c L = H v with W = 10 * 0.07, L = 0.4, H = 2 * 0.07
-  compare("with cohesion", wall_under(1, 1, 2., -10., 0.2, 0.35),
-          (0.2 * 0.7 + 0.35 * 0.4) / 0.14);
-  const LoadFactorAnswer upright = find_strength_factor(
-      wall_under(3, 3, 0., -10., 0.6, 0.), {}, Terminal::silent());
-  check("without a push no strength is needed",
-        upright.factor && upright.factor->is_unbounded);
-  const LoadFactorAnswer overturns = find_strength_factor(
-      wall_under(1, 1, 30., -10., 0.6, 0.), {}, Terminal::silent());
-  check("what overturns does with any strength", !overturns.factor);
-}
-
-/**
- * The least coefficient of a semicircular arch: by H / V at the springing,
- * where the thrust of the thinnest arch is the only one; and where it slides.
- */
-void arch(const double thickness, const double exact, const double error)
-{
-  const Scene scene = under(on_ground(semicircle(160, thickness)),
-                            Tensor<1, 2>({0., -20.}), 0.6, 0.);
-  const LoadFactorAnswer answer =
-      find_strength_factor(scene, {}, Terminal::silent());
-  check("an arch", answer.factor.has_value());
-  check_error("  its coefficient",
-              std::abs(0.6 / answer.factor->carried / exact - 1.), error);
-}
-
-void arches()
-{
-  // The weight of an annular sector is a little outside of the middle line;
-  // hinges at the extrados of the springings and the crown.
-  const double thickness = 0.10748, half = 0.5 * dealii::numbers::PI;
-  const double weight_at = 1. + thickness * thickness / 12.;
-  arch(thickness, (half - weight_at / (1. + 0.5 * thickness)) / half, 1e-4);
-  // Cocchetti and Rizzi (2020), for many voussoirs
-  arch(0.21, 0.309215, 2e-4);
-}
-
 void scales_and_zero()
 {
   const Scene none = wall_under(3, 3, 0., 0., 0., 1.);
@@ -330,8 +266,6 @@ void run()
 {
   states();
   factors();
-  strengths();
-  arches();
   scales_and_zero();
   words();
   acceleration();
