@@ -145,7 +145,8 @@ void check_crossings(MendedSurface &mended, const double distance)
     if (length > found.size)
     {
       found.size = length;
-      found.place = {place.x(), place.y(), place.z()};
+      // Without the sign of a zero.
+      found.place = {place.x() + 0., place.y() + 0., place.z() + 0.};
     }
   }
   if (found.count > 0)
