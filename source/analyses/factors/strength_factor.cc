@@ -65,7 +65,7 @@ private:
   double between();
   double secant(double power) const;
   double next(double divisor, const ShareOfLoads &share);
-  bool is_at_a_jump(double divisor);
+  void leave_undecided(double divisor);
   double find_limit();
   void find_proofs(double limit);
   void bisect();
@@ -163,15 +163,14 @@ double StrengthSearch<SceneOf>::next(const double divisor,
   return divisor * step;
 }
 
-/** Whether nothing more can be known where there is no answer. */
+/** Where there is no answer the share jumps, or some divisors later. */
 template <typename SceneOf>
-bool StrengthSearch<SceneOf>::is_at_a_jump(const double divisor)
+void StrengthSearch<SceneOf>::leave_undecided(const double divisor)
 {
   undecided = std::min(undecided, divisor);
   ++n_undecided;
   is_cutting = has_both() ||
                (found.carried > 0. && n_undecided == n_undecided_of_one_side);
-  return is_cutting;
 }
 
 /** Where the share is one; infinite if no strengths are needed. */
@@ -184,8 +183,12 @@ double StrengthSearch<SceneOf>::find_limit()
     const double last = divisor;
     const ShareOfLoads share =
         strengths.judge(last, is_cutting ? Question::side : Question::share);
-    if (!share.is_carried && !share.collapses && is_at_a_jump(last))
-      return last;
+    if (!share.is_carried && !share.collapses)
+    {
+      leave_undecided(last);
+      if (is_cutting)
+        return last;
+    }
     divisor = next(last, share);
     if (divisor > largest_divisor && !has_seen_none)
     {
