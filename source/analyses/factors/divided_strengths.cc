@@ -212,7 +212,10 @@ void DividedStrengths<SceneOf>::keep_forces(const Divided &divided,
   found.carried = greatest;
 }
 
-/** The greatest divisor with which forces are as much within their limits. */
+/**
+ * The greatest divisor with which forces are as much within their limits; not
+ * one that is greater within the tolerance, whose digits are those of chance.
+ */
 template <typename SceneOf>
 double DividedStrengths<SceneOf>::greatest_divisor(
     const Divided &divided, const typename SceneOf::Forces &forces) const
@@ -220,7 +223,8 @@ double DividedStrengths<SceneOf>::greatest_divisor(
   const Certificate proof = certify(divided.scene, forces);
   const double larger =
       divided.divisor / proof.max_utilisation * (1. - rounding_of_divisor);
-  if (!(larger > divided.divisor && std::isfinite(larger)))
+  if (!(larger > divided.divisor * (1. + controls.tolerance) &&
+        std::isfinite(larger)))
     return divided.divisor;
   const Certificate other =
       certify(with_strengths_divided(scene, larger), forces);
