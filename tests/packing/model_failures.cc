@@ -164,6 +164,16 @@ void test_crossing_in_a_plane()
   refuse("a.obj", obj_of("flat", shape));
 }
 
+void test_slender_face()
+{
+  // It is within the tolerance of a plane, but has no triangles in it.
+  Shape shape;
+  shape.vertices = {{100., 0.5, 0.5}, {2., 0., 0.},       {0., 0., 0.},
+                    {2., -0.5, 0.5},  {-0.5, -0.5, -0.5}, {-0.5, 2., 1.}};
+  shape.faces = {{3, 4, 5}, {0, 1, 4, 3}, {1, 2, 4}, {2, 0, 3, 5}};
+  refuse("a.obj", obj_of("slender", shape));
+}
+
 void test_ply()
 {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\n"
@@ -323,6 +333,7 @@ void run()
   test_off();
   test_obj();
   test_crossing_in_a_plane();
+  test_slender_face();
   test_ply();
   test_stl();
   test_compas();

@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/intersections.h>
 #include <boost/variant.hpp>
 
@@ -49,6 +50,25 @@ bool is_convex_surface(const Surface &surface, const double distance)
   return true;
 }
 
+/**
+ * Cut the faces that CGAL does not find triangles of, as warped or very slender
+ * ones, from one vertex; those triangles meet there, and do not count as
+ * crossing each other.
+ */
+void cut_remaining_faces(TriangleMesh &mesh)
+{
+  std::vector<TriangleMesh::Face_index> remaining;
+  for (const TriangleMesh::Face_index face : mesh.faces())
+    if (mesh.degree(face) > 3)
+      remaining.push_back(face);
+  for (const TriangleMesh::Face_index face : remaining)
+  {
+    const TriangleMesh::Halfedge_index h = mesh.halfedge(face);
+    while (mesh.next(mesh.next(mesh.next(h))) != h)
+      CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+  }
+}
+
 TriangleMesh triangles_of(const Surface &surface)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -62,6 +82,7 @@ TriangleMesh triangles_of(const Surface &surface)
   PMP::orient_polygon_soup(places, loops); // doubles vertices of two fans
   PMP::polygon_soup_to_polygon_mesh(places, loops, mesh);
   PMP::triangulate_faces(mesh);
+  cut_remaining_faces(mesh);
   return mesh;
 }
 
