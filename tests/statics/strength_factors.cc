@@ -4,6 +4,7 @@
 // with both proofs; blocks that wedge, where the share of the loads that is
 // carried jumps.
 
+#include <voussoir/algebra/vectors.h>
 #include <voussoir/analyses/factors/factor_entries.h>
 #include <voussoir/analyses/factors/strength_factor.h>
 #include <voussoir/scene/proofs/certificate.h>
@@ -146,13 +147,25 @@ void walls_at_both_sides()
   for (const double taper : {0.3, 0.02})
   {
     const double exact = 0.6 / taper;
+    const Scene scene = between_walls(taper, 0.6);
     const LoadFactorAnswer leaning =
-        find_strength_factor(between_walls(taper, 0.6), {}, Terminal::silent());
+        find_strength_factor(scene, {}, Terminal::silent());
     check("between leaning walls", leaning.factor.has_value());
     const LoadFactor &found = *leaning.factor;
     check("  the factor is between both proofs",
           found.carried <= exact * (1. + 1e-12) &&
               found.bound >= exact * (1. - 1e-12));
+    // Over forces that are far greater than the weight of 10.
+    check_error(
+        "  state, over its forces",
+        certify(with_strengths_divided(scene, found.carried), found.forces)
+                .error() *
+            10. / largest_component(found.forces.normal),
+        1e-13);
+    check("  mechanism",
+          proves_collapse(certify_mechanism(
+              with_strengths_divided(scene, found.bound), found.mechanism)));
+    check("  it says so", found.is_at_jump);
     check_error("  their distance", found.width(), 1e-3);
     check("  iterations", found.n_iterations < 1000);
   }

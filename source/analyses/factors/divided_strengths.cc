@@ -215,11 +215,14 @@ void DividedStrengths<SceneOf>::keep_forces(const Divided &divided,
 /**
  * The greatest divisor with which forces are as much within their limits; not
  * one that is greater within the tolerance, whose digits are those of chance.
+ * In space it is that of the resultants of faces, if it is one of all points.
  */
 template <typename SceneOf>
 double DividedStrengths<SceneOf>::greatest_divisor(
     const Divided &divided, const typename SceneOf::Forces &forces) const
 {
+  if (!std::isfinite(divided.divisor))
+    return divided.divisor;
   const Certificate proof = certify(divided.scene, forces);
   const double larger =
       divided.divisor / proof.max_utilisation * (1. - rounding_of_divisor);
@@ -228,8 +231,9 @@ double DividedStrengths<SceneOf>::greatest_divisor(
     return divided.divisor;
   const Certificate other =
       certify(with_strengths_divided(scene, larger), forces);
-  return other.admissibility_violation <=
-                 std::max(proof.admissibility_violation, rounding_of_excess)
+  return other.unbalanced.size() <= proof.unbalanced.size() &&
+                 other.admissibility_violation <=
+                     std::max(proof.admissibility_violation, rounding_of_excess)
              ? larger
              : divided.divisor;
 }
@@ -250,12 +254,16 @@ bool DividedStrengths<SceneOf>::keep_mechanism(Divided &divided)
   {
     found.mechanism = std::move(motion);
     found.bound = least;
-    found.proof = {least, 0., proof.closing_violation};
+    found.proof = {
+        least, 0.,
+        certify_mechanism(with_strengths_divided(scene, least), found.mechanism)
+            .closing_violation};
   }
   return true;
 }
 
-/** The least divisor with which a proof of collapse still is one. */
+/** The least divisor, from a quarter of it on, with which a proof of collapse
+ * still is one. */
 template <typename SceneOf>
 double DividedStrengths<SceneOf>::least_divisor(
     const double divisor, const typename SceneOf::MotionOfBlocks &motion) const

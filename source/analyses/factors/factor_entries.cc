@@ -156,9 +156,6 @@ std::string description_of(const FactorOf<SceneOf> &factor)
                                : description_without_dilatancy(factor);
 }
 
-/** The width of a strength factor that tells of a jump. */
-constexpr double wide = 1e-6;
-
 template <typename SceneOf>
 std::string sentence_of(const FactorOf<SceneOf> &factor,
                         const FactorEntries::Factor multiplied)
@@ -187,23 +184,23 @@ std::string sentence_of(const FactorOf<SceneOf> &factor,
   if (!std::isfinite(factor.bound))
   {
     words << "; no mechanism was found that bounds the factor.";
-    if (is_of_strength)
+    if (factor.is_at_jump)
       words << " The weaker joints are, the greater are the forces that carry "
                "the loads.";
     return words.str();
   }
   words.precision(2);
-  const bool is_least = factor.bound < factor.carried;
+  const bool is_least = !is_of_strength && factor.bound < factor.carried;
   words << (is_least ? " and no less" : " and no more") << ", proven within "
         << factor.width() << " of that";
   if (!is_least && factor.bound < 1. && multiplied != Factor::live_loads)
     words << (is_of_strength ? ": not with the strengths as they are"
                              : ": not the loads as they are");
   words << '.';
-  if (is_of_strength && factor.width() > wide)
-    words << " Between the two blocks begin to wedge, and the forces that "
-             "carry the loads grow without limit or jump: there nothing is "
-             "proven.";
+  if (factor.is_at_jump)
+    words << " Between both divisors blocks begin to wedge, and the forces "
+             "that carry the loads grow without limit or jump: nothing is "
+             "proven there.";
   if (factor.collapses_without)
     words << " The dead loads are not carried without the live ones.";
   return words.str();

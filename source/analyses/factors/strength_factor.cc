@@ -21,6 +21,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /** A step of Newton's, over the divisor, behind which its error is rounding. */
 constexpr double short_step = 1e-4;
 constexpr unsigned int n_max_of_newton = 40;
+/** What is left of an interval behind a good cut; half of it if it is halved.
+ */
+constexpr double good_cut = 0.6;
+/** How far a share is from one that is so by rounding. */
+constexpr double rounding_of_share = 1e-8;
 /** How many slow steps show that the share jumps. */
 constexpr unsigned int n_slow_of_jump = 3;
 /** How many divisors without an answer end a search for a collapse. */
@@ -73,6 +78,7 @@ private:
   const SceneOf &scene;
   const LoadFactorControls &controls;
   DividedStrengths<SceneOf> strengths;
+  /** What is found, by `strengths`. */
   FactorOf<SceneOf> &found = strengths.found;
   /** Of the last two steps of Newton's, of log f. */
   std::array<double, 2> lengths = {{infinite, infinite}};
@@ -84,7 +90,7 @@ private:
   double length_before = infinite;
   /** How often that was not halved. */
   unsigned int n_slow = 0;
-  /** The next step from where any share is carried. */
+  /** The next step from where any share is carried; the square of the last. */
   double next_step = usual_step;
   /** @{ */
   /** The least divisor without an answer, and how many there were. */
@@ -105,11 +111,12 @@ template <typename SceneOf>
 double StrengthSearch<SceneOf>::between()
 {
   const double length = std::log(found.bound / found.carried);
-  const bool is_slow = !(length < 0.5 * length_before);
+  const bool is_slow = !(length < good_cut * length_before);
   length_before = length;
   if (is_slow && ++n_slow == n_slow_of_jump)
     is_cutting = true;
-  if (!is_slow && carried_end.share.t > 0. && collapsing_end.share.t > 0.)
+  if (!is_slow && !is_cutting && carried_end.share.t > 0. &&
+      collapsing_end.share.t > 0.)
   {
     const double wanted = has_coefficient(scene) ? secant(-1.) : secant(1.);
     if (wanted > found.carried && wanted < found.bound)
@@ -154,7 +161,8 @@ double StrengthSearch<SceneOf>::next(const double divisor,
     return wanted;
   if (has_both())
     return between();
-  if (found.carried > 0. && std::isfinite(undecided))
+  if (found.carried > 0. && undecided > found.carried &&
+      std::isfinite(undecided))
     return std::sqrt(found.carried * undecided);
   if (!share.is_carried)
     return divisor / usual_step;
@@ -170,7 +178,7 @@ void StrengthSearch<SceneOf>::leave_undecided(const double divisor)
   undecided = std::min(undecided, divisor);
   ++n_undecided;
   is_cutting = has_both() ||
-               (found.carried > 0. && n_undecided == n_undecided_of_one_side);
+               (found.carried > 0. && n_undecided >= n_undecided_of_one_side);
 }
 
 /** Where the share is one; infinite if no strengths are needed. */
@@ -185,6 +193,9 @@ double StrengthSearch<SceneOf>::find_limit()
         strengths.judge(last, is_cutting ? Question::side : Question::share);
     if (!share.is_carried && !share.collapses)
     {
+      // At the limit itself there is no side.
+      if (share.t > 0. && std::abs(share.t - 1.) < rounding_of_share)
+        return last;
       leave_undecided(last);
       if (is_cutting)
         return last;
@@ -271,8 +282,9 @@ FactorAnswerOf<SceneOf> StrengthSearch<SceneOf>::find()
     throw SolverError("The strength factor was not found: neither forces nor a "
                       "mechanism prove anything, whatever the strengths. Try a "
                       "larger 'Solver/Maximum iterations'.");
-  found.stop = found.width() <= controls.tolerance ? Stop::Reason::converged
-                                                   : Stop::Reason::rounding;
+  const bool is_wide = !(found.width() <= controls.tolerance);
+  found.is_at_jump = is_wide && (is_cutting || !std::isfinite(found.bound));
+  found.stop = is_wide ? Stop::Reason::rounding : Stop::Reason::converged;
   answer.factor = std::move(found);
   return answer;
 }

@@ -28,7 +28,8 @@ namespace
  */
 constexpr unsigned int n_elastic_before_doubt = 8;
 constexpr double imbalance_without_doubt = 1e-4;
-/** The iterations, and the imbalance over the first one, that leave no hope. */
+/** Behind so many iterations Newton's method does not come back from such an
+ * imbalance, over the first one. */
 constexpr unsigned int n_elastic_astray = 3;
 constexpr double imbalance_astray = 0.5;
 constexpr double error_to_start_from = 1e-8;
@@ -56,6 +57,13 @@ public:
   SecantShare(const Structure &structure, ElasticJoint &law)
       : structure(structure), law(law)
   {}
+
+  /** Steps are Newton's from now on. */
+  void end()
+  {
+    share = 0.;
+    law.set_secant_share(share);
+  }
 
   /** To be called after each step, of which @p length is the length. */
   void adapt(const Newton &newton, const double length)
@@ -161,7 +169,9 @@ Solution minimise_elastic(const SharedProblem &problem,
     return n == n_elastic_before_doubt
                ? newton.imbalance() > imbalance_without_doubt
                : n >= n_elastic_astray && n < n_elastic_before_doubt &&
-                     newton.imbalance() > imbalance_astray * first_imbalance;
+                     newton.imbalance() >
+                         std::max(imbalance_astray * first_imbalance,
+                                  imbalance_without_doubt);
   };
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
@@ -188,6 +198,7 @@ Solution minimise_elastic(const SharedProblem &problem,
         return mechanism;
       newton.restart(std::move(u));
       proximal.emplace(newton);
+      secant.end();
     }
     secant.adapt(newton, proximal->advance());
     return mechanism;

@@ -30,17 +30,18 @@ std::vector<unsigned int> lowered_joints(const DiscreteProblem &problem,
  * Whether a mechanism with lowered strengths is one with the given ones, too:
  * joints that are stronger hardly slide in it.
  */
-bool collapses(const DiscreteProblem &problem,
-               const DiscreteProblem &limited,
-               const std::vector<unsigned int> &lowered,
-               Solution &found)
+bool collapses(const DiscreteProblem &problem, Solution &found)
 {
-  if (!found.mechanism || !problem.is_plane())
+  // Other strengths would dissipate, too.
+  if (!found.mechanism || !problem.is_plane() ||
+      !problem.normal_limits().empty())
     return false;
   Mechanism mechanism = *found.mechanism;
-  for (const unsigned int e : lowered)
-    mechanism.dissipation += (problem.limit(e) - limited.limit(e)) *
-                             std::abs(problem.sliding(e, mechanism.u.data()));
+  const double *const u = mechanism.u.data();
+  mechanism.work = problem.work(u);
+  mechanism.dissipation = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+    mechanism.dissipation += problem.limit(e) * std::abs(problem.sliding(e, u));
   if (!(mechanism.dissipation < largest_dissipation * mechanism.work))
     return false;
   found.mechanism = std::move(mechanism);
@@ -68,7 +69,7 @@ Solution solve_with_sufficient_strengths(
   const std::vector<unsigned int> lowered = lowered_joints(problem, limited);
   Solution found = solve(limited, controls);
   if (lowered.empty() || (found.converged() && !any_slides(lowered, found)) ||
-      collapses(problem, limited, lowered, found))
+      collapses(problem, found))
     return found;
 
   SolverControls rest = controls;

@@ -76,6 +76,9 @@ struct FactorOf
    */
   std::optional<FactorBound> own_collapse = {};
   /** @} */
+  /** Of find_strength_factor(): true if what is carried jumps where the factor
+   * is, so that nothing is proven between both bounds. */
+  bool is_at_jump = false;
   /** The number of iterations. */
   unsigned int n_iterations = 0;
   /** The reason for which the method stopped. */

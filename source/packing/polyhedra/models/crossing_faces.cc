@@ -131,7 +131,10 @@ std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
   std::vector<CrossingPlace> points;
   for (const ExactPlace &p :
        boost::apply_visitor(PointsOfIntersection(), *crossing))
+  {
+    CGAL::exact(p); // Its interval is a rounded place from then on.
     points.push_back(rounded(p));
+  }
   for (const CrossingPlace &p : points)
     for (const CrossingPlace &q : points)
       if (const double length = std::sqrt(CGAL::squared_distance(p, q));
