@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions_behaviour.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/intersections.h>
 #include <boost/variant.hpp>
@@ -51,6 +52,17 @@ bool is_convex_surface(const Surface &surface, const double distance)
 }
 
 /**
+ * With assertions CGAL warns of slow triangulations of faces that are hardly
+ * planar, on the terminal; they are few.
+ */
+void keep_silent(const char * /*kind*/,
+                 const char * /*expression*/,
+                 const char * /*file*/,
+                 int /*line*/,
+                 const char * /*explanation*/)
+{}
+
+/**
  * Cut the faces that CGAL does not find triangles of, as warped or very slender
  * ones, from one vertex; those triangles meet there, and do not count as
  * crossing each other.
@@ -81,6 +93,9 @@ TriangleMesh triangles_of(const Surface &surface)
   TriangleMesh mesh;
   PMP::orient_polygon_soup(places, loops); // doubles vertices of two fans
   PMP::polygon_soup_to_polygon_mesh(places, loops, mesh);
+  static const bool is_silent =
+      CGAL::set_warning_handler(keep_silent) != nullptr;
+  static_cast<void>(is_silent);
   PMP::triangulate_faces(mesh);
   cut_remaining_faces(mesh);
   return mesh;
