@@ -13,41 +13,13 @@
 #include <voussoir/statics/energy/coulomb_state.h>
 #include <voussoir/statics/energy/least_energy.h>
 
+#include "coulomb_scenes.h"
 #include "tests.h"
 
 namespace test_coulomb
 {
 using namespace Voussoir;
 using dealii::Tensor;
-
-/** A packing on the ground under a body force, with Coulomb's friction. */
-Scene under(const Packing<2> &packing,
-            const Tensor<1, 2> &force,
-            const double mu,
-            const double cohesion)
-{
-  Loads loads;
-  loads.traction.resize(packing.boundary_edges().size());
-  for (unsigned int c = 0; c < packing.n_cells(); ++c)
-    loads.body.add(packing, c, packing.area(c) * force);
-  const std::size_t n = packing.interfaces().size();
-  Scene scene(packing, std::vector<double>(n, cohesion), loads, rotations());
-  if (mu > 0.)
-    scene.coefficient.assign(n, mu);
-  return scene;
-}
-
-Scene wall_under(const unsigned int n_courses,
-                 const unsigned int n_bricks,
-                 const double fx,
-                 const double fy,
-                 const double mu,
-                 const double cohesion)
-{
-  return under(
-      on_ground(wall(n_courses, n_bricks, 0.4 * n_bricks, 0.175 * n_courses)),
-      Tensor<1, 2>({fx, fy}), mu, cohesion);
-}
 
 Scene without_dilatancy(Scene scene)
 {

@@ -68,7 +68,7 @@ private:
     return found.carried > 0. && std::isfinite(found.bound);
   }
   double between();
-  double secant(double power) const;
+  double secant() const;
   double next(double divisor, const ShareOfLoads &share);
   void leave_undecided(double divisor);
   double find_limit();
@@ -78,8 +78,8 @@ private:
   const SceneOf &scene;
   const LoadFactorControls &controls;
   DividedStrengths<SceneOf> strengths;
-  /** What is found, by `strengths`. */
-  FactorOf<SceneOf> &found = strengths.found;
+  /** What `strengths` has found. */
+  const FactorOf<SceneOf> &found = strengths.best();
   /** Of the last two steps of Newton's, of log f. */
   std::array<double, 2> lengths = {{infinite, infinite}};
   /** @{ */
@@ -118,7 +118,7 @@ double StrengthSearch<SceneOf>::between()
   if (!is_slow && !is_cutting && carried_end.share.t > 0. &&
       collapsing_end.share.t > 0.)
   {
-    const double wanted = has_coefficient(scene) ? secant(-1.) : secant(1.);
+    const double wanted = secant();
     if (wanted > found.carried && wanted < found.bound)
       return wanted;
   }
@@ -126,20 +126,21 @@ double StrengthSearch<SceneOf>::between()
 }
 
 /** Where a line through both ends is one: of t over one over the divisor, or of
- * one over t over its logarithm. */
+ * one over t over its logarithm, as in DividedStrengths::newton(). */
 template <typename SceneOf>
-double StrengthSearch<SceneOf>::secant(const double power) const
+double StrengthSearch<SceneOf>::secant() const
 {
+  const bool is_of_log = has_coefficient(scene);
   const auto place = [&](const End &end) {
-    return power > 0. ? 1. / end.divisor : std::log(end.divisor);
+    return is_of_log ? std::log(end.divisor) : 1. / end.divisor;
   };
   const auto value = [&](const End &end) {
-    return std::pow(end.share.t, power) - 1.;
+    return is_of_log ? 1. / end.share.t - 1. : end.share.t - 1.;
   };
   const double a = place(carried_end), b = place(collapsing_end),
                at_a = value(carried_end), at_b = value(collapsing_end),
                root = a + (b - a) * at_a / (at_a - at_b);
-  return power > 0. ? 1. / root : std::exp(root);
+  return is_of_log ? std::exp(root) : 1. / root;
 }
 
 /** The divisor to look at behind one that was looked at. */
@@ -259,33 +260,38 @@ void StrengthSearch<SceneOf>::bisect()
 template <typename SceneOf>
 FactorAnswerOf<SceneOf> StrengthSearch<SceneOf>::find()
 {
-  FactorAnswerOf<SceneOf> answer;
   const double limit = find_limit();
-  if (std::isinf(limit))
+  const bool needs_none = std::isinf(limit);
+  if (!needs_none)
+  {
+    if (!is_cutting && limit * largest_divisor > 1. && limit < largest_divisor)
+      find_proofs(limit);
+    bisect();
+  }
+  FactorOf<SceneOf> factor = strengths.take();
+  FactorAnswerOf<SceneOf> answer;
+  if (needs_none)
   {
     // Pressure alone carries the loads, with any strengths.
-    found.is_unbounded = true;
-    found.carried = 1.;
-    found.stop = Stop::Reason::converged;
-    answer.factor = std::move(found);
+    factor.is_unbounded = true;
+    factor.carried = 1.;
+    factor.stop = Stop::Reason::converged;
+    answer.factor = std::move(factor);
     return answer;
   }
-  if (!is_cutting && limit * largest_divisor > 1. && limit < largest_divisor)
-    find_proofs(limit);
-  bisect();
-  if (!(found.carried > 0.) && found.has_mechanism())
+  if (!(factor.carried > 0.) && factor.has_mechanism())
   {
-    answer.collapse = std::move(found.mechanism);
+    answer.collapse = std::move(factor.mechanism);
     return answer;
   }
-  if (!(found.carried > 0.))
+  if (!(factor.carried > 0.))
     throw SolverError("The strength factor was not found: neither forces nor a "
                       "mechanism prove anything, whatever the strengths. Try a "
                       "larger 'Solver/Maximum iterations'.");
-  const bool is_wide = !(found.width() <= controls.tolerance);
-  found.is_at_jump = is_wide && (is_cutting || !std::isfinite(found.bound));
-  found.stop = is_wide ? Stop::Reason::rounding : Stop::Reason::converged;
-  answer.factor = std::move(found);
+  const bool is_wide = !(factor.width() <= controls.tolerance);
+  factor.is_at_jump = is_wide && (is_cutting || !std::isfinite(factor.bound));
+  factor.stop = is_wide ? Stop::Reason::rounding : Stop::Reason::converged;
+  answer.factor = std::move(factor);
   return answer;
 }
 } // namespace

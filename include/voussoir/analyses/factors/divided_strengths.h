@@ -7,6 +7,7 @@
 #include <voussoir/statics/conic/proven_factor.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace Voussoir
@@ -60,7 +61,9 @@ public:
    */
   double newton(double divisor, const ShareOfLoads &share) const;
   /** The best proofs, and the iterations of all divisors. */
-  FactorOf<SceneOf> found;
+  const FactorOf<SceneOf> &best() const { return found; }
+  /** The same, to be kept; this object is not used any more. */
+  FactorOf<SceneOf> take() { return std::move(found); }
 
 private:
   /** The programme of one divisor. */
@@ -88,6 +91,7 @@ private:
   const SceneOf &scene;
   const LoadFactorControls &controls;
   Terminal &terminal;
+  FactorOf<SceneOf> found;
   /** The way to the share of the last divisor, which the next begins with. */
   ProvenFactor::Course course;
   double divisor_of_course = 1.;
