@@ -172,6 +172,15 @@ void test_slender_face()
                     {2., -0.5, 0.5},  {-0.5, -0.5, -0.5}, {-0.5, 2., 1.}};
   shape.faces = {{3, 4, 5}, {0, 1, 4, 3}, {1, 2, 4}, {2, 0, 3, 5}};
   refuse("a.obj", obj_of("slender", shape));
+  // One edge of a prism is drawn out beyond the next face, by little for a
+  // model of that size.
+  shape.vertices = {{0., 0., 0.},      {0., 0.5, 0.5}, {0., -0.5, 0.5},
+                    {2.00003, 0., 0.}, {2., 0.5, 0.5}, {2.00002, 0., 0.},
+                    {1e5, 0., 0.},     {1e5, 1e4, 0.}, {1e5, 0., 1e4},
+                    {1.1e5, 0., 0.}};
+  shape.faces = {{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5},
+                 {6, 8, 7}, {6, 7, 9}, {6, 9, 8},    {7, 8, 9}};
+  refuse("a.obj", obj_of("drawn out", shape));
 }
 
 void test_ply()

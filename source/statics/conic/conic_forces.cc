@@ -62,6 +62,8 @@ ConicForces::ConicForces(const ForceRows &rows,
       all_bounds.push_back({r, 1., of_row.greatest});
     if (std::isfinite(of_row.least))
       all_bounds.push_back({r, -1., -of_row.least});
+    if (!std::isfinite(of_row.least) && !std::isfinite(of_row.greatest))
+      rows_without_limits.push_back(r);
   }
   for (const ForceRows::Section &section : rows.sections())
     for (unsigned int end = 0; end < 2; ++end)
@@ -82,7 +84,20 @@ ConicForces::ConicForces(const ForceRows &rows,
   // In the order of the rows, as sets are gone through.
   std::stable_sort(all_cones.begin(), all_cones.end(),
                    [](const Cone &a, const Cone &b) { return a.row < b.row; });
+  leave_to_cones(rows_without_limits);
   find_coefficients();
+}
+
+/** Remove the rows of cones. */
+void ConicForces::leave_to_cones(std::vector<unsigned int> &some_rows) const
+{
+  std::vector<bool> has_cone(rows.n_all_rows(), false);
+  for (const Cone &cone : all_cones)
+    std::fill_n(has_cone.begin() + cone.row, cone.n_rows, true);
+  some_rows.erase(
+      std::remove_if(some_rows.begin(), some_rows.end(),
+                     [&](const unsigned int row) { return has_cone[row]; }),
+      some_rows.end());
 }
 
 /** Cone::coefficient of all cones. */

@@ -16,6 +16,12 @@ namespace
 constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
                  largest_force_shift = 1e-2;
 
+/**
+ * K of rows without any limit, unless others have more: what that leaves of
+ * their jumps goes with the steps.
+ */
+constexpr double least_without_limit = 1e8;
+
 /** The steps of conjugate gradients that may bring nothing. */
 constexpr unsigned int n_without_gain = 10;
 
@@ -99,6 +105,14 @@ bool ConicForces::prepare(const Weights &weights,
   for (double &sum : k)
     if (sum > 0.)
       sum = 1. / (sum + proximal);
+  if (!rows_without_limits.empty())
+  {
+    const double most =
+        std::max(least_without_limit, *std::max_element(k.begin(), k.end()));
+    for (const unsigned int row : rows_without_limits)
+      if (k[row] == 0.)
+        k[row] = most;
+  }
   for (const Cone &cone : all_cones)
     if (cone.bound >= 0)
       k[cone.row] = 1. / (weights.of_bounds[cone.bound] +

@@ -10,8 +10,13 @@ namespace Voussoir
 {
 namespace
 {
-/** The rounds of a correction, and those that may bring nothing. */
-constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2;
+/**
+ * The rounds of a correction, those that may bring nothing, and the rounds of a
+ * motion that is held where forces have no limit: beside strong joints each of
+ * its digits counts.
+ */
+constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2,
+                       n_held_rounds = 16;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** The room of a section, over its strength, to be inside. */
@@ -57,22 +62,26 @@ std::vector<double> missing(const ConicForces &forces,
 class Patience
 {
 public:
-  /** @param small an error from which on what is not halved is rounding. */
-  explicit Patience(const double small = 0.) : small(small) {}
-  bool lasts() const
-  {
-    return n < n_bound_rounds && n_in_vain < n_rounds_without_gain;
-  }
+  /**
+   * @param small an error from which on what is not halved is rounding.
+   * @param n_most the rounds.
+   */
+  explicit Patience(const double small = 0.,
+                    const unsigned int n_most = n_bound_rounds)
+      : small(small), n_most(n_most)
+  {}
+  bool lasts() const { return n < n_most && n_in_vain < n_rounds_without_gain; }
   void see(const double error, const double least)
   {
     ++n;
     n_in_vain = error < least ? 0 : n_in_vain + 1;
     if (least <= small && !(error < 0.5 * least))
-      n = n_bound_rounds;
+      n = n_most;
   }
 
 private:
   const double small;
+  const unsigned int n_most;
   unsigned int n = 0, n_in_vain = 0;
 };
 
@@ -86,7 +95,8 @@ void towards(std::vector<double> &x,
 }
 
 /**
- * The largest closing where a force has no limit, over the displacement: with a
+ * The largest closing where a force has no limit, and what moves where it has
+ * none in either direction, over the displacement: with a
  * cost what closes faster than that gains.
  */
 double closing_of(const ConicForces &forces,
@@ -103,6 +113,8 @@ double closing_of(const ConicForces &forces,
       ++b;
     else if (forces.of().bounds()[bounds[b].row].greatest == 0.)
       closing = std::max(closing, bounds[b].sign * jumps[bounds[b].row]);
+  for (const unsigned int row : forces.without_limits())
+    closing = std::max(closing, std::abs(jumps[row]));
   for (const ForceRows::FrictionCone &cone : forces.of().friction_cones())
     if (!std::isfinite(cone.strength))
       closing = std::max(closing,
@@ -332,9 +344,10 @@ FactorMotion mechanism_near(ConicForces &forces,
   };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
-  Patience patience;
+  const bool is_held = !forces.without_limits().empty();
+  Patience patience(0., is_held ? n_held_rounds : n_bound_rounds);
   const std::size_t n_bounds = forces.bounds().size();
-  while (error(best) > rounding_of_motion && patience.lasts())
+  while (error(best) > (is_held ? 0. : rounding_of_motion) && patience.lasts())
   {
     std::vector<double> left = forces.along(trial.u);
     add(left, 1., forces.of_rows(trial.z));

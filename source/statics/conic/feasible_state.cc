@@ -4,8 +4,10 @@
 #include <voussoir/base/text.h>
 #include <voussoir/statics/conic/blended_loads.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/coulomb_limits.h>
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,6 +62,11 @@ namespace
 /** The distance of the two bounds of a share between which none decides. */
 constexpr double distance_of_bounds = 1e-10;
 
+/** In units of stress. */
+constexpr double strong_limit = 1e4;
+/** Over the largest force. */
+constexpr double rounding_of_forces = 1e-13;
+
 /** The solution of a problem that collapses in a displacement @p u of rows. */
 Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
 {
@@ -95,6 +102,55 @@ Solution find_at_once(const DiscreteProblem &problem,
   }
   solution.n_iterations = solution.n_evaluations = found.n_iterations;
   return solution;
+}
+
+/** Whether forces of a problem with larger limits are within those of @p
+ * problem, but for rounding. */
+bool is_within_limits(const DiscreteProblem &problem,
+                      const std::vector<double> &forces)
+{
+  if (!(excess_of_friction(problem, forces) <=
+        rounding_of_forces * largest_component(forces)))
+    return false;
+  for (unsigned int e = 0; e < problem.normal_limits().size(); ++e)
+  {
+    const double *const of = &forces[problem.first_row(e)];
+    const unsigned int n = problem.n_contacts(e);
+    const double tension = problem.tension(e);
+    // Of a section without ends each has a half.
+    const double start = 0.5 * tension - (n == 1 ? 0.5 : 1.) * of[0],
+                 end = n == 1 ? start : 0.5 * tension - of[n - 1];
+    const double pressure = start + end;
+    if (std::isfinite(problem.normal_limits()[e].crushing) &&
+        pressure * pressure >
+            2. * (tension + problem.normal_limits()[e].crushing) *
+                std::min(start, end))
+      return false;
+  }
+  return true;
+}
+
+/**
+ * find_at_once() without the limits that are far beyond the loads: forces have
+ * no scale then, as those of dry joints, and joints that only these limits let
+ * move do not. Nothing is found if these forces, or this motion, are none of
+ * the problem.
+ */
+Solution find_without_strong_limits(const DiscreteProblem &problem,
+                                    const unsigned int n_max_iterations,
+                                    Terminal &terminal)
+{
+  Solution found;
+  if (!problem.is_plane() || !(problem.largest_limit() > strong_limit))
+    return found;
+  found = find_at_once(problem.without_strengths_above(strong_limit),
+                       n_max_iterations, terminal);
+  if (found.converged() ? is_within_limits(problem, found.forces)
+                        : collapses_with(problem, found))
+    return found;
+  Solution none;
+  none.n_iterations = none.n_evaluations = found.n_iterations;
+  return none;
 }
 
 /** Whether the greatest share of loads that are blended is above one, or below.
@@ -141,12 +197,15 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
       [&](const DiscreteProblem &lowered, const SolverControls &rest) {
         return find_at_once(lowered, rest.n_max_iterations, terminal);
       });
-  if (found.converged() || found.mechanism)
-    return found;
-  const unsigned int n_before = found.n_iterations;
-  found = decide_by_share(problem, n_max_iterations, terminal);
-  found.n_iterations += n_before;
-  found.n_evaluations += n_before;
+  for (const auto &try_next : {find_without_strong_limits, decide_by_share})
+  {
+    if (found.converged() || found.mechanism)
+      break;
+    const unsigned int n_before = found.n_iterations;
+    found = try_next(problem, n_max_iterations, terminal);
+    found.n_iterations += n_before;
+    found.n_evaluations += n_before;
+  }
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/algebra/vectors.h>
 #include <voussoir/statics/conic/force_rows.h>
+#include <voussoir/statics/problem/mechanism.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +17,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned int n_ends = 2;
 /** The rows of an arc. */
 constexpr unsigned int n_of_arc = 2;
-
-/** The integral of the negative part of what is linear from a to b. */
-double negative_part(const double a, const double b)
-{
-  const double least = std::min(a, b), greatest = std::max(a, b);
-  if (least >= 0.)
-    return 0.;
-  return greatest <= 0. ? -0.5 * (a + b)
-                        : 0.5 * least * (least / (greatest - least));
-}
 } // namespace
 
 ForceRows::ForceRows(const DiscreteProblem &problem, const Friction friction)

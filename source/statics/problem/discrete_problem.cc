@@ -183,6 +183,22 @@ DiscreteProblem::with_strengths_up_to(const double strength) const
 }
 
 DiscreteProblem
+DiscreteProblem::without_strengths_above(const double strength) const
+{
+  AssertThrow(is_plane(), dealii::ExcNotImplemented());
+  DiscreteProblem problem(*this);
+  const auto remove = [&](double &limit, const Joint &joint) {
+    if (limit > strength * joint.length)
+      limit = std::numeric_limits<double>::infinity();
+  };
+  for (Joint &joint : problem.own.joints.list)
+    remove(joint.strength, joint);
+  for (unsigned int e = 0; e < problem.limits_of_joints.size(); ++e)
+    remove(problem.limits_of_joints[e].crushing, joints()[e]);
+  return problem;
+}
+
+DiscreteProblem
 DiscreteProblem::with_loads(const std::vector<double> &loads) const
 {
   DiscreteProblem problem(*this);

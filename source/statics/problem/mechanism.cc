@@ -187,6 +187,37 @@ bool normalise(const DiscreteProblem &problem, std::vector<double> &v)
 }
 } // namespace
 
+double negative_part(const double a, const double b)
+{
+  const double least = std::min(a, b), greatest = std::max(a, b);
+  if (least >= 0.)
+    return 0.;
+  return greatest <= 0. ? -0.5 * (a + b)
+                        : 0.5 * least * (least / (greatest - least));
+}
+
+double dissipation_of(const DiscreteProblem &problem, const double *const u)
+{
+  double sum = 0.;
+  for (unsigned int e = 0; e < problem.joints().size(); ++e)
+  {
+    const double sliding = std::abs(problem.sliding(e, u));
+    const double start = problem.jump(e, 0, u),
+                 end = problem.jump(e, problem.n_contacts(e) - 1, u);
+    const double mu = problem.joints()[e].coefficient,
+                 tension = problem.tension(e);
+    sum += (problem.limit(e) - mu * tension) * sliding +
+           tension * 0.5 * (start + end);
+    // Joints with a coefficient open as they slide.
+    const double lift = mu * sliding;
+    if (!problem.normal_limits().empty() &&
+        std::isfinite(problem.normal_limits()[e].crushing))
+      sum += (tension + problem.normal_limits()[e].crushing) *
+             negative_part(start - lift, end - lift);
+  }
+  return sum;
+}
+
 std::optional<Mechanism> find_mechanism(const DiscreteProblem &problem,
                                         const std::vector<double> &u)
 {

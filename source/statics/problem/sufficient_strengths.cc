@@ -2,7 +2,6 @@
 #include <voussoir/statics/problem/sufficient_strengths.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -26,28 +25,6 @@ std::vector<unsigned int> lowered_joints(const DiscreteProblem &problem,
   return lowered;
 }
 
-/**
- * Whether a mechanism with lowered strengths is one with the given ones, too:
- * joints that are stronger hardly slide in it.
- */
-bool collapses(const DiscreteProblem &problem, Solution &found)
-{
-  // Other strengths would dissipate, too.
-  if (!found.mechanism || !problem.is_plane() ||
-      !problem.normal_limits().empty())
-    return false;
-  Mechanism mechanism = *found.mechanism;
-  const double *const u = mechanism.u.data();
-  mechanism.work = problem.work(u);
-  mechanism.dissipation = 0.;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    mechanism.dissipation += problem.limit(e) * std::abs(problem.sliding(e, u));
-  if (!(mechanism.dissipation < largest_dissipation * mechanism.work))
-    return false;
-  found.mechanism = std::move(mechanism);
-  return true;
-}
-
 bool any_slides(const std::vector<unsigned int> &joints, const Solution &found)
 {
   if (!found.always_sliding.empty())
@@ -57,6 +34,19 @@ bool any_slides(const std::vector<unsigned int> &joints, const Solution &found)
   return false;
 }
 } // namespace
+
+bool collapses_with(const DiscreteProblem &problem, Solution &found)
+{
+  if (!found.mechanism || !problem.is_plane())
+    return false;
+  Mechanism mechanism = *found.mechanism;
+  mechanism.work = problem.work(mechanism.u.data());
+  mechanism.dissipation = dissipation_of(problem, mechanism.u.data());
+  if (!(mechanism.dissipation < largest_dissipation * mechanism.work))
+    return false;
+  found.mechanism = std::move(mechanism);
+  return true;
+}
 
 Solution solve_with_sufficient_strengths(
     const DiscreteProblem &problem,
@@ -69,7 +59,7 @@ Solution solve_with_sufficient_strengths(
   const std::vector<unsigned int> lowered = lowered_joints(problem, limited);
   Solution found = solve(limited, controls);
   if (lowered.empty() || (found.converged() && !any_slides(lowered, found)) ||
-      collapses(problem, found))
+      collapses_with(problem, found))
     return found;
 
   SolverControls rest = controls;

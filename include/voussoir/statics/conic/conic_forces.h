@@ -88,6 +88,11 @@ public:
   /** All cones, two of each section, and one of each arc, disc and cone of
    * friction; by their rows. */
   const std::vector<Cone> &cones() const { return all_cones; }
+  /** The rows whose force may be anything, in order. */
+  const std::vector<unsigned int> &without_limits() const
+  {
+    return rows_without_limits;
+  }
   /** The number of slacks. */
   std::size_t n_slacks() const
   {
@@ -162,7 +167,9 @@ public:
    * Factorise A K A^T, with a relative shift of its diagonal that makes it
    * definite, and
    *
-   *     K = (Q + B^T W^-2 B)^-1.
+   *     K = (Q + B^T W^-2 B)^-1,
+   *
+   * in rows without any limit no less than in others.
    *
    * @param with_curvature true if Q counts.
    * @param proximal is added to the diagonal of what is inverted, but for
@@ -218,6 +225,7 @@ public:
 
 private:
   void find_coefficients();
+  void leave_to_cones(std::vector<unsigned int> &some_rows) const;
   bool factorise();
   double clear_border_work(std::vector<double> &u, double work) const;
   void invert_sets(const Weights &weights, bool with_curvature);
@@ -237,6 +245,8 @@ private:
   std::vector<Cone> all_cones;
   /** Rows whose bounds are both zero. */
   std::vector<unsigned int> without_force;
+  /** without_limits(). */
+  std::vector<unsigned int> rows_without_limits;
   /** Of each row, or of each pair of a set: K. */
   std::vector<double> coefficients;
   /** In space without a curvature what is prepared: W of each cone, what is

@@ -195,6 +195,12 @@ public:
    */
   DiscreteProblem with_strengths_up_to(double strength) const;
 
+  /**
+   * In the plane: this problem without limits s_e and f_c above @p strength,
+   * nondimensional.
+   */
+  DiscreteProblem without_strengths_above(double strength) const;
+
   /** This problem with other loads, those of discretise_loads(). */
   DiscreteProblem with_loads(const std::vector<double> &loads) const;
 

@@ -39,6 +39,17 @@ struct Mechanism
   double dissipation;
 };
 
+/** The integral of the negative part of what is linear from a to b, over a
+ * length of one. */
+double negative_part(double a, double b);
+
+/**
+ * The most that forces within their limits take out of the displacement @p u
+ * (n_dofs() numbers) in the plane, nondimensional: of friction, tension and
+ * crushing. Joints without a limit of pressure do not close.
+ */
+double dissipation_of(const DiscreteProblem &problem, const double *u);
+
 /**
  * Look whether the displacement @p u (n_dofs() numbers, any size) proves that
  * the load is not carried. Where it closes joints it is first corrected by

@@ -10,6 +10,15 @@
 namespace Voussoir
 {
 /**
+ * Whether the mechanism of a problem with other strengths in the plane is one
+ * with those of @p problem, too: joints that are stronger hardly move in it, so
+ * that what is dissipated is well below the work.
+ *
+ * @param found gets that work and dissipation.
+ */
+bool collapses_with(const DiscreteProblem &problem, Solution &found);
+
+/**
  * Solve with all strengths above 100 units of stress lowered to that, which
  * loads seldom need; forces within lower strengths are within the given ones.
  * Strengths far above the loads cost digits: in the linear program friction is

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/floating_point.h>
+#include <voussoir/packing/polyhedra/face_triangles.h>
 #include <voussoir/packing/polyhedra/models/check_surface.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/assertions_behaviour.h>
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 #include <boost/variant.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace Voussoir
@@ -29,7 +26,6 @@ namespace
 {
 using CrossingKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CrossingPlace = CrossingKernel::Point_3;
-using TriangleMesh = CGAL::Surface_mesh<CrossingPlace>;
 using CrossingTriangle = std::array<CrossingPlace, 3>;
 /** Of intersections: those of triangles in one plane are found from points that
  * are found before, which are no numbers where lines are nearly parallel. */
@@ -51,67 +47,80 @@ bool is_convex_surface(const Surface &surface, const double distance)
   return true;
 }
 
-/**
- * With assertions CGAL warns of slow triangulations of faces that are hardly
- * planar, on the terminal; they are few.
- */
-void keep_silent(const char * /*kind*/,
-                 const char * /*expression*/,
-                 const char * /*file*/,
-                 int /*line*/,
-                 const char * /*explanation*/)
-{}
-
-/**
- * Cut the faces that CGAL does not find triangles of, as warped or very slender
- * ones, from one vertex; those triangles meet there, and do not count as
- * crossing each other.
- */
-void cut_remaining_faces(TriangleMesh &mesh)
+/** A triangle of a face. */
+struct PartOfFace
 {
-  std::vector<TriangleMesh::Face_index> remaining;
-  for (const TriangleMesh::Face_index face : mesh.faces())
-    if (mesh.degree(face) > 3)
-      remaining.push_back(face);
-  for (const TriangleMesh::Face_index face : remaining)
-  {
-    const TriangleMesh::Halfedge_index h = mesh.halfedge(face);
-    while (mesh.next(mesh.next(mesh.next(h))) != h)
-      CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
-  }
-}
+  CrossingTriangle corners;
+  unsigned int face;
+};
 
-TriangleMesh triangles_of(const Surface &surface)
+/** The triangles of all faces that have an area. */
+std::vector<PartOfFace> parts_of_faces(const Surface &surface)
 {
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<CrossingPlace> places;
-  for (const dealii::Point<3> &p : surface.vertices)
-    places.emplace_back(p[0], p[1], p[2]);
-  std::vector<std::vector<std::size_t>> loops;
+  CellFaces cell;
+  cell.vertices = surface.vertices;
   for (unsigned int f = 0; f < surface.faces.size(); ++f)
-    loops.emplace_back(surface.faces[f].begin(), surface.faces[f].end());
-  TriangleMesh mesh;
-  PMP::orient_polygon_soup(places, loops); // doubles vertices of two fans
-  PMP::polygon_soup_to_polygon_mesh(places, loops, mesh);
-  static const bool is_silent =
-      CGAL::set_warning_handler(keep_silent) != nullptr;
-  static_cast<void>(is_silent);
-  PMP::triangulate_faces(mesh);
-  cut_remaining_faces(mesh);
-  return mesh;
+    cell.add_face(surface.faces[f]);
+  std::vector<PartOfFace> parts;
+  for (unsigned int f = 0; f < cell.n_faces(); ++f)
+    for (const std::array<unsigned int, 3> &corners : triangles_of(cell, f))
+    {
+      CrossingTriangle triangle;
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        const dealii::Point<3> &p = cell.vertex(f, corners[i]);
+        triangle[i] = {p[0], p[1], p[2]};
+      }
+      if (!CGAL::collinear(triangle[0], triangle[1], triangle[2]))
+        parts.push_back({triangle, f});
+    }
+  return parts;
 }
 
-CrossingTriangle corners_of_triangle(const TriangleMesh &mesh,
-                                     const TriangleMesh::Face_index face)
+bool has_corner(const CrossingTriangle &triangle, const CrossingPlace &p)
 {
-  CrossingTriangle triangle;
-  auto halfedge = mesh.halfedge(face);
-  for (CrossingPlace &corner : triangle)
-  {
-    corner = mesh.point(mesh.target(halfedge));
-    halfedge = mesh.next(halfedge);
-  }
-  return triangle;
+  return std::find(triangle.begin(), triangle.end(), p) != triangle.end();
+}
+
+bool have_common_corner(const CrossingTriangle &a, const CrossingTriangle &b)
+{
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+/** Whether all corners of @p b that are none of @p a are on one side of its
+ * plane, and not in it. */
+bool is_on_one_side(const CrossingTriangle &a, const CrossingTriangle &b)
+{
+  std::vector<CGAL::Orientation> sides;
+  for (const CrossingPlace &p : b)
+    if (!has_corner(a, p))
+      sides.push_back(CGAL::orientation(a[0], a[1], a[2], p));
+  return !sides.empty() && sides.front() != CGAL::COPLANAR &&
+         sides.front() == sides.back();
+}
+
+/** Call @p f for the triangles of any two faces that have more in common than
+ * corners, or than a side; they may have no more than that. */
+template <typename F>
+void for_each_crossing(const std::vector<PartOfFace> &parts, const F &f)
+{
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> boxes;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    boxes.emplace_back(
+        CGAL::bbox_3(parts[k].corners.begin(), parts[k].corners.end()), k);
+  const auto look_at = [&](const Box &one, const Box &other) {
+    const CrossingTriangle &a = parts[one.info()].corners,
+                           &b = parts[other.info()].corners;
+    if (parts[one.info()].face == parts[other.info()].face ||
+        is_on_one_side(a, b) || is_on_one_side(b, a))
+      return;
+    if (have_common_corner(a, b) ||
+        CGAL::do_intersect(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
+                           CrossingKernel::Triangle_3(b[0], b[1], b[2])))
+      f(a, b);
+  };
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look_at);
 }
 
 /** The points that an intersection of triangles is the hull of. */
@@ -130,9 +139,9 @@ struct PointsOfIntersection
   Points operator()(const Points &points) const { return points; }
 };
 
-/** The longest distance within the intersection of triangles, and where. */
-std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
-                                                    const CrossingTriangle &b)
+/** The points of which the intersection of triangles is the hull. */
+std::vector<CrossingPlace> common_points(const CrossingTriangle &a,
+                                         const CrossingTriangle &b)
 {
   const CGAL::Cartesian_converter<CrossingKernel, ExactKernel> exact;
   const CGAL::Cartesian_converter<ExactKernel, CrossingKernel> rounded;
@@ -140,22 +149,73 @@ std::pair<double, CrossingPlace> extent_of_crossing(const CrossingTriangle &a,
     return ExactKernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2]));
   };
   const auto crossing = CGAL::intersection(triangle(a), triangle(b));
-  std::pair<double, CrossingPlace> extent = {0., a[0]};
-  if (!crossing)
-    return extent;
   std::vector<CrossingPlace> points;
+  if (!crossing)
+    return points;
   for (const ExactPlace &p :
        boost::apply_visitor(PointsOfIntersection(), *crossing))
   {
     CGAL::exact(p); // Its interval is a rounded place from then on.
     points.push_back(rounded(p));
   }
+  return points;
+}
+
+/** The longest distance between points, and its middle. */
+struct CrossingExtent
+{
+  double length = 0.;
+  CrossingPlace middle;
+};
+
+CrossingExtent extent_of(const std::vector<CrossingPlace> &points)
+{
+  CrossingExtent extent;
   for (const CrossingPlace &p : points)
     for (const CrossingPlace &q : points)
       if (const double length = std::sqrt(CGAL::squared_distance(p, q));
-          length > extent.first)
+          length > extent.length)
         extent = {length, CGAL::midpoint(p, q)};
   return extent;
+}
+
+double distance_from_sides(const CrossingTriangle &triangle,
+                           const CrossingPlace &p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned int i = 0; i < 3; ++i)
+    least = std::min(least, CGAL::squared_distance(
+                                p, CrossingKernel::Segment_3(
+                                       triangle[i], triangle[(i + 1) % 3])));
+  return std::sqrt(least);
+}
+
+/** Whether triangles look to opposite sides: those of a face that is warped
+ * within the tolerance may cross its neighbours', which look about as it does.
+ */
+bool is_folded(const CrossingTriangle &a, const CrossingTriangle &b)
+{
+  return CGAL::cross_product(a[1] - a[0], a[2] - a[0]) *
+             CGAL::cross_product(b[1] - b[0], b[2] - b[0]) <
+         0.;
+}
+
+/**
+ * How far within triangles the middles between their common points are: it is
+ * next to nothing where the slender parts of faces that are warped within the
+ * tolerance meet beside their common side.
+ */
+double depth_of(const std::vector<CrossingPlace> &points,
+                const CrossingTriangle &a,
+                const CrossingTriangle &b)
+{
+  double depth = 0.;
+  for (const CrossingPlace &p : points)
+    for (const CrossingPlace &q : points)
+      for (const CrossingTriangle *const triangle : {&a, &b})
+        depth = std::max(depth,
+                         distance_from_sides(*triangle, CGAL::midpoint(p, q)));
+  return depth;
 }
 } // namespace
 
@@ -164,31 +224,30 @@ void check_crossings(MendedSurface &mended, const double distance)
   if (is_convex_surface(mended.surface, distance))
     return;
   const InvalidOperationsAllowed allowed;
-  const TriangleMesh mesh = triangles_of(mended.surface);
-  std::vector<std::pair<TriangleMesh::Face_index, TriangleMesh::Face_index>>
-      pairs;
-  CGAL::Polygon_mesh_processing::self_intersections(mesh,
-                                                    std::back_inserter(pairs));
   ModelDefect found = {DefectKind::crossing_surface};
   found.count = 0;
-  for (const auto &[f, g] : pairs)
-  {
-    const CrossingTriangle a = corners_of_triangle(mesh, f),
-                           b = corners_of_triangle(mesh, g);
-    if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end())
-      continue;
-    const auto [length, place] = extent_of_crossing(a, b);
-    if (length <= distance)
-      continue;
+  CrossingExtent worst;
+  const auto look_at = [&](const CrossingTriangle &a,
+                           const CrossingTriangle &b) {
+    const std::vector<CrossingPlace> points = common_points(a, b);
+    const CrossingExtent extent = extent_of(points);
+    if (extent.length <= distance || depth_of(points, a, b) <= distance ||
+        (have_common_corner(a, b) && !is_folded(a, b)))
+      return;
     ++found.count;
-    if (length > found.size)
-    {
-      found.size = length;
-      // Without the sign of a zero.
-      found.place = {place.x() + 0., place.y() + 0., place.z() + 0.};
-    }
-  }
-  if (found.count > 0)
-    mended.defects.push_back(found);
+    // Of equal ones the first by its place.
+    if (extent.length > worst.length ||
+        (extent.length == worst.length &&
+         CGAL::lexicographically_xyz_smaller(extent.middle, worst.middle)))
+      worst = extent;
+  };
+  for_each_crossing(parts_of_faces(mended.surface), look_at);
+  if (found.count == 0)
+    return;
+  found.size = worst.length;
+  // Without the sign of a zero.
+  const CrossingPlace &place = worst.middle;
+  found.place = {place.x() + 0., place.y() + 0., place.z() + 0.};
+  mended.defects.push_back(found);
 }
 } // namespace Voussoir
