@@ -16,7 +16,7 @@ using namespace Voussoir;
 using dealii::Tensor;
 
 /** The strengths over the loads. */
-constexpr double sizes[] = {1e2, 1e4, 1e6, 1e8};
+constexpr double sizes[] = {1e2, 1e5, 1e8, 1e10};
 
 enum class Verdict
 {

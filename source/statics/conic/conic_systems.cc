@@ -17,10 +17,10 @@ constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
                  largest_force_shift = 1e-2;
 
 /**
- * K of rows without any limit, unless others have more: what that leaves of
- * their jumps goes with the steps.
+ * The least K of rows without any limit, and over the largest of others: what
+ * it leaves of their jumps goes with the steps.
  */
-constexpr double least_without_limit = 1e8;
+constexpr double least_without_limit = 1e8, stiffer_without_limit = 1e4;
 
 /** The steps of conjugate gradients that may bring nothing. */
 constexpr unsigned int n_without_gain = 10;
@@ -108,7 +108,8 @@ bool ConicForces::prepare(const Weights &weights,
   if (!rows_without_limits.empty())
   {
     const double most =
-        std::max(least_without_limit, *std::max_element(k.begin(), k.end()));
+        std::max(least_without_limit,
+                 stiffer_without_limit * *std::max_element(k.begin(), k.end()));
     for (const unsigned int row : rows_without_limits)
       if (k[row] == 0.)
         k[row] = most;

@@ -169,7 +169,7 @@ public:
    *
    *     K = (Q + B^T W^-2 B)^-1,
    *
-   * in rows without any limit no less than in others.
+   * in rows without any limit more than in others.
    *
    * @param with_curvature true if Q counts.
    * @param proximal is added to the diagonal of what is inverted, but for
