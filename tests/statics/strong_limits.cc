@@ -6,9 +6,12 @@
 #include <voussoir/base/text.h>
 #include <voussoir/scene/proofs/certificate.h>
 #include <voussoir/statics/conic/feasible_state.h>
+#include <voussoir/statics/problem/mechanism.h>
 
 #include "coulomb_scenes.h"
 #include "tests.h"
+#include <cmath>
+#include <limits>
 
 namespace test_strong_limits
 {
@@ -55,6 +58,44 @@ Scene with_strengths(Scene scene, const double size, const bool crushes)
   return scene;
 }
 
+/** What is taken out of any motion is what the user's files say. */
+void dissipation()
+{
+  for (const bool turn : {false, true})
+    for (const double mu : {0., 0.6})
+    {
+      Scene scene = wall_under(3, 3, 3., -10., mu, 0.);
+      scene.kinematics = turn ? &rotations() : &translations();
+      const std::size_t n = scene.packing.interfaces().size();
+      for (std::size_t e = 0; e < n; ++e)
+      {
+        scene.strength[e] = 2. + e % 3;
+        scene.tensile_strength.push_back(e % 2 == 0 ? 0. : 0.7);
+        scene.compressive_strength.push_back(5. + e % 5);
+      }
+      const DiscreteProblem problem = discretise(scene);
+      double error = 0.;
+      for (unsigned int k = 0; k < 20; ++k)
+      {
+        Mechanism motion;
+        for (unsigned int i = 0; i < problem.n_dofs(); ++i)
+          motion.u.push_back(std::sin(1. + i + 100. * k * k));
+        problem.remove_rigid_motions(motion.u);
+        if (problem.work(motion.u.data()) < 0.)
+          for (double &component : motion.u)
+            component = -component;
+        const double ratio = problem.work(motion.u.data()) /
+                             dissipation_of(problem, motion.u.data());
+        const double from_files =
+            certify_mechanism(scene, dimensional_motion(problem, motion))
+                .work_over_dissipation;
+        error = std::max(error, std::abs(ratio / from_files - 1.));
+      }
+      check_error(text("dissipation, mu ", mu, turn ? ", turning" : ""), error,
+                  1e-10);
+    }
+}
+
 /** Stacks turn about an edge of their foot as if they were one block. */
 void stacks()
 {
@@ -72,6 +113,39 @@ void stacks()
                              size, crushes),
               Verdict::collapses);
     }
+}
+
+/** The same with a strong joint beside each dry one. */
+void mixed_stacks()
+{
+  const double exact = 10. * 0.4 / (8 * 0.175);
+  for (const double size : sizes)
+    for (const auto &[push, verdict] :
+         {std::make_pair(0.95, Verdict::carried),
+          std::make_pair(1.001, Verdict::collapses)})
+    {
+      Scene scene = wall_under(8, 1, push * exact, -10., 0.6, 0.);
+      for (std::size_t e = 0; e < scene.strength.size(); ++e)
+      {
+        scene.strength[e] = e % 2 == 0 ? 0. : 10. * size;
+        scene.compressive_strength.push_back(
+            e % 3 == 0 ? std::numeric_limits<double>::infinity() : 1e4 * size);
+      }
+      compare(text("mixed, ", size, ", push ", push), scene, verdict);
+    }
+}
+
+/** Forces between supports all around may be of any size. */
+void clamped()
+{
+  for (const unsigned int seed : {1u, 2u, 3u})
+  {
+    Packing<2> cells = random_packing(60, seed, {{0., 0.}, {1., 3.}});
+    cells.support(std::vector<bool>(cells.boundary_edges().size(), true));
+    compare(text("clamped cells, seed ", seed),
+            under(cells, Tensor<1, 2>({-350., -160.}), 0.34, 0.),
+            Verdict::carried);
+  }
 }
 
 /** Dry walls whose blocks do not turn slide on their foot, or not. */
@@ -109,7 +183,10 @@ void random_cells()
 
 void run()
 {
+  dissipation();
   stacks();
+  mixed_stacks();
+  clamped();
   walls();
   random_cells();
 }

@@ -62,8 +62,6 @@ ConicForces::ConicForces(const ForceRows &rows,
       all_bounds.push_back({r, 1., of_row.greatest});
     if (std::isfinite(of_row.least))
       all_bounds.push_back({r, -1., -of_row.least});
-    if (!std::isfinite(of_row.least) && !std::isfinite(of_row.greatest))
-      rows_without_limits.push_back(r);
   }
   for (const ForceRows::Section &section : rows.sections())
     for (unsigned int end = 0; end < 2; ++end)
@@ -84,20 +82,25 @@ ConicForces::ConicForces(const ForceRows &rows,
   // In the order of the rows, as sets are gone through.
   std::stable_sort(all_cones.begin(), all_cones.end(),
                    [](const Cone &a, const Cone &b) { return a.row < b.row; });
-  leave_to_cones(rows_without_limits);
   find_coefficients();
+  find_rows_without_limits();
 }
 
-/** Remove the rows of cones. */
-void ConicForces::leave_to_cones(std::vector<unsigned int> &some_rows) const
+/** Those that are in no bound and no cone; in space each is in one. */
+void ConicForces::find_rows_without_limits()
 {
-  std::vector<bool> has_cone(rows.n_all_rows(), false);
+  if (!rows.is_plane())
+    return;
+  std::vector<bool> is_limited(rows.n_all_rows(), false);
+  for (const Bound &bound : all_bounds)
+    is_limited[bound.row] = true;
   for (const Cone &cone : all_cones)
-    std::fill_n(has_cone.begin() + cone.row, cone.n_rows, true);
-  some_rows.erase(
-      std::remove_if(some_rows.begin(), some_rows.end(),
-                     [&](const unsigned int row) { return has_cone[row]; }),
-      some_rows.end());
+    std::fill_n(is_limited.begin() + cone.row, cone.n_rows, true);
+  for (const unsigned int row : without_force)
+    is_limited[row] = true;
+  for (unsigned int r = 0; r < is_limited.size(); ++r)
+    if (!is_limited[r])
+      rows_without_limits.push_back(r);
 }
 
 /** Cone::coefficient of all cones. */

@@ -17,8 +17,8 @@ constexpr double first_shift_of_forces = 1e-14, factor_of_force_shift = 100.,
                  largest_force_shift = 1e-2;
 
 /**
- * The least K of rows without any limit, and over the largest of others: what
- * it leaves of their jumps goes with the steps.
+ * K of rows without any limit at least, and over the largest of bounds. It
+ * would be infinite; a finite one leaves jumps, which later steps remove.
  */
 constexpr double least_without_limit = 1e8, stiffer_without_limit = 1e4;
 

@@ -10,13 +10,11 @@ namespace Voussoir
 {
 namespace
 {
-/**
- * The rounds of a correction, those that may bring nothing, and the rounds of a
- * motion that is held where forces have no limit: beside strong joints each of
- * its digits counts.
- */
-constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2,
-                       n_held_rounds = 16;
+/** The rounds of a correction, and those that may bring nothing. */
+constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2;
+/** The rounds of a motion where some forces have no limit: with strengths as
+ * large as these stand for each digit of it counts. */
+constexpr unsigned int n_rounds_without_limits = 16;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** The room of a section, over its strength, to be inside. */
@@ -344,10 +342,11 @@ FactorMotion mechanism_near(ConicForces &forces,
   };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
-  const bool is_held = !forces.without_limits().empty();
-  Patience patience(0., is_held ? n_held_rounds : n_bound_rounds);
+  const bool is_limited = forces.without_limits().empty();
+  Patience patience(0., is_limited ? n_bound_rounds : n_rounds_without_limits);
   const std::size_t n_bounds = forces.bounds().size();
-  while (error(best) > (is_held ? 0. : rounding_of_motion) && patience.lasts())
+  while (error(best) > (is_limited ? rounding_of_motion : 0.) &&
+         patience.lasts())
   {
     std::vector<double> left = forces.along(trial.u);
     add(left, 1., forces.of_rows(trial.z));

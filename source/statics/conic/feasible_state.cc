@@ -15,6 +15,13 @@ namespace Voussoir
 {
 namespace
 {
+/**
+ * The residual of a state whose forces are that much larger than the loads, as
+ * between supports that clamp it, and where a second search for smaller ones
+ * starts, SelfDual::Program::first_slack.
+ */
+constexpr double residual_of_small_forces = 1e-12, smaller_first_slack = 1.;
+
 /** The mechanism of a ray, along which the loads do work for nothing. */
 std::vector<double> collapse_of(ConicForces &forces,
                                 const SelfDual::Program &program,
@@ -28,13 +35,18 @@ std::vector<double> collapse_of(ConicForces &forces,
 }
 } // namespace
 
-FeasibleForces find_feasible_forces(RowProblem &problem,
-                                    const std::vector<double> &loads,
-                                    const unsigned int n_max_iterations,
-                                    Terminal &terminal)
+namespace
+{
+/** find_feasible_forces() from SelfDual::Program::first_slack. */
+FeasibleForces find_from(const double first_slack,
+                         RowProblem &problem,
+                         const std::vector<double> &loads,
+                         const unsigned int n_max_iterations,
+                         Terminal &terminal)
 {
   SelfDual::Program fixed = {loads};
   fixed.is_verdict = true;
+  fixed.first_slack = first_slack;
   SelfDual program(problem.forces(), fixed);
   SelfDual::State state = SelfDual::State::running;
   FeasibleForces found;
@@ -56,6 +68,26 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
   found.n_iterations = program.n_iterations();
   return found;
 }
+} // namespace
+
+FeasibleForces find_feasible_forces(RowProblem &problem,
+                                    const std::vector<double> &loads,
+                                    const unsigned int n_max_iterations,
+                                    Terminal &terminal)
+{
+  FeasibleForces found = find_from(SelfDual::Program().first_slack, problem,
+                                   loads, n_max_iterations, terminal);
+  if (!found.state || found.state->residual <= residual_of_small_forces)
+    return found;
+  FeasibleForces smaller =
+      find_from(smaller_first_slack, problem, loads,
+                n_max_iterations - found.n_iterations, terminal);
+  smaller.n_iterations += found.n_iterations;
+  if (!smaller.state || !(smaller.state->residual < found.state->residual))
+    smaller.state = std::move(found.state);
+  smaller.collapse.clear();
+  return smaller;
+}
 
 namespace
 {
@@ -73,12 +105,10 @@ Solution collapse_with(const RowProblem &problem, const std::vector<double> &u)
   Solution solution;
   solution.stop = Stop::Reason::collapse;
   const DiscreteProblem &of = problem.of();
-  double dissipation = 0.;
-  if (!of.is_plane())
-    dissipation = problem.rows().dissipation_of_jumps(problem.rows().jumps(u));
-  else
-    for (unsigned int e = 0; e < of.joints().size(); ++e)
-      dissipation += of.limit(e) * std::abs(of.sliding(e, u.data()));
+  const double dissipation =
+      of.is_plane()
+          ? dissipation_of(of, u.data())
+          : problem.rows().dissipation_of_jumps(problem.rows().jumps(u));
   solution.mechanism =
       Mechanism{problem.of_size_one(u), of.work(u.data()), dissipation};
   return solution;
@@ -114,37 +144,39 @@ bool is_within_limits(const DiscreteProblem &problem,
     return false;
   for (unsigned int e = 0; e < problem.normal_limits().size(); ++e)
   {
-    const double *const of = &forces[problem.first_row(e)];
+    const double crushing = problem.normal_limits()[e].crushing;
     const unsigned int n = problem.n_contacts(e);
+    if (!std::isfinite(crushing) || n == 0)
+      continue;
+    const double *const of = &forces[problem.first_row(e)];
     const double tension = problem.tension(e);
     // Of a section without ends each has a half.
     const double start = 0.5 * tension - (n == 1 ? 0.5 : 1.) * of[0],
                  end = n == 1 ? start : 0.5 * tension - of[n - 1];
     const double pressure = start + end;
-    if (std::isfinite(problem.normal_limits()[e].crushing) &&
-        pressure * pressure >
-            2. * (tension + problem.normal_limits()[e].crushing) *
-                std::min(start, end))
+    if (pressure * pressure > 2. * (tension + crushing) * std::min(start, end))
       return false;
   }
   return true;
 }
 
 /**
- * find_at_once() without the limits that are far beyond the loads: forces have
- * no scale then, as those of dry joints, and joints that only these limits let
- * move do not. Nothing is found if these forces, or this motion, are none of
- * the problem.
+ * find_at_once() without the limits of friction and crushing that are far
+ * beyond the loads: forces have no scale then, as those of dry joints, and
+ * joints that only these limits let move do not. Nothing is found if these
+ * forces, or this motion, are none of the problem.
  */
 Solution find_without_strong_limits(const DiscreteProblem &problem,
                                     const unsigned int n_max_iterations,
                                     Terminal &terminal)
 {
-  Solution found;
-  if (!problem.is_plane() || !(problem.largest_limit() > strong_limit))
-    return found;
-  found = find_at_once(problem.without_strengths_above(strong_limit),
-                       n_max_iterations, terminal);
+  if (!problem.is_plane())
+    return {};
+  const std::optional<DiscreteProblem> unlimited =
+      problem.without_strengths_above(strong_limit);
+  if (!unlimited)
+    return {};
+  Solution found = find_at_once(*unlimited, n_max_iterations, terminal);
   if (found.converged() ? is_within_limits(problem, found.forces)
                         : collapses_with(problem, found))
     return found;
@@ -184,6 +216,18 @@ Solution decide_by_share(const DiscreteProblem &problem,
   solution.n_iterations = solution.n_evaluations = share.n_iterations();
   return solution;
 }
+bool has_answer(const Solution &found)
+{
+  return found.converged() || found.mechanism;
+}
+
+/** Take what was found next, with the iterations of both. */
+void add_attempt(Solution &found, Solution next)
+{
+  next.n_iterations += found.n_iterations;
+  next.n_evaluations += found.n_evaluations;
+  found = std::move(next);
+}
 } // namespace
 
 Solution find_state_or_collapse(const DiscreteProblem &problem,
@@ -198,22 +242,19 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
         return find_at_once(lowered, rest.n_max_iterations, terminal);
       });
   for (const auto &try_next : {find_without_strong_limits, decide_by_share})
-  {
-    if (found.converged() || found.mechanism)
-      break;
-    const unsigned int n_before = found.n_iterations;
-    found = try_next(problem, n_max_iterations, terminal);
-    found.n_iterations += n_before;
-    found.n_evaluations += n_before;
-  }
+    if (!has_answer(found))
+      add_attempt(found, try_next(problem, n_max_iterations, terminal));
   return found;
 }
 
 std::optional<Mechanism> find_collapse(const DiscreteProblem &problem,
                                        Terminal &terminal)
 {
-  return decide_by_share(problem, SolverControls().n_max_iterations, terminal)
-      .mechanism;
+  const unsigned int n_max_iterations = SolverControls().n_max_iterations;
+  Solution found = decide_by_share(problem, n_max_iterations, terminal);
+  if (!has_answer(found))
+    found = find_without_strong_limits(problem, n_max_iterations, terminal);
+  return found.mechanism;
 }
 
 Solution FeasibleState::select(const DiscreteProblem &problem,

@@ -18,12 +18,6 @@ constexpr double small_tau = 1e-2, error_of_ray = 1e-8;
 constexpr unsigned int n_patience_of_gap = 10, n_patience_of_curved = 40;
 constexpr double progress = 0.7;
 constexpr double best_merit = 1e-15;
-/**
- * The first slack, over the root of the stiffness or the whole range: forces
- * far inside their bounds, so that joints need hardly open to begin with. With
- * a quadratic cost it is that root, of elastic forces.
- */
-constexpr double first_slack = 100.;
 /** A bound, over the loads, that hardly matters to begin with. */
 constexpr double far_bound = 100.;
 /** A factor, over that with which live loads are dead ones, that is zero. */
@@ -91,7 +85,8 @@ void SelfDual::take_usual_start()
   const auto slack = [&](const std::size_t row, const double range) {
     const double root =
         std::sqrt(rows.joints()[rows.joint_of_row(row)].stiffness());
-    return program.has_curvature ? root : first_slack * std::min(root, range);
+    return program.has_curvature ? root
+                                 : program.first_slack * std::min(root, range);
   };
   for (const ConicForces::Bound &bound : forces.bounds())
   {
@@ -147,7 +142,7 @@ void SelfDual::take_start_of_slacks()
     const double root = std::sqrt(joint.stiffness());
     double &x = now.x[bound.row];
     if (bound.limit == 0.)
-      x = -(program.has_curvature ? root : first_slack * root);
+      x = -(program.has_curvature ? root : program.first_slack * root);
     else if (bound.sign < 0.)
       x = x == 0. ? -0.5 * bound.limit : std::max(x, -0.5 * bound.limit);
   }
@@ -155,8 +150,9 @@ void SelfDual::take_start_of_slacks()
   {
     const double root =
         std::sqrt(rows.joints()[rows.joint_of_row(cone.row)].stiffness());
-    now.x[cone.row] = -std::min(
-        program.has_curvature ? root : first_slack * root, 0.5 * cone.strength);
+    now.x[cone.row] =
+        -std::min(program.has_curvature ? root : program.first_slack * root,
+                  0.5 * cone.strength);
   }
   now.s = slacks_of_forces();
   now.z.resize(now.s.size());

@@ -52,8 +52,8 @@ constexpr double imbalance_to_refine = 1e-12;
 
 /**
  * The part of the opening, whose largest component is one, from which Ipopt
- * starts once more with hard contact where it has found no step: with hardly
- * any friction it may lose its way (measured, one scene of 10,000).
+ * starts once more with hard contact where it ends without an answer: with
+ * hardly any friction it may lose its way (measured, one scene of 10,000).
  */
 constexpr double nearer_start = 0.01;
 
@@ -127,7 +127,7 @@ public:
     else
       solution = best_of(solve_program(problem, *this, ipopt, terminal));
     if (contact == Contact::hard && !solution.converged() &&
-        !solution.mechanism)
+        !solution.mechanism && solution.stop != Stop::Reason::most_iterations)
       start_nearer(ipopt, solution);
     solution.displacement_unit = 1. / law.unit_smoothing();
     solution.n_iterations += of_start.n_iterations;
@@ -136,16 +136,23 @@ public:
   }
 
 private:
-  /** Solve again from nearer to contact, and take that if it converges. */
+  /** Solve again from nearer to contact, and take that if it is an answer. */
   void start_nearer(const IpoptControls &ipopt, Solution &solution)
   {
     for (double &component : of_start.displacement)
       component *= nearer_start;
-    Solution second = best_of(solve_program(problem, *this, ipopt, terminal));
-    second.n_iterations += solution.n_iterations;
-    second.n_evaluations += solution.n_evaluations;
-    if (second.converged())
-      solution = std::move(second);
+    try
+    {
+      Solution second = best_of(solve_program(problem, *this, ipopt, terminal));
+      second.n_iterations += solution.n_iterations;
+      second.n_evaluations += solution.n_evaluations;
+      if (second.converged() || second.mechanism)
+        solution = std::move(second);
+    }
+    catch (const SolverError &)
+    {
+      // The first answer stands.
+    }
   }
 
   /** Of Ipopt and the interior-point method. */

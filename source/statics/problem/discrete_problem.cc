@@ -182,20 +182,23 @@ DiscreteProblem::with_strengths_up_to(const double strength) const
   return problem;
 }
 
-DiscreteProblem
+std::optional<DiscreteProblem>
 DiscreteProblem::without_strengths_above(const double strength) const
 {
   AssertThrow(is_plane(), dealii::ExcNotImplemented());
   DiscreteProblem problem(*this);
+  bool has_any = false;
   const auto remove = [&](double &limit, const Joint &joint) {
-    if (limit > strength * joint.length)
-      limit = std::numeric_limits<double>::infinity();
+    if (!(limit > strength * joint.length) || !std::isfinite(limit))
+      return;
+    limit = std::numeric_limits<double>::infinity();
+    has_any = true;
   };
   for (Joint &joint : problem.own.joints.list)
     remove(joint.strength, joint);
   for (unsigned int e = 0; e < problem.limits_of_joints.size(); ++e)
     remove(problem.limits_of_joints[e].crushing, joints()[e]);
-  return problem;
+  return has_any ? std::make_optional(std::move(problem)) : std::nullopt;
 }
 
 DiscreteProblem

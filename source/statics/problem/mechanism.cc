@@ -58,15 +58,6 @@ double largest_closing(const DiscreteProblem &problem,
   return closing;
 }
 
-/** The dissipation of friction. */
-double dissipation(const DiscreteProblem &problem, const std::vector<double> &v)
-{
-  double sum = 0.;
-  for (unsigned int e = 0; e < problem.joints().size(); ++e)
-    sum += problem.limit(e) * std::abs(problem.sliding(e, v.data()));
-  return sum;
-}
-
 /**
  * Move @p v to the nearest displacement in which joints whose jumps are below
  * @p small have none: contacts that hardly open, or close, neither close nor
@@ -120,7 +111,7 @@ bool round_small_jumps(const DiscreteProblem &problem,
 bool keep_joints_closed(const DiscreteProblem &problem, std::vector<double> &v)
 {
   return largest_closing(problem, v) <= closing_to_correct &&
-         problem.work(v.data()) > dissipation(problem, v) &&
+         problem.work(v.data()) > dissipation_of(problem, v.data()) &&
          round_small_jumps(problem, -rounding_of_closing, v);
 }
 
@@ -167,7 +158,7 @@ std::optional<Mechanism> mechanism_of(const DiscreteProblem &problem,
 
   Mechanism mechanism;
   mechanism.work = problem.work(v.data());
-  mechanism.dissipation = dissipation(problem, v);
+  mechanism.dissipation = dissipation_of(problem, v.data());
   double size_of_terms = mechanism.dissipation;
   for (unsigned int k = 0; k < problem.n_dofs(); ++k)
     size_of_terms += std::abs(problem.loads()[k] * v[k]);
@@ -201,19 +192,22 @@ double dissipation_of(const DiscreteProblem &problem, const double *const u)
   double sum = 0.;
   for (unsigned int e = 0; e < problem.joints().size(); ++e)
   {
-    const double sliding = std::abs(problem.sliding(e, u));
-    const double start = problem.jump(e, 0, u),
-                 end = problem.jump(e, problem.n_contacts(e) - 1, u);
     const double mu = problem.joints()[e].coefficient,
-                 tension = problem.tension(e);
-    sum += (problem.limit(e) - mu * tension) * sliding +
-           tension * 0.5 * (start + end);
+                 tension = problem.tension(e),
+                 limit = problem.limit(e) - mu * tension,
+                 sliding = std::abs(problem.sliding(e, u));
+    if (std::isfinite(limit))
+      sum += limit * sliding;
+    const unsigned int n = problem.n_contacts(e);
+    if (problem.normal_limits().empty() || n == 0)
+      continue;
+    const double start = problem.jump(e, 0, u), end = problem.jump(e, n - 1, u);
+    sum += tension * 0.5 * (start + end);
     // Joints with a coefficient open as they slide.
-    const double lift = mu * sliding;
-    if (!problem.normal_limits().empty() &&
-        std::isfinite(problem.normal_limits()[e].crushing))
-      sum += (tension + problem.normal_limits()[e].crushing) *
-             negative_part(start - lift, end - lift);
+    if (const double crushing = problem.normal_limits()[e].crushing;
+        std::isfinite(crushing))
+      sum += (tension + crushing) *
+             negative_part(start - mu * sliding, end - mu * sliding);
   }
   return sum;
 }

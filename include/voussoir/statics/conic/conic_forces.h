@@ -88,7 +88,7 @@ public:
   /** All cones, two of each section, and one of each arc, disc and cone of
    * friction; by their rows. */
   const std::vector<Cone> &cones() const { return all_cones; }
-  /** The rows whose force may be anything, in order. */
+  /** In the plane: the rows whose force may be anything, in order. */
   const std::vector<unsigned int> &without_limits() const
   {
     return rows_without_limits;
@@ -167,13 +167,14 @@ public:
    * Factorise A K A^T, with a relative shift of its diagonal that makes it
    * definite, and
    *
-   *     K = (Q + B^T W^-2 B)^-1,
+   *     K = (Q + B^T W^-2 B)^-1.
    *
-   * in rows without any limit more than in others.
+   * In rows without_limits() K would be infinite, and is far above those of
+   * bounds.
    *
    * @param with_curvature true if Q counts.
    * @param proximal is added to the diagonal of what is inverted, but for
-   * cones.
+   * cones and rows without limits.
    * @return false if no shift helps.
    */
   bool prepare(const Weights &weights,
@@ -181,7 +182,7 @@ public:
                double proximal = 0.);
   /** prepare() for a diagonal K, one number a row; there are no cones then. */
   bool prepare_diagonal(std::vector<double> k);
-  /** K r, of what is prepared; zero for rows without a slack. */
+  /** K r, of what is prepared; zero for rows without a force. */
   void multiply(std::vector<double> &r) const;
   /**
    * K (r - A^T u), where the difference is large across the limits of cones and
@@ -225,7 +226,7 @@ public:
 
 private:
   void find_coefficients();
-  void leave_to_cones(std::vector<unsigned int> &some_rows) const;
+  void find_rows_without_limits();
   bool factorise();
   double clear_border_work(std::vector<double> &u, double work) const;
   void invert_sets(const Weights &weights, bool with_curvature);

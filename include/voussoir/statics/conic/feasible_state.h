@@ -33,8 +33,9 @@ FeasibleForces find_feasible_forces(RowProblem &problem,
                                     Terminal &terminal);
 
 /**
- * Find any admissible forces of a problem, or its collapse; near the limit by
- * the share of BlendedLoads.
+ * Find any admissible forces of a problem, or its collapse; beside limits of
+ * joints that are far beyond the loads without these, and near the limit by the
+ * share of BlendedLoads.
  *
  * @return forces, if it has converged(), or a mechanism, or neither.
  */
@@ -43,7 +44,8 @@ Solution find_state_or_collapse(const DiscreteProblem &problem,
                                 Terminal &terminal);
 
 /**
- * Look for a mechanism, by the share of BlendedLoads.
+ * Look for a mechanism, by the share of BlendedLoads, and without the limits of
+ * joints that are far beyond the loads.
  *
  * @return none if there is none, or none was found.
  */

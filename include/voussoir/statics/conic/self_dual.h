@@ -46,6 +46,13 @@ public:
     /** True if what counts is whether the loads are carried, however closely;
      * there is no quadratic cost then. */
     bool is_verdict = false;
+    /**
+     * The first slack, over the root of the stiffness or the whole range:
+     * forces far inside their bounds, so that joints need hardly open to begin
+     * with. What the program leaves open stays about as large. With a quadratic
+     * cost it is that root, of elastic forces.
+     */
+    double first_slack = 100.;
   };
 
   /** A point and tau, kappa. */

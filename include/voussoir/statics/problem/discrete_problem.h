@@ -197,9 +197,9 @@ public:
 
   /**
    * In the plane: this problem without limits s_e and f_c above @p strength,
-   * nondimensional.
+   * nondimensional; none if there are no such limits.
    */
-  DiscreteProblem without_strengths_above(double strength) const;
+  std::optional<DiscreteProblem> without_strengths_above(double strength) const;
 
   /** This problem with other loads, those of discretise_loads(). */
   DiscreteProblem with_loads(const std::vector<double> &loads) const;

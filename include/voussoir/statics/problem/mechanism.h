@@ -31,11 +31,8 @@ struct Mechanism
    * It is sum_c F_c . u_c.
    */
   double work;
-  /**
-   * The dissipation of friction, nondimensional; less than the work.
-   *
-   * It is sum_e s_e |e| |[u]_e . t_e|.
-   */
+  /** What forces within their limits take out of it, nondimensional; less than
+   * the work. In the plane it is dissipation_of(). */
   double dissipation;
 };
 
@@ -46,7 +43,7 @@ double negative_part(double a, double b);
 /**
  * The most that forces within their limits take out of the displacement @p u
  * (n_dofs() numbers) in the plane, nondimensional: of friction, tension and
- * crushing. Joints without a limit of pressure do not close.
+ * crushing. What closes or slides without a limit does not count.
  */
 double dissipation_of(const DiscreteProblem &problem, const double *u);
 

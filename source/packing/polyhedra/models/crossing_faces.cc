@@ -77,11 +77,6 @@ std::vector<PartOfFace> parts_of_faces(const Surface &surface)
   return parts;
 }
 
-bool has_corner(const CrossingTriangle &triangle, const CrossingPlace &p)
-{
-  return std::find(triangle.begin(), triangle.end(), p) != triangle.end();
-}
-
 bool have_common_corner(const CrossingTriangle &a, const CrossingTriangle &b)
 {
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
@@ -91,16 +86,32 @@ bool have_common_corner(const CrossingTriangle &a, const CrossingTriangle &b)
  * plane, and not in it. */
 bool is_on_one_side(const CrossingTriangle &a, const CrossingTriangle &b)
 {
-  std::vector<CGAL::Orientation> sides;
+  CGAL::Orientation side = CGAL::COPLANAR;
   for (const CrossingPlace &p : b)
-    if (!has_corner(a, p))
-      sides.push_back(CGAL::orientation(a[0], a[1], a[2], p));
-  return !sides.empty() && sides.front() != CGAL::COPLANAR &&
-         sides.front() == sides.back();
+  {
+    if (std::find(a.begin(), a.end(), p) != a.end())
+      continue;
+    const CGAL::Orientation of_corner = CGAL::orientation(a[0], a[1], a[2], p);
+    if (of_corner == CGAL::COPLANAR ||
+        (side != CGAL::COPLANAR && of_corner != side))
+      return false;
+    side = of_corner;
+  }
+  return side != CGAL::COPLANAR;
 }
 
-/** Call @p f for the triangles of any two faces that have more in common than
- * corners, or than a side; they may have no more than that. */
+/** Whether triangles look to opposite sides: those of a face that is warped
+ * within the tolerance may cross its neighbours', which look about as it does.
+ */
+bool is_folded(const CrossingTriangle &a, const CrossingTriangle &b)
+{
+  return CGAL::cross_product(a[1] - a[0], a[2] - a[0]) *
+             CGAL::cross_product(b[1] - b[0], b[2] - b[0]) <
+         0.;
+}
+
+/** Call @p f for the triangles of any two faces that may have more in common
+ * than corners, or than a side. */
 template <typename F>
 void for_each_crossing(const std::vector<PartOfFace> &parts, const F &f)
 {
@@ -110,15 +121,16 @@ void for_each_crossing(const std::vector<PartOfFace> &parts, const F &f)
     boxes.emplace_back(
         CGAL::bbox_3(parts[k].corners.begin(), parts[k].corners.end()), k);
   const auto look_at = [&](const Box &one, const Box &other) {
-    const CrossingTriangle &a = parts[one.info()].corners,
-                           &b = parts[other.info()].corners;
-    if (parts[one.info()].face == parts[other.info()].face ||
-        is_on_one_side(a, b) || is_on_one_side(b, a))
+    const PartOfFace &first = parts[one.info()], &second = parts[other.info()];
+    const CrossingTriangle &a = first.corners, &b = second.corners;
+    if (first.face == second.face || is_on_one_side(a, b) ||
+        is_on_one_side(b, a))
       return;
-    if (have_common_corner(a, b) ||
-        CGAL::do_intersect(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
-                           CrossingKernel::Triangle_3(b[0], b[1], b[2])))
-      f(a, b);
+    if (have_common_corner(a, b)
+            ? is_folded(a, b)
+            : CGAL::do_intersect(CrossingKernel::Triangle_3(a[0], a[1], a[2]),
+                                 CrossingKernel::Triangle_3(b[0], b[1], b[2])))
+      f(first, second);
   };
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look_at);
 }
@@ -179,43 +191,47 @@ CrossingExtent extent_of(const std::vector<CrossingPlace> &points)
   return extent;
 }
 
-double distance_from_sides(const CrossingTriangle &triangle,
+/** The distance of a point from the sides of a face. */
+double distance_from_sides(const Surface &surface,
+                           const unsigned int face,
                            const CrossingPlace &p)
 {
+  const auto place = [&](const unsigned int v) {
+    const dealii::Point<3> &at = surface.vertices[v];
+    return CrossingPlace(at[0], at[1], at[2]);
+  };
   double least = std::numeric_limits<double>::infinity();
-  for (unsigned int i = 0; i < 3; ++i)
-    least = std::min(least, CGAL::squared_distance(
-                                p, CrossingKernel::Segment_3(
-                                       triangle[i], triangle[(i + 1) % 3])));
+  const auto &loop = surface.faces[face];
+  for (unsigned int i = 0; i < loop.size(); ++i)
+    least = std::min(
+        least, CGAL::squared_distance(
+                   p, CrossingKernel::Segment_3(
+                          place(loop[i]), place(loop[(i + 1) % loop.size()]))));
   return std::sqrt(least);
 }
 
-/** Whether triangles look to opposite sides: those of a face that is warped
- * within the tolerance may cross its neighbours', which look about as it does.
- */
-bool is_folded(const CrossingTriangle &a, const CrossingTriangle &b)
-{
-  return CGAL::cross_product(a[1] - a[0], a[2] - a[0]) *
-             CGAL::cross_product(b[1] - b[0], b[2] - b[0]) <
-         0.;
-}
-
-/**
- * How far within triangles the middles between their common points are: it is
- * next to nothing where the slender parts of faces that are warped within the
- * tolerance meet beside their common side.
- */
+/** How far within one of two faces the middles between points are. */
 double depth_of(const std::vector<CrossingPlace> &points,
-                const CrossingTriangle &a,
-                const CrossingTriangle &b)
+                const Surface &surface,
+                const unsigned int one,
+                const unsigned int other)
 {
   double depth = 0.;
   for (const CrossingPlace &p : points)
     for (const CrossingPlace &q : points)
-      for (const CrossingTriangle *const triangle : {&a, &b})
-        depth = std::max(depth,
-                         distance_from_sides(*triangle, CGAL::midpoint(p, q)));
+      for (const unsigned int face : {one, other})
+        depth = std::max(
+            depth, distance_from_sides(surface, face, CGAL::midpoint(p, q)));
   return depth;
+}
+
+/** Whether two faces have a vertex in common. */
+bool are_neighbours(const Surface &surface,
+                    const unsigned int one,
+                    const unsigned int other)
+{
+  const auto &a = surface.faces[one], &b = surface.faces[other];
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 } // namespace
 
@@ -227,12 +243,16 @@ void check_crossings(MendedSurface &mended, const double distance)
   ModelDefect found = {DefectKind::crossing_surface};
   found.count = 0;
   CrossingExtent worst;
-  const auto look_at = [&](const CrossingTriangle &a,
-                           const CrossingTriangle &b) {
-    const std::vector<CrossingPlace> points = common_points(a, b);
+  const Surface &surface = mended.surface;
+  const auto look_at = [&](const PartOfFace &a, const PartOfFace &b) {
+    const std::vector<CrossingPlace> points =
+        common_points(a.corners, b.corners);
     const CrossingExtent extent = extent_of(points);
-    if (extent.length <= distance || depth_of(points, a, b) <= distance ||
-        (have_common_corner(a, b) && !is_folded(a, b)))
+    // Neighbours that are warped within the tolerance may cross beside the
+    // side that they have in common.
+    if (extent.length <= distance ||
+        (are_neighbours(surface, a.face, b.face) &&
+         depth_of(points, surface, a.face, b.face) <= distance))
       return;
     ++found.count;
     // Of equal ones the first by its place.
@@ -241,7 +261,7 @@ void check_crossings(MendedSurface &mended, const double distance)
          CGAL::lexicographically_xyz_smaller(extent.middle, worst.middle)))
       worst = extent;
   };
-  for_each_crossing(parts_of_faces(mended.surface), look_at);
+  for_each_crossing(parts_of_faces(surface), look_at);
   if (found.count == 0)
     return;
   found.size = worst.length;

@@ -19,9 +19,10 @@ void check_faces(MendedSurface &mended, double distance);
 void check_shapes_of_faces(MendedSurface &mended);
 
 /**
- * Find faces that cross others of the same surface, further than @p distance:
- * in a segment of that length at least between triangles without a common
- * vertex, into which the faces are cut.
+ * Find faces that cross others of the same surface in a segment that is longer
+ * than @p distance; neighbours also farther than that from their sides. The
+ * faces are cut into triangles, and of two with a common vertex only those that
+ * look to opposite sides count.
  */
 void check_crossings(MendedSurface &mended, double distance);
 } // namespace Voussoir
