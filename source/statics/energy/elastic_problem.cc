@@ -18,20 +18,8 @@ namespace Voussoir
 namespace
 {
 
-/**
- * The iterations after which the load may be near its limit, or beyond; then an
- * EnergyProgram goes the rest of the way, or proves a collapse: there Newton's
- * steps walk from hinge to hinge, or from one joint that slides to the next
- * (measured, random packings: up to 300 steps). The imbalance below which the
- * method converges. And the error of the program from which Newton's method
- * takes one to seven steps.
- */
-constexpr unsigned int n_elastic_before_doubt = 8;
-constexpr double imbalance_without_doubt = 1e-4;
-/** Behind so many iterations Newton's method does not come back from such an
- * imbalance, over the first one. */
-constexpr unsigned int n_elastic_astray = 3;
-constexpr double imbalance_astray = 0.5;
+/** The error of the EnergyProgram, which goes the rest of the way where
+ * Newton's method is_in_doubt(), from which that takes one to seven steps. */
 constexpr double error_to_start_from = 1e-8;
 /** The imbalance that the rounding of small displacements leaves. */
 constexpr double rounding_of_balance = 1e-12;
@@ -164,18 +152,9 @@ Solution minimise_elastic(const SharedProblem &problem,
   const DiscreteProblem *of_program = nullptr;
   const double first_imbalance = newton.imbalance();
   bool has_doubts = false;
-  const auto is_in_doubt = [&] {
-    const unsigned int n = newton.n_iterations();
-    return n == n_elastic_before_doubt
-               ? newton.imbalance() > imbalance_without_doubt
-               : n >= n_elastic_astray && n < n_elastic_before_doubt &&
-                     newton.imbalance() >
-                         std::max(imbalance_astray * first_imbalance,
-                                  imbalance_without_doubt);
-  };
   const auto advance = [&]() {
     std::optional<Mechanism> mechanism;
-    if (!has_doubts && is_in_doubt())
+    if (!has_doubts && is_in_doubt(newton, first_imbalance))
     {
       has_doubts = true;
       std::vector<double> u =

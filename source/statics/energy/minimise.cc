@@ -3,8 +3,31 @@
 #include <voussoir/statics/energy/minimise.h>
 #include <voussoir/statics/problem/solver_controls.h>
 
+#include <algorithm>
+
 namespace Voussoir
 {
+namespace
+{
+/** The steps after which there is doubt, unless Newton's method converges. */
+constexpr unsigned int n_before_doubt = 8;
+/** After so many steps the method does not come back from such an imbalance,
+ * over the first one. */
+constexpr unsigned int n_astray = 3;
+constexpr double imbalance_astray = 0.5;
+} // namespace
+
+bool is_in_doubt(const Newton &newton, const double first_imbalance)
+{
+  const unsigned int n = newton.n_iterations();
+  if (n < n_astray || n > n_before_doubt)
+    return false;
+  return newton.imbalance() >
+         (n == n_before_doubt ? imbalance_without_doubt
+                              : std::max(imbalance_astray * first_imbalance,
+                                         imbalance_without_doubt));
+}
+
 Solution minimise(const SharedProblem &problem,
                   Newton &newton,
                   const NewtonControls &controls,

@@ -14,8 +14,8 @@ namespace
 {
 /** The residual of the linear systems, as good as a step of Newton's is. */
 constexpr double residual_of_systems = 1e-2;
-/** Close to the limit of the load they are not enough. */
-constexpr unsigned int n_steps = 8;
+/** At most; where the method is in doubt it takes no more. */
+constexpr unsigned int n_steps = 30;
 /** The error of the energy program that Newton's method starts from. */
 constexpr double error_to_start_newton = 1e-8;
 /** The error with which it is a start for Ipopt. */
@@ -34,12 +34,16 @@ bool converge(const DiscreteProblem &problem,
               CompliantStart &start)
 {
   Newton newton(problem, law, system, start.displacement);
-  const auto advance = [&newton]() {
-    newton.step(least_shift, newton.u());
+  const double first_imbalance = newton.imbalance();
+  NewtonControls of_newton = {controls.tolerance,
+                              std::min(n_steps, controls.n_max_iterations)};
+  const auto advance = [&]() {
+    if (is_in_doubt(newton, first_imbalance))
+      of_newton.n_max_iterations = newton.n_iterations();
+    else
+      newton.step(least_shift, newton.u());
     return std::optional<Mechanism>();
   };
-  const NewtonControls of_newton = {
-      controls.tolerance, std::min(n_steps, controls.n_max_iterations)};
   Solution solution =
       minimise(SharedProblem(problem), newton, of_newton, advance, terminal);
   const bool converged = solution.converged();
