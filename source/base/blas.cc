@@ -3,6 +3,7 @@
 
 #include <deal.II/base/multithread_info.h>
 
+#include <cstdlib>
 #include <dlfcn.h>
 
 namespace Voussoir
@@ -21,6 +22,21 @@ std::string blas_kernel()
   using GetName = char *(*)();
   const auto name = reinterpret_cast<GetName>(find("openblas_get_corename"));
   return name == nullptr ? "" : name();
+}
+
+std::string faster_blas_kernel()
+{
+  if (blas_kernel() != "Prescott" ||
+      std::getenv("OPENBLAS_CORETYPE") != nullptr)
+    return "";
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return "Haswell";
+#endif
+  return "";
 }
 
 void prepare_blas()

@@ -22,6 +22,14 @@ void prepare_blas();
  * digits of results depend; empty of another BLAS.
  */
 std::string blas_kernel();
+
+/**
+ * A faster kernel that this processor executes, for the environment's
+ * OPENBLAS_CORETYPE, where OpenBLAS has taken that of Prescott, as for
+ * processors younger than itself; empty elsewhere, and where the user has
+ * chosen.
+ */
+std::string faster_blas_kernel();
 } // namespace Voussoir
 
 #endif

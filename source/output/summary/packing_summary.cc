@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
+#include <voussoir/output/summary/kernel_summary.h>
 #include <voussoir/output/summary/packing_summary.h>
 #include <voussoir/output/summary/provenance.h>
 #include <voussoir/output/summary/space_ground_summary.h>
@@ -92,6 +93,7 @@ void show_packing(Terminal &terminal, const Packing<3> &packing)
            counted(packing.boundary_faces().size(), "boundary face"), ", on ",
            box.side_length(0), " x ", box.side_length(1), " x ",
            box.side_length(2)));
+  show_faster_kernel(terminal, packing.n_cells());
   terminal.stage("Volume", text(packing.volume()));
   if (packing.n_supports() > 0)
     terminal.stage("Supports", text("with the area ", supported_area(packing)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/text.h>
 #include <voussoir/output/summary/ground_summary.h>
+#include <voussoir/output/summary/kernel_summary.h>
 #include <voussoir/output/summary/link_summary.h>
 #include <voussoir/output/summary/messages.h>
 #include <voussoir/output/summary/provenance.h>
@@ -183,6 +184,7 @@ void show_packing(Terminal &terminal, const Packing<2> &packing)
                       packing.n_supports(), " of them supports, ",
                       counted(packing.boundary_edges().size(), "boundary edge"),
                       ", on ", box.side_length(0), " x ", box.side_length(1)));
+  show_faster_kernel(terminal, packing.n_cells());
   for (const std::string &warning : cells_not_convex(packing))
     terminal.warning(warning);
   const std::vector<StraightRun> supports = straight_supports(packing);
