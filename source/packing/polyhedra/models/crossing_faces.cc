@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
+#include <CGAL/version.h>
 #include <boost/variant.hpp>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace Voussoir
 {
@@ -151,6 +153,17 @@ struct PointsOfIntersection
   Points operator()(const Points &points) const { return points; }
 };
 
+/** The hull's points of one of the kinds that an intersection may have. */
+template <typename Kinds>
+PointsOfIntersection::Points points_of(const Kinds &kinds)
+{
+#if CGAL_VERSION_NR >= 1060000000
+  return std::visit(PointsOfIntersection(), kinds);
+#else
+  return boost::apply_visitor(PointsOfIntersection(), kinds);
+#endif
+}
+
 /** The points of which the intersection of triangles is the hull. */
 std::vector<CrossingPlace> common_points(const CrossingTriangle &a,
                                          const CrossingTriangle &b)
@@ -164,8 +177,7 @@ std::vector<CrossingPlace> common_points(const CrossingTriangle &a,
   std::vector<CrossingPlace> points;
   if (!crossing)
     return points;
-  for (const ExactPlace &p :
-       boost::apply_visitor(PointsOfIntersection(), *crossing))
+  for (const ExactPlace &p : points_of(*crossing))
   {
     CGAL::exact(p); // Its interval is a rounded place from then on.
     points.push_back(rounded(p));
