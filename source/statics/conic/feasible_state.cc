@@ -33,10 +33,7 @@ std::vector<double> collapse_of(ConicForces &forces,
       component /= size;
   return mechanism_near(forces, program, ray).u;
 }
-} // namespace
 
-namespace
-{
 /** find_feasible_forces() from SelfDual::Program::first_slack. */
 FeasibleForces find_from(const double first_slack,
                          RowProblem &problem,
