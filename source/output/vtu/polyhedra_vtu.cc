@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <type_traits>
 
 namespace Voussoir
 {
@@ -122,7 +123,10 @@ values_of_points(const CellFaces &cells,
       for (; i < std::min(end, points->first[c + 1]); ++i)
       {
         const auto value = of(c, cells.vertices[points->vertices[i]]);
-        values = std::copy(value.begin_raw(), value.end_raw(), values);
+        // Those of tensors of a higher rank need not lie in one row.
+        using Value = std::decay_t<decltype(value)>;
+        for (unsigned int k = 0; k < Value::n_independent_components; ++k)
+          *values++ = value[Value::unrolled_to_component_indices(k)];
       }
   };
 }
