@@ -2,6 +2,7 @@
 #include <voussoir/base/exceptions.h>
 #include <voussoir/base/geometry.h>
 #include <voussoir/base/text.h>
+#include <voussoir/packing/cgal_result.h>
 #include <voussoir/packing/polygons/polygon_checks.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -10,14 +11,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/intersections.h>
-#include <boost/variant.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <variant>
 
 namespace Voussoir
 {
@@ -74,20 +73,6 @@ std::vector<Kernel::Point_2> to_cgal(const Ring &ring)
   for (const Point<2> &p : ring)
     points.emplace_back(p[0], p[1]);
   return points;
-}
-
-/** What a result of CGAL is, if it is a T: up to CGAL 5 a variant of Boost's.
- */
-template <typename T, typename... Kinds>
-const T *held(const std::variant<Kinds...> &result)
-{
-  return std::get_if<T>(&result);
-}
-
-template <typename T, typename... Kinds>
-const T *held(const boost::variant<Kinds...> &result)
-{
-  return boost::get<T>(&result);
 }
 
 /** The place where two sides meet that should not, if they do. */

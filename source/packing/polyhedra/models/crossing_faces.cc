@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/floating_point.h>
+#include <voussoir/packing/cgal_result.h>
 #include <voussoir/packing/polyhedra/face_triangles.h>
 #include <voussoir/packing/polyhedra/models/check_surface.h>
 
@@ -10,15 +11,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
-#include <CGAL/version.h>
-#include <boost/variant.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 
 namespace Voussoir
 {
@@ -153,17 +151,6 @@ struct PointsOfIntersection
   Points operator()(const Points &points) const { return points; }
 };
 
-/** The hull's points of one of the kinds that an intersection may have. */
-template <typename Kinds>
-PointsOfIntersection::Points points_of(const Kinds &kinds)
-{
-#if CGAL_VERSION_NR >= 1060000000
-  return std::visit(PointsOfIntersection(), kinds);
-#else
-  return boost::apply_visitor(PointsOfIntersection(), kinds);
-#endif
-}
-
 /** The points of which the intersection of triangles is the hull. */
 std::vector<CrossingPlace> common_points(const CrossingTriangle &a,
                                          const CrossingTriangle &b)
@@ -177,7 +164,7 @@ std::vector<CrossingPlace> common_points(const CrossingTriangle &a,
   std::vector<CrossingPlace> points;
   if (!crossing)
     return points;
-  for (const ExactPlace &p : points_of(*crossing))
+  for (const ExactPlace &p : visit_result(PointsOfIntersection(), *crossing))
   {
     CGAL::exact(p); // Its interval is a rounded place from then on.
     points.push_back(rounded(p));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <voussoir/base/invalid_index.h>
+#include <voussoir/packing/cgal_result.h>
 #include <voussoir/packing/polyhedra/voronoi/voronoi_sites.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
-#include <boost/variant/get.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,7 @@ Exact::Point_3 exact_vertex(const VoronoiSites &sites,
   }
   const auto common = CGAL::intersection(planes[0], planes[1], planes[2]);
   const Exact::Point_3 *const point =
-      common ? boost::get<Exact::Point_3>(&*common) : nullptr;
+      common ? held<Exact::Point_3>(*common) : nullptr;
   AssertThrow(point, dealii::ExcInternalError());
   return *point;
 }
