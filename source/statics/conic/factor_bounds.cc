@@ -12,9 +12,6 @@ namespace
 {
 /** The rounds of a correction, and those that may bring nothing. */
 constexpr unsigned int n_bound_rounds = 8, n_rounds_without_gain = 2;
-/** The rounds of a motion where some forces have no limit: with strengths as
- * large as these stand for each digit of it counts. */
-constexpr unsigned int n_rounds_without_limits = 16;
 /** The part of the way to a bound that a correction may take. */
 constexpr double fraction_to_bound = 0.9;
 /** The room of a section, over its strength, to be inside. */
@@ -60,26 +57,22 @@ std::vector<double> missing(const ConicForces &forces,
 class Patience
 {
 public:
-  /**
-   * @param small an error from which on what is not halved is rounding.
-   * @param n_most the rounds.
-   */
-  explicit Patience(const double small = 0.,
-                    const unsigned int n_most = n_bound_rounds)
-      : small(small), n_most(n_most)
-  {}
-  bool lasts() const { return n < n_most && n_in_vain < n_rounds_without_gain; }
+  /** @param small an error from which on what is not halved is rounding. */
+  explicit Patience(const double small = 0.) : small(small) {}
+  bool lasts() const
+  {
+    return n < n_bound_rounds && n_in_vain < n_rounds_without_gain;
+  }
   void see(const double error, const double least)
   {
     ++n;
     n_in_vain = error < least ? 0 : n_in_vain + 1;
     if (least <= small && !(error < 0.5 * least))
-      n = n_most;
+      n = n_bound_rounds;
   }
 
 private:
   const double small;
-  const unsigned int n_most;
   unsigned int n = 0, n_in_vain = 0;
 };
 
@@ -94,8 +87,8 @@ void towards(std::vector<double> &x,
 
 /**
  * The largest closing where a force has no limit, and what moves where it has
- * none in either direction, over the displacement: with a
- * cost what closes faster than that gains.
+ * none in either direction, over the displacement: with a cost what closes
+ * faster than that gains.
  */
 double closing_of(const ConicForces &forces,
                   const SelfDual::Program &program,
@@ -342,11 +335,12 @@ FactorMotion mechanism_near(ConicForces &forces,
   };
   best.closing = closing_of(forces, program, best.u);
   FactorMotion trial = best;
-  const bool is_limited = forces.without_limits().empty();
-  Patience patience(0., is_limited ? n_bound_rounds : n_rounds_without_limits);
+  Patience patience;
+  // Forces without a limit stand for strengths so large that each digit counts.
+  const double enough =
+      forces.without_limits().empty() ? rounding_of_motion : 0.;
   const std::size_t n_bounds = forces.bounds().size();
-  while (error(best) > (is_limited ? rounding_of_motion : 0.) &&
-         patience.lasts())
+  while (error(best) > enough && patience.lasts())
   {
     std::vector<double> left = forces.along(trial.u);
     add(left, 1., forces.of_rows(trial.z));

@@ -213,6 +213,7 @@ Solution decide_by_share(const DiscreteProblem &problem,
   solution.n_iterations = solution.n_evaluations = share.n_iterations();
   return solution;
 }
+
 bool has_answer(const Solution &found)
 {
   return found.converged() || found.mechanism;
@@ -260,7 +261,7 @@ Solution FeasibleState::select(const DiscreteProblem &problem,
 {
   Solution found =
       find_state_or_collapse(problem, controls.n_max_iterations, terminal);
-  if (!found.converged() && !found.mechanism)
+  if (!has_answer(found))
     throw SolverError(
         text("Neither forces that carry the loads nor a mechanism were found "
              "after ",
